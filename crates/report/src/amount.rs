@@ -1,4 +1,5 @@
-//! Answers, their symbols and scales in the label language: `v_{C} = 0.8556 m/s`, `∠ 30°`, `μ_v = 0.01 (m/s)/mm`.
+//! Answers, their symbols, and scales in the label language: `v_{C} = 0.8556 m/s`, `∠ 30°`,
+//! `μ_v = 0.01 (m/s)/mm`.
 
 use hodograph_base::digits::{direction_degrees, inked, shortest, significant};
 use hodograph_base::notation::Notation;
@@ -11,7 +12,7 @@ use hodograph_scene::quantity::{Asked, Of, Over};
 use hodograph_scene::{Book, DiagramKind, Find, Kind};
 use hodograph_worked::certified::ladder::{Certified, Part};
 
-/// A question's symbol: `vr_B2B3` → `v^{r}_{B2B3}`.
+/// Returns the symbol of a question: `vr_B2B3` → `v^{r}_{B2B3}`.
 pub fn symbol(find: &Find, notation: &Notation) -> String {
     if let Asked::Combined(c) = find.what
         && let Some(halves) = halves_of(&c, &find.text)
@@ -22,27 +23,29 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
         });
         return format!("{a}{}{b}", c.operation.sign());
     }
-    // Names may be parted by a comma or a hyphen; a hyphen would be read as a minus. `P13D` has no underscore.
+    // Names may be separated by a comma or a hyphen; a hyphen would be read as a minus. `P13D` has
+    // no underscore.
     let sub = find.text.split_once('_').map_or_else(|| find.text.strip_prefix('P').unwrap_or_default(), |(_, s)| s).replace('-', ",");
     let entry = find.what.entry();
-    // Of a tangential part the notation has its mark.
+    // The notation has its own mark for tangential parts.
     let part = |sign: &str| match sign.strip_suffix('t') {
         Some(before) => format!("{before}{}", notation.tangential),
         None => sign.to_owned(),
     };
     let sup = match entry.over {
         Over::Nothing => String::new(),
-        // The roller of a follower as a link of its own: `omega_5` as of any link.
+        // The roller of a follower as a separate link: `omega_5`, written as for any link.
         Over::Sign(_) if !find.text.starts_with(entry.symbol) => String::new(),
         Over::Sign(sign) => part(sign),
         Over::Sliding => notation.sliding.clone(),
         Over::SlidingPart(sign) => format!("{}\\,{}", notation.sliding, part(sign)),
         Over::Coriolis => notation.coriolis.clone(),
     };
-    // A coordinate is of the point itself, and so is written below as it stands on the diagram.
+    // A coordinate belongs to the point itself, so the subscript is the point's label on the
+    // diagram.
     let place = matches!((find.what.of(), entry.kind), (Of::Point(_), Kind::Length));
     let sub = if place { point_label(sub.trim()) } else { name_label(&sub) };
-    // An index of the letter comes before that of the question: F_I and 2 are F_{I2}.
+    // An index in the letter comes before that of the question: F_I and 2 give F_{I2}.
     let (letter, index) = entry.letter.split_once('_').unwrap_or((entry.letter, ""));
     let reaction = if matches!(find.what, Asked::Force(f) if f.is_reaction()) { notation.reaction.as_str() } else { "" };
     let sub = format!("{index}{reaction}{sub}");
@@ -52,7 +55,8 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
     if sup.is_empty() { format!("{letter}_{{{sub}}}") } else { format!("{letter}^{{{sup}}}_{{{sub}}}") }
 }
 
-/// A certified number, `shift` powers of ten up; where not a digit is certain, about what the `f64` solution says.
+/// Returns a certified number multiplied by 10^`shift`; if no digit is certain, the approximate
+/// value of the `f64` solution.
 fn certain(c: &Certified, part: Part, digits: usize, shift: i32, rough: f64) -> String {
     match c.part(part).and_then(|n| n.text_scaled(digits, shift)) {
         Some((text, _)) => inked(&text),
@@ -63,12 +67,12 @@ fn certain(c: &Certified, part: Part, digits: usize, shift: i32, rough: f64) -> 
     }
 }
 
-/// An answer's number with its unit, in the label language.
+/// Returns an answer's number with its unit, in the label language.
 pub fn amount(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize) -> String {
     let kind = find.what.kind();
     let chosen = book.chosen(kind).is_some();
     let number = match value {
-        // Small lengths are told in millimetres.
+        // Small lengths are given in millimetres.
         Value::Scalar(s) if kind == Kind::Length && !chosen && s.abs() < 10.0 => {
             return format!("{} mm", certain(c, Part::Scalar, digits, 3, s * 1e3));
         }
@@ -82,7 +86,7 @@ pub fn amount(book: &Book, find: &Find, value: Value, c: &Certified, digits: usi
         }
         Value::Point(p) if !chosen && p.x.abs().max(p.y.abs()) < 10.0 => {
             let coordinate = |part, si: f64| certain(c, part, digits, 3, si * 1e3);
-            // A unit is upright behind a number; behind a parenthesis it has to be said.
+            // A unit after a number is upright; after a parenthesis it must be marked as upright.
             return format!("({}, {})\\,\\text{{mm}}", coordinate(Part::X, p.x), coordinate(Part::Y, p.y));
         }
         Value::Point(p) => {
@@ -92,16 +96,17 @@ pub fn amount(book: &Book, find: &Find, value: Value, c: &Certified, digits: usi
         }
         Value::Vector(v) => certain(c, if chosen { Part::Printed } else { Part::Magnitude }, digits, 0, book.value(kind, v.norm())),
     };
-    // The sense is told in words.
+    // The sense of rotation is given in words.
     book.label(kind, if kind.turns() { number.trim_start_matches('−') } else { &number })
 }
 
-/// An answer's direction or sense of turning, in words.
+/// Returns an answer's direction, or its sense of rotation in words.
 pub fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
     match value {
         Value::Vector(v) if c.part(Part::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
             let degrees = certain(c, Part::Direction, digits, 0, direction_degrees(v.angle()));
-            // A number alone is upright in the label language; only one with a power of ten needs it.
+            // A plain number is upright in the label language; only one with a power of ten needs
+            // it.
             let number = if degrees.contains('\\') { Label::math(degrees) } else { Label::text(degrees) };
             Label::text("∠ ").then(number).then(Label::text("°"))
         }
@@ -110,18 +115,18 @@ pub fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: us
     }
 }
 
-/// A number in the label language: `12.35`, `1.5 \times 10^{9}`.
+/// Returns a number in the label language: `12.35`, `1.5 \times 10^{9}`.
 pub fn number(value: f64, digits: usize) -> String {
     inked(&significant(value, digits))
 }
 
-/// The scale of a diagram: `\mu_v = 0.01 (m/s)/mm`.
+/// Returns the scale of a diagram: `\mu_v = 0.01 (m/s)/mm`.
 pub fn scale_formula(book: &Book, on: DiagramKind, mu: f64) -> String {
     let kind = on.kind();
     format!("\\mu_{} = {} {}", on.letter(), scale(book.value(kind, mu)), book.scale_label(kind))
 }
 
-/// A scale as the label language wants it: `0.002`, `2 \times 10^{-6}`.
+/// Returns a scale in the label language: `0.002`, `2 \times 10^{-6}`.
 pub fn scale(mu: f64) -> String {
     inked(&shortest(mu))
 }

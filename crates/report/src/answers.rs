@@ -1,4 +1,4 @@
-//! The answers: as text for people, as JSON for programs.
+//! The answers, as text and as JSON.
 
 use super::construction;
 use super::drafting;
@@ -23,10 +23,11 @@ pub use none::{reason, verdict};
 
 /// Digits of the direction of a point at infinity.
 const DIRECTION_DIGITS: usize = 5;
-/// Digits that text answers show unless more or fewer are asked for.
+/// Default number of digits in text answers.
 pub const DIGITS: usize = 6;
 
-/// Everything `solve` prints: one line a question, each number to `digits` significant digits as far as they are certain.
+/// Returns the complete text output of `solve`: one line per question, each number to `digits`
+/// significant digits as far as they are certain.
 pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, lang: Lang) -> String {
     let notation = Notation::of_language(lang);
     let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
@@ -51,7 +52,7 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         let remarks: Vec<String> = remarks.into_iter().filter(|w| !w.is_empty()).collect();
         rows.push([find.text.clone(), value, tolerance, measured_words(&w, worked, find, r, c, digits), remarks.join("  ")]);
     }
-    // A line without an answer is as long as it is.
+    // Lines without an answer do not affect the column widths.
     let width = |i: usize| rows.iter().filter(|r| i == 0 || !r[3..].iter().all(String::is_empty)).map(|r| r[i].width()).max().unwrap_or(0);
     let widths = [width(0), width(1), width(2), width(3)];
     let mut out = String::new();
@@ -78,17 +79,17 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
     out
 }
 
-/// One question: answered, or not.
+/// A question, with or without an answer.
 pub enum Line<'a> {
-    /// With its certificate.
+    /// An answer with its certificate.
     Answer(&'a Outcome, &'a Certified),
-    /// Without an answer in the pose.
+    /// A question without an answer in the pose.
     None(&'a Unanswered),
     /// An instantaneous centre at infinity.
     Far(&'a Far),
 }
 
-/// All questions in their order.
+/// Returns all questions in their order.
 pub fn lines<'a>(worked: &'a Worked, certified: &'a [Certified]) -> Vec<Line<'a>> {
     let answered = worked.results.iter().zip(certified).map(|(r, c)| (r.find, Line::Answer(r, c)));
     let none = worked.unanswered.iter().map(|u| (u.find, Line::None(u)));
@@ -97,7 +98,7 @@ pub fn lines<'a>(worked: &'a Worked, certified: &'a [Certified]) -> Vec<Line<'a>
     all.into_iter().map(|(_, line)| line).collect()
 }
 
-/// Where a centre lies that is nowhere in the plane: `at infinity, ∠ 35.00°`.
+/// Returns the direction of a centre at infinity: `at infinity, ∠ 35.00°`.
 pub fn at_infinity(far: &Far, lang: Lang) -> String {
     match far.direction_deg {
         Some(degrees) => fill(tr(lang, "at infinity, ∠ {}°", "无穷远处，∠ {}°"), &[("", &significant(degrees, DIRECTION_DIGITS))]),
@@ -105,12 +106,14 @@ pub fn at_infinity(far: &Far, lang: Lang) -> String {
     }
 }
 
-/// The largest relative difference between drawing and analysis; `None` where nothing was compared.
+/// Returns the largest relative difference between drawing and analysis; `None` if nothing was
+/// compared.
 pub fn worst(worked: &Worked) -> Option<f64> {
     worked.results.iter().filter_map(|r| r.agreement).map(|a| a.difference).reduce(f64::max)
 }
 
-/// A value with its unit, and with its sense or direction: the certified digits; where none are certain, about those of the `f64` solution.
+/// Returns a value with its unit and its sense or direction, to its certified digits; if none are
+/// certain, the approximate value of the `f64` solution.
 pub fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize, lang: Lang) -> String {
     let kind = find.what.kind();
     let number = |part: Part, digits: usize, rough: f64| match c.part(part).and_then(|n| n.text(digits)) {
@@ -120,7 +123,7 @@ pub fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits
             (known, false) => format!("≈ {}", significant(rough, known)),
         },
     };
-    // The certified number that is printed, in its unit.
+    // The certified number in the unit in which it is printed.
     let printed = match book.chosen(kind) {
         Some(_) => Part::Printed,
         None if kind == Kind::Angle => Part::Degrees,
@@ -153,11 +156,12 @@ pub fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits
     }
 }
 
-/// Why fewer digits than asked for are printed; nothing where all are certain.
+/// Returns the reason why fewer digits than requested are printed; empty if all are certain.
 fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
     let Some(why) = &c.why else { return String::new() };
     if let Why::NextOrder(known) = why {
-        // Said once for all by the note on the pose; here only where digits are missing.
+        // The note on the pose states this once for all answers; it is repeated only where digits
+        // are missing.
         return match lang {
             _ if *known >= digits => String::new(),
             Lang::En => format!("[{known} digits are true: {}]", why.words(lang)),
@@ -190,7 +194,7 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
         None if r.longer.is_some() => tr(lang, "(longer numbers)", "（高精度数）").into(),
         None => tr(lang, "(loop equations)", "（解析）").into(),
         Some(a) => match &a.measured {
-            // Where nothing moves there is no polygon and no scale.
+            // If nothing moves there is no polygon and no scale.
             Some(_) if worked.construction.is_empty(find.what.diagram()) => String::new(),
             Some(m) => {
                 let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0);
@@ -208,15 +212,15 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
     }
 }
 
-/// A scale as a factor, with its unit: the product is right as it stands.
+/// Returns a scale as a factor with its unit, in a form suitable for a product.
 fn scale_words(book: &Book, on: DiagramKind, m: &Measured) -> String {
     format!("{} {}", shortest(book.value(on.kind(), m.mu)), book.scale_name(on.kind()))
 }
 
-/// The letters of the two marks between which a length lies: `bc`, `n′_c–c′`.
+/// Returns the letters of the two marks at the ends of a length: `bc`, `n′_c–c′`.
 fn between(w: &Writer, on: DiagramKind, m: &Measured) -> String {
     let [from, to] = m.marks.map(|(mark, _)| formula(&construction::mark(w, on, &mark)));
-    // After a subscript the next letter would read as a part of it.
+    // After a subscript the next letter would look like a part of it.
     let apart = if from.contains('_') { "–" } else { "" };
     format!("{from}{apart}{to}")
 }
@@ -230,7 +234,8 @@ fn agreement_words(r: &Outcome, lang: Lang) -> String {
     }
 }
 
-/// The answers for programs: SI values, components, the measured length, both ways and their difference.
+/// Returns the answers as JSON: SI values, components, the measured length, the results of drawing
+/// and analysis and their difference.
 pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, notes: &[Diagnostic]) -> Json {
     let notation = Notation::of_language(Lang::En);
     let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
@@ -272,7 +277,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
     let mut all = json!({
         "title": {"en": scene.title.en, "zh": scene.title.zh},
         "answers": answers,
-        // Infinite where singular, which JSON writes as null.
+        // Infinite in a singular pose, which JSON writes as null.
         "condition": worked.solution.condition,
         "singular": worked.solution.singular.iter().map(|s| singularity(scene, s)).collect::<Vec<_>>(),
         "scales": scales(worked),
@@ -284,7 +289,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
     all
 }
 
-/// The scales by their keys; that of forces where they are drawn.
+/// Returns the scales by their keys, with the scale of forces if forces are drawn.
 fn scales(worked: &Worked) -> serde_json::Map<String, Json> {
     let key = |on: DiagramKind| on.kind().scale_key().map(str::to_owned);
     let usual = DiagramKind::OF_MOTION.into_iter();
@@ -295,7 +300,7 @@ fn scales(worked: &Worked) -> serde_json::Map<String, Json> {
     all
 }
 
-/// The SI numbers of a value.
+/// Returns a value in SI as JSON.
 fn value(v: Value) -> Json {
     match v {
         Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
@@ -304,7 +309,7 @@ fn value(v: Value) -> Json {
     }
 }
 
-/// The value in the unit that the scene asks for, with its name; null where it asks for none.
+/// Returns the value in the unit that the scene requests, with its name; null if it requests none.
 fn in_unit(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize) -> Json {
     let kind = find.what.kind();
     let Some(unit) = book.chosen(kind) else { return Json::Null };
@@ -320,7 +325,7 @@ fn in_unit(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize)
     }
 }
 
-/// A centre at infinity for programs: no value, and the direction in which it lies. It has the keys of an answer.
+/// Returns a centre at infinity as JSON: no value, but its direction. It has the keys of an answer.
 fn far_json(scene: &Scene, far: &Far) -> Json {
     let find = &scene.find[far.find];
     let mut answer = json!({"find": find.text, "unit": find.what.kind().si(), "unbounded": false, "at_infinity": true, "direction_deg": far.direction_deg});
@@ -330,7 +335,7 @@ fn far_json(scene: &Scene, far: &Far) -> Json {
     answer
 }
 
-/// The keys of an answer that are null where there is none.
+/// The keys of an answer that are null if there is none.
 const NO_ANSWER: &[&str] = &[
     "certified",
     "value",
@@ -347,9 +352,10 @@ const NO_ANSWER: &[&str] = &[
     "why",
 ];
 
-/// A question without an answer for programs: no value, whether because it grows beyond bounds, and the links that lie in line.
+/// Returns a question without an answer as JSON: no value, a flag for unbounded growth, and the
+/// collinear links.
 ///
-/// It has the keys of an answer, so that programs need not ask which there are.
+/// It has the keys of an answer, so that all entries have the same keys.
 fn unanswered(scene: &Scene, worked: &Worked, u: &Unanswered) -> Json {
     let (unbounded, code, links) = match &u.why {
         NoAnswer::NoMotion(r) => (r.why == Refusal::DeadPoint, r.diagnostic.code, r.named.as_slice()),
@@ -384,8 +390,8 @@ fn unanswered(scene: &Scene, worked: &Worked, u: &Unanswered) -> Json {
     answer
 }
 
-/// What is certain of an answer: for each of its numbers the middle and radius of an interval that surely contains it, and
-/// the digits on which both ends agree.
+/// Returns the certificate of an answer: for each of its numbers the centre and radius of an
+/// interval that is guaranteed to contain it, and the digits that both ends have in common.
 fn certificate(c: &Certified, digits: usize) -> Json {
     let numbers: serde_json::Map<String, Json> = c
         .parts
@@ -417,7 +423,7 @@ fn singularity(scene: &Scene, s: &Singularity) -> Json {
     })
 }
 
-/// A diagnostic for programs.
+/// Returns a diagnostic as JSON.
 pub fn diagnostic(d: &Diagnostic) -> Json {
     json!({
         "severity": d.severity.word(),

@@ -1,7 +1,8 @@
-//! Wrong solutions in words and as JSON: what was printed, what its equation gives, what is true, and why it is wrong.
+//! Wrong solutions in words and as JSON: the printed value, the value by the wrong equation, the
+//! true value, and the reason for the mistake.
 //!
-//! True values are certified, as `solve` prints them. Those of wrong equations are read off their drawing; a number without a meaning needs no
-//! certificate.
+//! True values are certified, as `solve` prints them. Values of wrong equations are read from their
+//! drawing and not certified.
 
 use crate::amount::{amount, number, sense as certified_sense, symbol};
 use hodograph_base::digits::{direction_degrees, inked, significant};
@@ -20,20 +21,20 @@ use serde_json::{Value as Json, json};
 
 /// Digits of numbers that are not certified.
 const DIGITS: usize = 4;
-/// Digits of printed numbers at most.
+/// Largest number of digits of printed numbers.
 const PRINTED_DIGITS: usize = 8;
-/// A printed number further from that of its equation than this does not come from it.
+/// Largest relative difference at which a printed number is attributed to its equation.
 const REPRODUCED: f64 = 0.02;
 
-/// What the words are told from.
+/// A writer for the wrong solutions of a scene.
 pub struct Words<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// The right solution.
+    /// The correct solution.
     pub worked: &'a Worked,
-    /// Its certified answers.
+    /// The certified answers of the correct solution.
     pub certified: &'a [Certified],
-    /// Marks.
+    /// Notation of the marks.
     pub notation: &'a Notation,
     /// Language.
     pub lang: Lang,
@@ -41,11 +42,11 @@ pub struct Words<'a> {
     pub digits: usize,
 }
 
-/// A column of the equation, and whether it is framed.
+/// A column of the equation with its frame.
 pub struct Framed {
     /// The column.
     pub column: Column,
-    /// Whether the vector is missing or wrong.
+    /// True if the vector is missing or wrong, and framed.
     pub framed: bool,
 }
 
@@ -54,7 +55,7 @@ impl Words<'_> {
         tr(self.lang, en, zh)
     }
 
-    /// The mistake and its place.
+    /// Returns the name of the mistake and its location.
     pub fn heading(&self, a: &Attempt) -> String {
         let title = a.site.mistake().title(self.lang);
         let place = a.site.place(self.scene);
@@ -64,7 +65,7 @@ impl Words<'_> {
         }
     }
 
-    /// The same with its points set as points.
+    /// Returns the heading with names of points as formulas.
     pub fn heading_set(&self, a: &Attempt) -> Phrase {
         let (title, place) = (a.site.mistake().title(self.lang), a.site.place(self.scene));
         let contact = if let Site::ContactPoint(c, _) = a.site { Some(contact::name(self.scene, c)) } else { None };
@@ -75,7 +76,8 @@ impl Words<'_> {
         })
     }
 
-    /// Words in which every name of a point, that of a contact included, and ω, is a formula.
+    /// Returns words in which every name of a point, including that of a contact, and ω, is a
+    /// formula.
     fn points_set(&self, words: &str, contact: Option<&str>) -> String {
         let mut out = String::new();
         let mut name = String::new();
@@ -89,7 +91,7 @@ impl Words<'_> {
             name.clear();
         };
         for c in words.chars() {
-            // Chinese words stand at a letter without a space.
+            // Chinese words follow a letter without a space.
             if c.is_alphanumeric() && !('\u{2e80}'..).contains(&c) || c == '\'' || c == '_' {
                 name.push(c);
             } else {
@@ -101,12 +103,12 @@ impl Words<'_> {
         out
     }
 
-    /// Writers for the right and the wrong equations.
+    /// Returns writers for the right and the wrong equations.
     pub fn writers<'b>(&'b self, a: &'b Attempt) -> [Writer<'b>; 2] {
         [&a.right, &a.wrong].map(|s| Writer { scene: &s.scene, plan: &s.worked.plan, notation: self.notation, lang: self.lang })
     }
 
-    /// The equation in which the mistake is seen; none where it is a statement.
+    /// Returns the equation that shows the mistake; `None` if the mistake is in a statement.
     pub fn equation(&self, a: &Attempt) -> Option<Vec<Framed>> {
         let [right, wrong] = self.writers(a);
         let w = match a.shown.side {
@@ -125,7 +127,7 @@ impl Words<'_> {
         Some(all)
     }
 
-    /// The wrong statement where no equation shows it.
+    /// Returns the wrong statement if no equation shows the mistake.
     pub fn statement(&self, a: &Attempt) -> Option<Phrase> {
         let [_, w] = self.writers(a);
         let Step::Image { target, from, .. } = &a.shown.step else { return None };
@@ -140,7 +142,7 @@ impl Words<'_> {
         Some(Phrase::new(&image))
     }
 
-    /// What the frame means.
+    /// Returns the legend of the frame.
     pub fn frame(&self, a: &Attempt) -> &'static str {
         let missing = matches!((&a.shown.missing, a.shown.side), (Some(_), _) | (None, Side::Right));
         match (missing, printed(a)) {
@@ -151,7 +153,7 @@ impl Words<'_> {
         }
     }
 
-    /// What the drawing shows.
+    /// Returns the legend of the drawing.
     pub fn frame_of_drawing(&self, a: &Attempt) -> &'static str {
         if printed(a) {
             self.tr("Right (black) and as printed (red, *), from one pole", "正确解（黑）与原解（红，加 *），同一极点")
@@ -160,7 +162,7 @@ impl Words<'_> {
         }
     }
 
-    /// A value that is not certified.
+    /// Returns a value that is not certified.
     fn plain(&self, find: &Find, value: Value) -> String {
         let (kind, book): (_, &Book) = (find.what.kind(), &self.scene.book);
         match value {
@@ -199,13 +201,13 @@ impl Words<'_> {
         format!("${}$ {told}", amount(&self.scene.book, find, r.value(), c, self.digits)).trim_end().to_owned()
     }
 
-    /// A question: printed, by that equation, true.
+    /// Returns the line of a question: printed value, value by that equation, true value.
     pub fn row(&self, row: &Row) -> Phrase {
         let symbol = symbol(self.asked(row), self.notation);
         Phrase::new(&format!("${symbol}${}{}", self.tr(": ", "："), self.told(row)))
     }
 
-    /// The same where there are no formulas: the quantity as it is asked for in `find`.
+    /// Returns the line of a question without formulas: the quantity is written as in `find`.
     fn plain_row(&self, row: &Row) -> String {
         format!("{}{}{}", self.asked(row).text, self.tr(": ", "："), Phrase::new(&self.told(row)).plain())
     }
@@ -229,7 +231,7 @@ impl Words<'_> {
         parts.join(" · ")
     }
 
-    /// What the wrong solution claims: what was printed, else what its equation gives.
+    /// Returns the result of the wrong solution: the printed value, else the value by its equation.
     pub fn claimed(&self, row: &Row) -> Option<Phrase> {
         let find = self.asked(row);
         let value = match (&row.printed, row.wrong) {
@@ -240,7 +242,7 @@ impl Words<'_> {
         Some(Phrase::new(&format!("${}$ = {value}", symbol(find, self.notation))))
     }
 
-    /// The gap between the tips.
+    /// Returns the gap between the tips.
     pub fn gap(&self, a: &Attempt) -> Phrase {
         let [_, wrong] = self.writers(a);
         let kind = a.gap.on.kind();
@@ -252,7 +254,7 @@ impl Words<'_> {
         }
     }
 
-    /// Why it is wrong: in the author's words if there are any.
+    /// Returns the reason for the mistake, in the author's words if there are any.
     pub fn why(&self, a: &Attempt) -> Phrase {
         let said = a.said.as_ref().and_then(|s| s.why.as_ref()).map(|w| w.get(self.lang).to_owned());
         let why = a.site.why(self.scene);
@@ -263,7 +265,7 @@ impl Words<'_> {
         }
     }
 
-    /// All that is said below the drawing.
+    /// Returns all lines below the drawing.
     pub fn lines(&self, a: &Attempt) -> Vec<Phrase> {
         let mut lines: Vec<Phrase> = a.rows.iter().map(|r| self.row(r)).collect();
         lines.push(self.gap(a));
@@ -276,23 +278,23 @@ fn zero(v: Value) -> bool {
     matches!(v, Value::Scalar(0.0))
 }
 
-/// A number that was printed, as short as it was.
+/// Returns a printed number without trailing zeros.
 fn significant_at_most(value: f64) -> String {
     let long = significant(value, PRINTED_DIGITS);
     if long.contains('.') && !long.contains('e') { long.trim_end_matches('0').trim_end_matches('.').to_owned() } else { long }
 }
 
-/// The symbol of the gap: `\Delta a_{E3}`.
+/// Returns the symbol of the gap: `\Delta a_{E3}`.
 pub fn gap_symbol(w: &Writer, a: &Attempt) -> String {
     format!("\\Delta {}", w.vector(a.gap.on, a.gap.wrong))
 }
 
-/// Whether the wrong solution stands in print; else it is one of those that are often made.
+/// Returns true if the wrong solution was printed; false if it is a common mistake.
 pub fn printed(a: &Attempt) -> bool {
     a.rows.iter().any(|r| r.printed.is_some())
 }
 
-/// Whether what was printed comes from the equation.
+/// Returns true if the printed value is the result of the equation.
 fn reproduced(row: &Row) -> bool {
     let (Some(printed), Some(wrong)) = (&row.printed, row.wrong) else { return true };
     let (a, b) = match wrong {
@@ -303,7 +305,7 @@ fn reproduced(row: &Row) -> bool {
     (a - b).abs() <= REPRODUCED * a.abs().max(b.abs())
 }
 
-/// The report as text.
+/// Returns the report as text.
 pub fn text(words: &Words, all: &[Attempt]) -> String {
     let mut lines = Vec::new();
     let title = words.scene.title.get(words.lang);
@@ -333,7 +335,7 @@ pub fn text(words: &Words, all: &[Attempt]) -> String {
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
 }
 
-/// The report for programs, in SI.
+/// Returns the report as JSON, in SI.
 pub fn json(words: &Words, all: &[Attempt]) -> Json {
     let value = |v: Value| match v {
         Value::Scalar(s) => json!(s),

@@ -1,4 +1,5 @@
-//! A cam over a whole turn, for people and programs: stages, strokes, extremes, shocks, pressure angle, curvature, and what does not work.
+//! Reports of a cam over a full turn, as text and JSON: stages, strokes, extremes, shocks, pressure
+//! angle, curvature, and faults.
 
 mod told;
 
@@ -12,18 +13,18 @@ use hodograph_scene::{Cam, Follows, Kind, Lang, Scene, Turning};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
-/// Digits of what is computed from given lengths.
+/// Digits of values computed from given lengths.
 const DIGITS: usize = 6;
 
-/// A cam with its survey, told in the units of a scene.
+/// A cam with its survey, reported in the units of a scene.
 pub struct Report<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// The cam.
     pub cam: &'a Cam,
-    /// Its geometry.
+    /// Geometry of the cam.
     pub turning: &'a Turning,
-    /// What a turn shows.
+    /// Survey of a full turn.
     pub survey: &'a Survey,
 }
 
@@ -32,17 +33,18 @@ impl Report<'_> {
         &self.turning.disc
     }
 
-    /// Whether the follower's coordinate is an angle.
+    /// Returns true if the follower's coordinate is an angle.
     fn swings(&self) -> bool {
         matches!(self.disc().follower, Follower::Oscillating { .. })
     }
 
-    /// How fast the cam turns, without sense (rad/s).
+    /// Returns the magnitude of the cam's angular velocity (rad/s).
     pub fn omega(&self) -> f64 {
         self.turning.rates(self.scene)[0].abs()
     }
 
-    /// The kind of the follower's coordinate (0), its rate (1) or the rate of that (2).
+    /// Returns the kind of the follower's coordinate (0), of its rate (1) or of its second
+    /// derivative (2).
     fn kind_of(&self, order: usize) -> Kind {
         match (self.swings(), order) {
             (true, 0) => Kind::Angle,
@@ -54,7 +56,8 @@ impl Report<'_> {
         }
     }
 
-    /// A number with its unit, to as many digits as are certain; `rough` is about what it is (SI).
+    /// Returns a number with its unit, to as many digits as are certain; `rough` is its approximate
+    /// value (SI).
     fn say(&self, which: Which, unit: Unit, rough: f64) -> String {
         if !rough.is_finite() {
             return "∞".into();
@@ -72,12 +75,14 @@ impl Report<'_> {
         }
     }
 
-    /// The letter of the lift (0), its rate (1) and the rate of that (2); all count outward.
+    /// Returns the letter of the lift (0), of its rate (1) or of its second derivative (2); all are
+    /// positive outwards.
     fn symbol(&self, order: usize) -> &'static str {
         if self.swings() { ["ψ", "ω", "α"][order] } else { ["s", "v", "a"][order] }
     }
 
-    /// Readings at the instant in double precision: s, v, a, pressure angle, radii of profile and pitch curve.
+    /// Returns the values at the instant in double precision: s, v, a, pressure angle, radii of
+    /// curvature of profile and pitch curve.
     fn now(&self) -> Option<[f64; 6]> {
         let (phi, side) = (self.turning.phi, self.turning.side);
         let station = self.disc().station(phi, side)?;
@@ -86,7 +91,7 @@ impl Report<'_> {
         Some([s, v * w, acceleration * w * w + v * a, station.pressure, station.rho, station.rho_pitch])
     }
 
-    /// The report as text.
+    /// Returns the report as text.
     pub fn text(&self, lang: Lang) -> String {
         let mut out = String::new();
         let comma = tr(lang, ", ", "，");
@@ -113,7 +118,8 @@ impl Report<'_> {
         }
         match self.disc().follower {
             Follower::Translating { offset, .. } => {
-                // Plus toward the centre of cam and follower as it goes out.
+                // Positive towards the instantaneous centre of cam and follower on the outward
+                // motion.
                 line(format!("  {} e = {}", tr(lang, "offset", "偏距"), self.say(Which::Offset, Unit::Length, offset * self.disc().sense)));
             }
             Follower::Oscillating { pivot, arm, .. } => {
@@ -216,7 +222,8 @@ impl Report<'_> {
         }
     }
 
-    /// An extreme with the angle of the cam at which it is reached, behind its name: `: 30° at φ = 60°`, `：30°（φ = 60° 时）`.
+    /// Returns an extreme with its cam angle, to follow its name: `: 30° at φ = 60°`,
+    /// `：30°（φ = 60° 时）`.
     fn valued(&self, mark: Mark, found: Option<(f64, f64)>, lang: Lang) -> String {
         let (phi, value) = found.unwrap_or_default();
         let unit = if mark == Mark::Radius { Unit::Length } else { Unit::Degrees };
@@ -228,7 +235,7 @@ impl Report<'_> {
         }
     }
 
-    /// A shock in words.
+    /// Returns a shock in words.
     fn jump(&self, k: usize, j: &Jump, lang: Lang) -> String {
         let name = match j.shock {
             Shock::Rigid => tr(lang, "rigid shock", "刚性冲击"),
@@ -244,7 +251,7 @@ impl Report<'_> {
         }
     }
 
-    /// The report as JSON: SI, angles in radians.
+    /// Returns the report as JSON: SI, angles in radians.
     pub fn json(&self) -> Json {
         let s = self.survey;
         let near = |which: Which, rough: f64| self.nearest(which, rough);
@@ -287,7 +294,7 @@ impl Report<'_> {
         })
     }
 
-    /// What does not work, as diagnostics with the place of the cam.
+    /// Returns the faults of the cam as diagnostics, located at the cam.
     pub fn faults(&self) -> Vec<Diagnostic> {
         let rigid = self.survey.jumps.iter().enumerate().filter(|(_, j)| j.shock == Shock::Rigid);
         let mut out: Vec<Diagnostic> = rigid
@@ -365,7 +372,8 @@ impl Report<'_> {
         }
     }
 
-    /// The profile as a table: names, units, columns; lengths in millimetres, angles in degrees.
+    /// Returns the profile as a table: names, units, columns; lengths in millimetres, angles in
+    /// degrees.
     pub fn table(&self, steps: usize) -> (Vec<(String, &'static str)>, Vec<Vec<f64>>) {
         let unit = if self.swings() { "deg" } else { "mm" };
         let rates = if self.swings() { ["deg/rad", "deg/rad^2"] } else { ["mm/rad", "mm/rad^2"] };
@@ -386,7 +394,7 @@ impl Report<'_> {
         let factor = if self.swings() { 180.0 / std::f64::consts::PI } else { 1e3 };
         for (phi, side) in round(self.disc(), steps) {
             let Some(s) = self.disc().station(phi, side) else { continue };
-            // One row for each angle: at a joint what follows.
+            // One row for each angle: at a joint the values after it.
             if side == Side::Before && phi < TAU - 1e-9 {
                 continue;
             }
@@ -410,24 +418,24 @@ impl Report<'_> {
     }
 }
 
-/// A dwell by its place: `outer` where the follower is farthest out.
+/// Returns the name of a dwell: the outer one with `outer`, with the follower farthest out.
 pub fn dwell(outer: bool, lang: Lang) -> &'static str {
     if outer { tr(lang, "outer dwell", "远休止") } else { tr(lang, "inner dwell", "近休止") }
 }
 
-/// Degrees without the zeros at the end of their decimals.
+/// Returns degrees without trailing zeros.
 fn in_degrees(text: &str) -> String {
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text };
     format!("{text}°")
 }
 
-/// An angle in degrees of double precision, where nothing says more.
+/// Returns an angle in degrees from double precision, used if no certified value exists.
 fn degrees(radians: f64) -> String {
-    // What is written in degrees is met to rounding.
+    // Rounds to 1e-8°, which restores values that are written in degrees.
     in_degrees(&significant((radians.to_degrees() * 1e8).round() / 1e8 + 0.0, DIGITS))
 }
 
-/// What kind of cam it is.
+/// Returns the type of the cam in words.
 pub fn kind(cam: &Cam, disc: &Disc, lang: Lang) -> String {
     let moves = match disc.follower {
         Follower::Translating { .. } => tr(lang, "translating", "直动"),

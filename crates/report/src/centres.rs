@@ -1,4 +1,4 @@
-//! Instantaneous centres as a table: how each is found, where it lies, and what they tell.
+//! Instantaneous centres as a table: construction, position, and the velocities derived from them.
 
 use super::columns::columns;
 use super::writing::Writing;
@@ -11,7 +11,7 @@ use hodograph_scene::{Kind, Lang, LinkId, Scene};
 /// Significant digits of the table.
 const DIGITS: usize = 6;
 
-/// Differences below this are those of double precision.
+/// Differences below this are rounding errors of double precision.
 const ROUNDING: f64 = 1e-12;
 
 /// A writer for one result and language.
@@ -19,11 +19,11 @@ pub struct Words<'a> {
     pub(super) found: &'a Centres,
     pub(super) scene: &'a Scene,
     pub(super) lang: Lang,
-    /// How names stand in a sentence.
+    /// Form of the names in sentences.
     pub(super) writing: Writing,
 }
 
-/// The report as text.
+/// Returns the report as text.
 pub fn text(found: &Centres, lang: Lang) -> String {
     let w = Words::new(found, lang);
     let mut lines = Vec::new();
@@ -45,12 +45,13 @@ pub fn text(found: &Centres, lang: Lang) -> String {
 }
 
 impl<'a> Words<'a> {
-    /// A writer.
+    /// Returns a writer for plain text.
     pub fn new(found: &'a Centres, lang: Lang) -> Words<'a> {
         Words { found, scene: &found.scene, lang, writing: Writing::Plain }
     }
 
-    /// A writer whose sentences have their names between dollar signs ([`hodograph_paper::paper::phrase::Phrase::new`]).
+    /// Returns a writer with names between dollar signs
+    /// ([`hodograph_paper::paper::phrase::Phrase::new`]).
     pub fn marked(found: &'a Centres, lang: Lang) -> Words<'a> {
         Words { writing: Writing::Marked, ..Words::new(found, lang) }
     }
@@ -63,7 +64,7 @@ impl<'a> Words<'a> {
         self.writing.letter("P", &self.pair(a, b).indices(self.scene))
     }
 
-    /// How many centres there are, and how they are found.
+    /// Returns the number of centres and how they are found.
     pub fn counts(&self) -> String {
         let c = &self.found.closure;
         let taken = c.steps.iter().filter(|s| s.how == How::Velocities).count();
@@ -81,7 +82,8 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// A length unit of the table: the book's, else the scene's; its name, and how many of it a metre has.
+    /// Returns the length unit of the table: the book's, else the scene's; its name, and the number
+    /// of units per metre.
     fn unit(&self) -> (String, f64) {
         match self.scene.book.chosen(Kind::Length) {
             Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
@@ -92,7 +94,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// A length in that unit.
+    /// Returns a length in that unit.
     pub fn length(&self, m: f64) -> String {
         let (name, per_metre) = self.unit();
         let m = if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
@@ -105,7 +107,7 @@ impl<'a> Words<'a> {
         let size = self.found.worked.configuration.extent();
         let far = |c: &Centre| c.place.and_then(|p| p.point()).map_or(0.0, |p| p.to_vec2().norm());
         let number = |x: f64, c: &Centre| {
-            // A zero that was found to rounding is zero.
+            // A value within rounding of zero is written as zero.
             let zero = x.abs() <= 1e-12 * size.max(far(c));
             significant(if zero { 0.0 } else { x * per_metre }, DIGITS)
         };
@@ -163,19 +165,19 @@ impl<'a> Words<'a> {
         book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, value), DIGITS))
     }
 
-    /// The symbol of a link's ω against the frame.
+    /// Returns the symbol of a link's ω relative to the frame.
     fn symbol(&self, l: LinkId) -> String {
         let (name, frame) = (self.scene.link_name(l), self.found.uses.frame);
         let of = if frame == self.scene.ground { name.to_owned() } else { format!("{name}/{}", self.scene.link_name(frame)) };
         self.writing.indexed("ω", &of)
     }
 
-    /// The symbol of the velocity of a link or a point.
+    /// Returns the symbol of the velocity of a link or a point.
     fn v(&self, of: &str) -> String {
         self.writing.indexed("v", of)
     }
 
-    /// The steps in words, one line each.
+    /// Returns the steps in words, one line each.
     pub fn steps(&self) -> Vec<String> {
         let uses = &self.found.uses;
         let mut steps = Vec::new();
@@ -186,7 +188,7 @@ impl<'a> Words<'a> {
         steps.extend(uses.points.iter().map(|s| self.speed(s)));
         match self.writing {
             Writing::Plain => steps,
-            // Names beside one another are one formula; columns are those of a terminal.
+            // Adjacent names form one formula; column spacing is for terminals only.
             Writing::Marked => steps.iter().map(|s| s.replace("$$", "").replace("  ", " ")).collect(),
         }
     }
@@ -203,19 +205,20 @@ impl<'a> Words<'a> {
         self.found.uses.links.iter().find(|t| t.link == l)
     }
 
-    /// ω of a link against the frame; zero where it is no more than rounding.
+    /// Returns the angular velocity of a link relative to the frame; zero if it is only rounding.
     fn rate_of(&self, l: LinkId) -> f64 {
         let rate = |t: &Turning| if let Motion::Turn(omega) = t.motion { omega } else { 0.0 };
         let most = self.found.uses.links.iter().map(|t| rate(t).abs()).fold(0.0, f64::max);
         self.of(l).map(rate).filter(|omega| omega.abs() > ROUNDING * most).unwrap_or(0.0)
     }
 
-    /// A speed in words; zero where it is no more than rounding.
+    /// Returns a speed in words; zero if it is only rounding.
     fn speed_words(&self, value: f64) -> String {
         self.velocity(if value <= ROUNDING * self.fastest() { 0.0 } else { value })
     }
 
-    /// The largest speed of a point, or of a link's turning over the mechanism: beside it speeds are more than rounding.
+    /// Returns the largest speed of a point, or of a link's rotation over the size of the
+    /// mechanism, as a reference for rounding.
     fn fastest(&self) -> f64 {
         let size = self.found.worked.configuration.extent();
         let of_links = self.found.uses.links.iter().map(|t| match t.motion {
@@ -306,7 +309,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// The values by centres beside those of drawing and analysis.
+    /// Returns the values by centres beside those of drawing and analysis.
     fn ways(&self) -> Vec<Vec<String>> {
         let lang = self.lang;
         let mut rows = vec![vec![
@@ -330,7 +333,8 @@ impl<'a> Words<'a> {
         rows
     }
 
-    /// Symbol, kind, value by centres, and by drawing and analysis; of a vector the length.
+    /// Returns symbol, kind, value by centres, and values by drawing and analysis; for a vector its
+    /// length.
     pub fn values(&self) -> Vec<(String, Kind, f64, [Option<f64>; 2])> {
         let number = |v: Value| match v {
             Value::Scalar(s) => s,
@@ -349,7 +353,7 @@ impl<'a> Words<'a> {
     }
 }
 
-/// Where all centres lie, in one line for readers who do not see the figure.
+/// Returns the positions of all centres in one line, for readers who do not see the figure.
 pub fn places(found: &Centres, lang: Lang) -> String {
     let w = Words::new(found, lang);
     let place = |c: &Centre| match c.place {

@@ -1,4 +1,5 @@
-//! How each instantaneous centre is found, in words: by its pair, or as the crossing of two lines.
+//! The construction of each instantaneous centre in words: from its pair, or as the intersection of
+//! two lines.
 
 use super::centres::Words;
 use super::writing::Writing;
@@ -8,7 +9,7 @@ use hodograph_paper::paper::phrase::{Phrase, fill, tr};
 use hodograph_scene::{GuidePath, Lang, PointId};
 
 impl Words<'_> {
-    /// How a centre is found, in plain characters: `pin B`, `23·34 × 12·14`.
+    /// Returns the construction of a centre in plain characters: `pin B`, `23·34 × 12·14`.
     pub fn how(&self, c: &Centre) -> String {
         let given = if c.step.given_drivers { tr(self.lang, " (for the given drivers)", "（对给定的原动件运动）") } else { "" };
         let how = match (&c.step.how, c.origin) {
@@ -29,7 +30,7 @@ impl Words<'_> {
         format!("{how}{given}")
     }
 
-    /// How a centre is found, in a few words for a figure: `pin B`, `23·34 × 12·14`.
+    /// Returns the construction of a centre in a few words for a figure: `pin B`, `23·34 × 12·14`.
     pub fn found_by(&self, c: &Centre) -> Phrase {
         Phrase::new(&match (&c.step.how, c.origin) {
             (How::Primary(primary), _) => self.primary(*primary, Writing::Marked),
@@ -39,7 +40,7 @@ impl Words<'_> {
         })
     }
 
-    /// How a centre is found, as a sentence of a construction.
+    /// Returns the construction of a centre as a sentence.
     pub fn sentence(&self, c: &Centre) -> Phrase {
         let (i, j) = (c.step.pair.i, c.step.pair.j);
         let name = |a, b| format!("P_{{{}}}", name_label(&self.pair(a, b).indices(self.scene)));
@@ -60,7 +61,8 @@ impl Words<'_> {
         })
     }
 
-    /// The two velocities whose normals give a centre that the theorem does not find.
+    /// Returns the two velocities with normals through a centre that Kennedy's theorem does not
+    /// find.
     fn normals(&self, c: &Centre) -> Option<String> {
         let [a, b] = self.found.normals(c)?.map(|n| name_label(self.scene.point_name(n.point)));
         Some(match self.lang {
@@ -69,7 +71,7 @@ impl Words<'_> {
         })
     }
 
-    /// Two lines that cross in a centre.
+    /// Returns two lines that intersect in a centre.
     fn crossing(&self, c: &Centre, lines: [Line; 2], writing: Writing) -> String {
         lines.map(|line| self.line(c.step.pair, line, writing)).join(" × ")
     }
@@ -109,7 +111,7 @@ impl Words<'_> {
         }
     }
 
-    /// A line on which a centre lies: `23·34`.
+    /// Returns a line through a centre: `23·34`.
     pub(super) fn line(&self, pair: Pair, line: Line, writing: Writing) -> String {
         match line {
             Line::Through(k) => {
@@ -118,7 +120,8 @@ impl Words<'_> {
             Line::Normal(g) => {
                 let guide = &self.scene.guides[g.0];
                 let pin = guide.pin.map_or(String::new(), |p| writing.point(self.scene.point_name(p)));
-                // Along a circle of a cam the normal of the contact and the radius through it are one line.
+                // On a circle of a cam, the normal of the contact and the radius through it are the
+                // same line.
                 if let Some(cam) = self.scene.cams.iter().find(|c| c.contact == Some(g)) {
                     let at = cam.at.as_deref().map(|at| format!(" {}", writing.point(at))).unwrap_or_default();
                     return fill(tr(self.lang, "common normal at the contact{}", "接触点{} 处的公法线"), &[("", &at)]);

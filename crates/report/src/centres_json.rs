@@ -1,4 +1,4 @@
-//! Instantaneous centres for programs.
+//! Instantaneous centres as JSON.
 
 use super::answers::diagnostic;
 use super::centres::Words;
@@ -9,7 +9,7 @@ use hodograph_methods::centres::{Centres, How, Origin, Pair, Place};
 use hodograph_scene::Lang;
 use serde_json::{Value as Json, json};
 
-/// The centres for programs, in SI.
+/// Returns the centres as JSON, in SI.
 pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
     let w = Words::new(found, Lang::En);
     let scene = &found.scene;

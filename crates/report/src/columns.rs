@@ -1,8 +1,8 @@
-//! Tables as plain text, their columns below one another.
+//! Tables as plain text with aligned columns.
 
 use unicode_width::UnicodeWidthStr;
 
-/// A line for each row; columns from `right` on are set to the right.
+/// Returns a line for each row; columns from `right` on are right-aligned.
 pub(super) fn columns(rows: &[Vec<String>], right: usize) -> Vec<String> {
     let many = rows.iter().map(Vec::len).max().unwrap_or(0);
     let widths: Vec<usize> = (0..many).map(|k| rows.iter().filter_map(|r| r.get(k)).map(|c| c.width()).max().unwrap_or(0)).collect();

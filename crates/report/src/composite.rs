@@ -1,5 +1,6 @@
-//! Composite motion of a point as a table for people and as JSON for programs: which moving points and frames serve and why not, the parts
-//! of the motion, and the projection that leaves out the unwanted unknown. In the words of theoretical mechanics.
+//! Composite motion of a point as a table and as JSON: suitable and unsuitable moving points and
+//! frames with the reasons, the components of the motion, and the projection that eliminates the
+//! unwanted unknown. The terms are those of theoretical mechanics.
 
 mod motions;
 
@@ -19,12 +20,12 @@ use hodograph_scene::quantity::{Frame, RelativePath};
 use hodograph_scene::{DiagramKind, GuidePath, Kind, Lang, Scene};
 use serde_json::{Value as Json, json};
 
-/// Significant digits of the table; the certified ones are told by `solve`.
+/// Significant digits of the table; `solve` prints the certified ones.
 const DIGITS: usize = 5;
-/// Values to a line.
+/// Number of values per line.
 const PER_LINE: usize = 3;
 
-/// The report as text.
+/// Returns the report as text.
 pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang, notation: &Notation) -> String {
     let w = Words { scene, lang, notation };
     let mut lines = Vec::new();
@@ -44,7 +45,7 @@ pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang, notati
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
 }
 
-/// The word for a verdict in JSON.
+/// Returns the word for a verdict in JSON.
 pub fn code(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Serves => "serves",
@@ -61,7 +62,7 @@ pub struct Words<'a> {
     pub scene: &'a Scene,
     /// The language.
     pub lang: Lang,
-    /// The marks of normal, tangential and Coriolis parts, and how vectors are written.
+    /// The marks of normal, tangential and Coriolis components, and the notation of vectors.
     pub notation: &'a Notation,
 }
 
@@ -76,7 +77,7 @@ impl Words<'_> {
         std::iter::once(head.map(str::to_owned).to_vec()).chain(all.iter().map(row)).collect()
     }
 
-    /// A frame: `link 2`, `translating with C`.
+    /// Returns a frame: `link 2`, `translating with C`.
     fn frame(&self, frame: Frame, writing: Writing) -> String {
         match (frame, self.lang) {
             (Frame::Link(l), Lang::En) => format!("link {}", self.scene.link_name(l)),
@@ -101,7 +102,7 @@ impl Words<'_> {
         }
     }
 
-    /// The verdict in a word or two.
+    /// Returns the verdict in a word or two.
     pub fn verdict(&self, verdict: Verdict) -> &'static str {
         match verdict {
             Verdict::Serves => tr(self.lang, "serves", "可用"),
@@ -112,7 +113,7 @@ impl Words<'_> {
         }
     }
 
-    /// Why.
+    /// Returns the reason for the verdict.
     fn reason(&self, c: &Choice) -> String {
         let (scene, lang) = (self.scene, self.lang);
         match c.verdict {
@@ -146,7 +147,7 @@ impl Words<'_> {
         }
     }
 
-    /// The path of the point in the frame.
+    /// Returns the path of the point in the frame.
     fn path(&self, c: &Choice, writing: Writing) -> String {
         let (scene, lang) = (self.scene, self.lang);
         match c.path {
@@ -166,7 +167,7 @@ impl Words<'_> {
         }
     }
 
-    /// The heading of a choice: `moving point A, frame fixed to link 2`.
+    /// Returns the heading of a choice: `moving point A, frame fixed to link 2`.
     pub fn heading(&self, c: &Choice) -> Phrase {
         let (point, frame) = (Writing::Marked.point(&name_of(self.scene, &c.of)), self.frame(c.frame, Writing::Marked));
         Phrase::new(&match (c.frame, self.lang) {
@@ -177,19 +178,20 @@ impl Words<'_> {
         })
     }
 
-    /// A projection in a line.
+    /// Returns a projection in one line.
     fn projected(&self, words: &str, equation: &str) -> String {
         format!("{words}{}${equation}$", tr(self.lang, " ", ""))
     }
 
-    /// All that is told of a choice: heading, path, equations with values, projections.
+    /// Returns all lines of a choice: heading, path, equations with values, projections.
     pub fn lines(&self, s: &Solved) -> Vec<Phrase> {
         let mut out = vec![self.heading(&s.choice), self.three_motions(&s.choice)];
         out.extend(self.body(s, PER_LINE));
         out
     }
 
-    /// The same below its heading, so many values to a line; in narrow columns of fewer than three a projection has two lines.
+    /// Returns the lines below the heading of a choice, with `per_line` values per line; in narrow
+    /// columns of fewer than three a projection takes two lines.
     pub fn body(&self, s: &Solved, per_line: usize) -> Vec<Phrase> {
         let mut out = match s.slip {
             Some(slip) if !s.acceleration.is_empty() => self.contact(&slip, per_line),
@@ -221,7 +223,8 @@ impl Words<'_> {
         out
     }
 
-    /// Angular velocity and acceleration of the link that turns about a fixed axis with the wanted motion: `ω_3 = v_e/l_{CB} = ...`.
+    /// Returns angular velocity and angular acceleration of the link that rotates about a fixed
+    /// axis with the wanted motion: `ω_3 = v_e/l_{CB} = ...`.
     fn turning(&self, s: &Solved, t: &Turned) -> Phrase {
         let (scene, lang) = (self.scene, self.lang);
         let [axis, point] = [t.axis, s.choice.of.point].map(|p| name_label(scene.point_name(p)));
@@ -241,7 +244,7 @@ impl Words<'_> {
         Phrase::new(&out)
     }
 
-    /// What is known of the relative path before anything is drawn.
+    /// Returns the properties of the relative path that are known before the drawing.
     fn first(&self, s: &Solved) -> Phrase {
         let lang = self.lang;
         Phrase::new(&match s.choice.verdict {
@@ -257,7 +260,7 @@ impl Words<'_> {
         })
     }
 
-    /// The normal part of a_r at a momentary contact: its formula and its numbers.
+    /// Returns the normal part of a_r at a momentary contact: its formula and its numbers.
     fn contact(&self, slip: &Slip, per_line: usize) -> Vec<Phrase> {
         let (lang, book) = (self.lang, &self.scene.book);
         let told = |kind: Kind, value: f64| {
@@ -285,7 +288,7 @@ impl Words<'_> {
     fn values(&self, vectors: &[(String, Vec2)], kind: Kind, per_line: usize) -> Vec<Phrase> {
         let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
         let told = |(symbol, v): &(String, Vec2)| {
-            // What is left of rounding has no direction.
+            // A remainder of rounding has no direction.
             if v.norm() <= 1e-12 * largest {
                 return format!("${symbol} = 0$");
             }
@@ -300,7 +303,8 @@ impl Words<'_> {
         tr(self.lang, ", ", "，")
     }
 
-    /// An equation on a line: `projected square to v_r (on 120°):` and `v_a cos 30° = v_e cos 60°`.
+    /// Returns an equation in one line: `projected square to v_r (on 120°):` and
+    /// `v_a cos 30° = v_e cos 60°`.
     fn projection(&self, p: &Projection, known: Known) -> (String, String) {
         let symbol_of = |term: Term| {
             let letter = p.of.letter();
@@ -329,7 +333,7 @@ impl Words<'_> {
         (self.on_line(p, known), format!("{} = {}", side(&left), side(&right)))
     }
 
-    /// On which line an equation is projected, and for what.
+    /// Returns the line of projection of an equation, and the unknown to be found.
     fn on_line(&self, p: &Projection, known: Known) -> String {
         let lang = self.lang;
         let degrees = inked(&significant(direction_degrees(p.line.angle()), 4));
@@ -344,7 +348,7 @@ impl Words<'_> {
             (Known::Absolute, _) => tr(lang, " for $v_{e}$", "，求 $v_{e}$"),
             (Known::Both, _) => "",
         };
-        // A point at rest in its frame has no v_r to be square to.
+        // A point at rest in its frame has no v_r to be perpendicular to.
         let rests = p.of == DiagramKind::Velocity && p.rests;
         match (p.on, lang) {
             (On::X, Lang::En) => format!("Projected on the x axis{wanted}:"),
@@ -361,7 +365,8 @@ impl Words<'_> {
     }
 }
 
-/// The symbol of a part in the letters of theoretical mechanics with the marks of a notation; `None`: the absolute.
+/// Returns the symbol of a component in the letters of theoretical mechanics with the marks of a
+/// notation; `None`: the absolute quantity.
 pub fn symbol(part: Option<Part>, on: DiagramKind, notation: &Notation) -> String {
     let letter = on.letter();
     let (below, above) = match part {
@@ -377,7 +382,7 @@ pub fn symbol(part: Option<Part>, on: DiagramKind, notation: &Notation) -> Strin
     if above.is_empty() { format!("{letter}_{{{below}}}") } else { format!("{letter}^{{{above}}}_{{{below}}}") }
 }
 
-/// The choices for programs, in SI.
+/// Returns the choices as JSON, in SI.
 pub fn json(staged: &Staged, all: &[Choice], solved: &[Solved], notes: &[Diagnostic]) -> Json {
     let scene = &staged.scene;
     let [english, keys] = [Lang::En, Lang::Zh].map(Notation::of_language);

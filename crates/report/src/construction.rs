@@ -12,8 +12,10 @@ use hodograph_worked::certified::Steps;
 use hodograph_worked::certified::ladder::Number;
 use hodograph_worked::certified::steps::What;
 
-/// The sentences of one polygon, one for each action, the pole first. Their numbers are the certified ones of
-/// [`steps`](hodograph_worked::certified::steps()); where those know of a pencil error, how far it moves each crossing.
+/// Returns the sentences of one polygon, one for each action, the pole first.
+///
+/// The numbers are the certified ones of [`steps`](hodograph_worked::certified::steps()); if these
+/// contain a pencil error, each intersection has its displacement.
 pub fn sentences(w: &Writer, paper: &Drawing, polygon: &Polygon, steps: &Steps) -> Vec<Phrase> {
     let on = polygon.on;
     let (pole, mu) = (w.pole(on), scale_formula(&w.scene.book, on, polygon.mu));
@@ -27,7 +29,8 @@ pub fn sentences(w: &Writer, paper: &Drawing, polygon: &Polygon, steps: &Steps) 
     out
 }
 
-/// The whole construction as numbered text; why, where a number has fewer digits than its kind.
+/// Returns the whole construction as numbered text, with the reason where a number has fewer digits
+/// than its kind.
 pub fn text(w: &Writer, paper: &Drawing, steps: &Steps) -> String {
     let mut out = String::new();
     out.push_str(&format!(
@@ -55,17 +58,18 @@ pub fn text(w: &Writer, paper: &Drawing, steps: &Steps) -> String {
     out
 }
 
-/// A step's number as far as it is certain, else about what the drawing in `f64` says.
+/// Returns a step's number as far as it is certain, else the approximate value from the drawing in
+/// `f64`.
 fn told(steps: &Steps, on: DiagramKind, action: usize, what: What, rough: f64) -> String {
     steps.text(on, action, what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)))
 }
 
-/// A plain number between words: with a power of ten it is a formula.
+/// Returns a plain number between words; one with a power of ten becomes a formula.
 fn amid_words(text: &str) -> String {
     if text.contains('e') { format!("${}$", inked(text)) } else { text.into() }
 }
 
-/// The letters of a mark: the pole, the image of a point, the end of a part.
+/// Returns the letters of a mark: the pole, the image of a point, the end of a component.
 pub fn mark(w: &Writer, on: DiagramKind, m: &Mark) -> String {
     match m {
         Mark::Pole => w.pole(on),
@@ -265,7 +269,8 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
     }
 }
 
-/// The point of the other link at a contact, or a strand, without slip from which a point has its velocity; and which of the two it is.
+/// Returns the point of the other link at a contact or strand without slip from which a point has
+/// its velocity, and the kind of the connection.
 fn touched(w: &Writer, on: DiagramKind, v: VertexId) -> Option<(VertexId, Method)> {
     let moves = !w.plan.rest.is_all();
     let alike = |s: &Step| match s {
@@ -281,7 +286,8 @@ fn touched(w: &Writer, on: DiagramKind, v: VertexId) -> Option<(VertexId, Method
     groups.flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).find_map(alike)
 }
 
-/// Of a rate that is neither measured nor given against the ground: the others of which it is the sum.
+/// Returns the sum from which an angular rate follows that is neither measured nor given relative
+/// to the ground.
 fn sum(w: &Writer, on: DiagramKind, body: Body) -> Option<String> {
     let rates = w.plan.steps(on).iter().flat_map(|g| &g.rates);
     match rates.clone().find(|(b, _)| *b == body)?.1 {
@@ -297,12 +303,13 @@ fn sum(w: &Writer, on: DiagramKind, body: Body) -> Option<String> {
     }
 }
 
-/// A scale as a factor of an angular velocity, with its unit, so that the product is right as it stands.
+/// Returns a scale as a factor of an angular velocity, with its unit, in a form suitable for a
+/// product.
 fn factor(book: &Book, on: DiagramKind, mu: f64) -> String {
     format!("${} {}$", inked(&shortest(book.value(on.kind(), mu))), book.scale_label(on.kind()))
 }
 
-/// What a pencil error (mm) makes of a crossing.
+/// Returns the effect of a pencil error (mm) on an intersection.
 fn moved(lang: Lang, pencil_mm: f64, by: &str) -> String {
     let e = shortest(pencil_mm);
     match lang {

@@ -1,5 +1,5 @@
-//! Curvature in words: the steps of the construction, the values by drawing beside those by analysis, and what is to be said of poses in
-//! which something lies at infinity.
+//! Curvature in words: the steps of the construction, the values by drawing beside those by
+//! analysis, and remarks on poses with elements at infinity.
 
 use super::columns::columns;
 use hodograph_base::digits::{direction_degrees, significant};
@@ -14,18 +14,18 @@ use hodograph_scene::{Kind, Lang, LinkId, PointId, Scene};
 
 /// Significant digits of the table.
 const DIGITS: usize = 6;
-/// Lengths below this part of the mechanism's size are rounding.
+/// Lengths below this fraction of the mechanism's size are rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// A writer for one result and language.
 pub struct Words<'a> {
-    /// What is told.
+    /// The result to report.
     pub found: &'a Curvature,
     /// The language.
     pub lang: Lang,
 }
 
-/// The report as text; with `steps` the construction too.
+/// Returns the report as text, with the construction if `steps` is true.
 pub fn text(found: &Curvature, steps: bool, lang: Lang) -> String {
     let w = Words { found, lang };
     let mut lines = Vec::new();
@@ -56,14 +56,14 @@ impl Words<'_> {
         &self.found.scene
     }
 
-    /// The link with its points: `2 (BCE)`.
+    /// Returns the link with its points: `2 (BCE)`.
     fn link(&self, link: LinkId) -> String {
         let scene = self.scene();
         let points: String = hodograph_methods::curvature::points(scene, link).iter().map(|p| scene.point_name(*p)).collect();
         if points.is_empty() { scene.link_name(link).to_owned() } else { format!("{} ({points})", scene.link_name(link)) }
     }
 
-    /// The heading with the link's points set as points.
+    /// Returns the heading with the link's points as formulas.
     pub fn heading_set(&self, of: &OfLink) -> Phrase {
         Phrase::new(&match self.heading(of).split_once('(').map(|(before, rest)| (before, rest.split_once(')'))) {
             Some((before, Some((points, after)))) => {
@@ -77,7 +77,7 @@ impl Words<'_> {
         })
     }
 
-    /// `link 2 (BCE), seen from link 3`.
+    /// Returns the heading: `link 2 (BCE), seen from link 3`.
     pub fn heading(&self, of: &OfLink) -> String {
         let against = self.scene().link_name(self.found.against);
         let seen = self.found.against != self.scene().ground;
@@ -89,7 +89,7 @@ impl Words<'_> {
         }
     }
 
-    /// A letter with the link below it: `J_{2}`, `J_{2/3}`.
+    /// Returns a letter with the link as subscript: `J_{2}`, `J_{2/3}`.
     pub fn letter(&self, letter: &str, of: &OfLink) -> String {
         let scene = self.scene();
         let (link, against) = (scene.link_name(of.link), scene.link_name(self.found.against));
@@ -100,7 +100,7 @@ impl Words<'_> {
         }
     }
 
-    /// The pole: `P_{24}`.
+    /// Returns the symbol of the pole: `P_{24}`.
     pub fn pole(&self, of: &OfLink) -> String {
         let scene = self.scene();
         let (a, b) = (of.link.min(self.found.against), of.link.max(self.found.against));
@@ -109,43 +109,48 @@ impl Words<'_> {
         format!("P_{{{}}}", name_label(&names.join(comma)))
     }
 
-    /// The helping point of Euler and Savary's construction: H, unless a joint has that letter.
+    /// Returns the letter of the auxiliary point of the Euler–Savary construction: H, unless a
+    /// joint has that letter.
     pub fn helper(&self) -> &'static str {
         self.free_letter(["H", "S", "V", "X", "Y"])
     }
 
-    /// The place on the collineation axis: Q, with Q₁ and Q₂, unless a joint has that letter.
+    /// Returns the letter of the point on the collineation axis: Q, with Q₁ and Q₂, unless a joint
+    /// has that letter.
     pub fn on_axis(&self) -> &'static str {
         self.free_letter(["Q", "R", "W", "Z", "L"])
     }
 
-    /// The corners of the rectangles that find Ball's point: G, unless a joint has that letter.
+    /// Returns the letter of the corners of the rectangles that determine Ball's point: G, unless a
+    /// joint has that letter.
     pub fn corner(&self) -> &'static str {
         self.free_letter(["G", "M", "N", "F", "A"])
     }
 
-    /// The foot on the pole tangent in that construction: T, unless a joint has that letter.
+    /// Returns the letter of the foot on the pole tangent in that construction: T, unless a joint
+    /// has that letter.
     pub fn foot(&self) -> &'static str {
         self.free_letter(["T", "E", "I", "O", "C"])
     }
 
-    /// The first of some letters that no point has, with a number or without; the first one where all are taken.
+    /// Returns the first of some letters that no point has, with or without a number; the first
+    /// letter if all are taken.
     fn free_letter(&self, letters: [&'static str; 5]) -> &'static str {
         let begins = |letter: &str| self.scene().points.iter().any(|p| p.name.trim_end_matches(|c: char| c.is_ascii_digit()) == letter);
         letters.into_iter().find(|l| !begins(l)).unwrap_or(letters[0])
     }
 
-    /// A point alone: `B`, `O_{2}`.
+    /// Returns the symbol of a point: `B`, `O_{2}`.
     pub fn point(&self, p: PointId) -> String {
         point_label(self.scene().point_name(p))
     }
 
-    /// A point below another letter: `J_{B}`, the point of a ray whose path is straight.
+    /// Returns a letter with a point as subscript: `J_{B}`, the inflection point of a ray.
     pub fn below(&self, letter: &str, p: PointId) -> String {
         format!("{letter}_{{{}}}", name_label(self.scene().point_name(p)))
     }
 
-    /// The centre of curvature of a point's path: `E_{0}`, `B_{2,0}`.
+    /// Returns the symbol of the centre of curvature of a point's path: `E_{0}`, `B_{2,0}`.
     pub fn centre(&self, p: PointId) -> String {
         let name = self.scene().point_name(p);
         let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
@@ -175,7 +180,7 @@ impl Words<'_> {
         if v == Vec2::ZERO { size } else { format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), 5)) }
     }
 
-    /// What is to be known of the pose before the values.
+    /// Returns the remarks on the pose that come before the values.
     pub fn remarks(&self, of: &OfLink) -> Vec<Phrase> {
         let lang = self.lang;
         let pole = self.pole(of);
@@ -211,7 +216,7 @@ impl Words<'_> {
         out.iter().map(|s| Phrase::new(s)).collect()
     }
 
-    /// What a figure says of the places that it takes from the analysis.
+    /// Returns the note of a figure on the points taken from the analysis.
     pub fn calculated(&self) -> Phrase {
         Phrase::new(tr(
             self.lang,
@@ -220,7 +225,7 @@ impl Words<'_> {
         ))
     }
 
-    /// Why there is no drawing.
+    /// Returns the reason if there is no drawing.
     fn not_drawn(&self, of: &OfLink) -> Option<String> {
         let (lang, pole) = (self.lang, self.pole(of));
         match &of.drawing {
@@ -252,7 +257,7 @@ impl Words<'_> {
         }
     }
 
-    /// What belongs to the pole: symbol, name, by drawing, by analysis.
+    /// Returns the values of the pole: symbol, name, by drawing, by analysis.
     pub fn values(&self, of: &OfLink) -> Vec<Vec<String>> {
         let lang = self.lang;
         let Some(pole) = of.pole() else { return Vec::new() };
@@ -296,7 +301,7 @@ impl Words<'_> {
         rows
     }
 
-    /// The points: symbol, radius and centre by drawing and by analysis.
+    /// Returns the values of the points: symbol, radius and centre by drawing and by analysis.
     fn points(&self, of: &OfLink) -> Vec<Vec<String>> {
         of.points
             .iter()
@@ -318,7 +323,7 @@ impl Words<'_> {
             .collect()
     }
 
-    /// The results below a figure: `d_2 = 2523 mm`, radii of the asked points.
+    /// Returns the results below a figure: `d_2 = 2523 mm`, radii of the requested points.
     pub fn told(&self, of: &OfLink) -> Vec<Phrase> {
         let (scene, lang) = (self.scene(), self.lang);
         let words = |m: f64| scene.length_words(m);
@@ -342,7 +347,7 @@ impl Words<'_> {
         if parts.is_empty() { Vec::new() } else { vec![Phrase::new(&parts.join(comma))] }
     }
 
-    /// Radius and centre by analysis, in words where they are nowhere.
+    /// Returns radius and centre by analysis, in words if they are at infinity.
     pub fn bend(&self, p: &OfPoint) -> (String, String) {
         let lang = self.lang;
         match p.bend {

@@ -1,4 +1,4 @@
-//! Curvature for programs, in SI.
+//! Curvature as JSON, in SI.
 
 use super::answers::diagnostic;
 use super::curvature::Words;
@@ -27,7 +27,7 @@ fn end(e: End) -> Json {
     }
 }
 
-/// The curvature for programs; with the centrodes where they are asked for.
+/// Returns the curvature as JSON, with the centrodes if requested.
 pub fn json(found: &Curvature, centrodes: &[Centrodes], notes: &[Diagnostic]) -> Json {
     let scene = &found.scene;
     let links: Vec<Json> = found.list.iter().map(|of| link(found, of, centrodes)).collect();
@@ -113,7 +113,8 @@ fn link(found: &Curvature, of: &OfLink, centrodes: &[Centrodes]) -> Json {
     })
 }
 
-/// The stations of both centrodes; `null` where the pole lies at infinity or the pose has no motion.
+/// Returns the stations of both centrodes; `null` if the pole is at infinity or the pose has no
+/// motion.
 fn paths(c: &Centrodes) -> Json {
     let at = |s: &Station, p: Point| if s.omega != 0.0 && p.is_finite() { place(p) } else { Json::Null };
     let known = |of: &dyn Fn(&Station) -> Json| c.stations.iter().map(|s| s.as_ref().map_or(Json::Null, of)).collect::<Vec<_>>();

@@ -1,4 +1,5 @@
-//! What the letters and lines of a figure of curvature mean: those that stand in it, each in a few words.
+//! The legend of a figure of curvature: the letters and lines that occur in it, each in a few
+//! words.
 
 use super::curvature::Words;
 use hodograph_base::geom::Vec2;
@@ -9,7 +10,7 @@ use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Lang, PointId};
 
 impl Words<'_> {
-    /// The legend of the construction of a link.
+    /// Returns the legend of the construction of a link.
     pub fn legend(&self, of: &OfLink) -> Vec<Phrase> {
         let mut parts: Vec<String> = Vec::new();
         let mut add = |symbol: String, en: &'static str, zh: &'static str| parts.push(format!("${symbol}$ {}", tr(self.lang, en, zh)));
@@ -36,7 +37,7 @@ impl Words<'_> {
         if let Drawing::Rays(rays) = &of.drawing {
             self.legend_of_rays(rays, &mut add);
         }
-        // The centres that are found, and those that the rays give where there is none.
+        // Points with a centre of curvature; `found` omits those with a centre given by a ray.
         let bent: Vec<_> = of.points.iter().filter(|p| matches!(p.bend, Bend::About(..))).collect();
         let on_ray = |p: PointId| matches!(&of.drawing, Drawing::Rays(rays) if rays.known.iter().any(|k| k.why.moving() == Some(p)));
         let found: Vec<String> = bent.iter().filter(|p| !on_ray(p.point)).map(|p| self.centre(p.point)).collect();
@@ -56,7 +57,7 @@ impl Words<'_> {
         vec![Phrase::new(&parts.join(separate))]
     }
 
-    /// The legend of the centrodes of a link, in the label language.
+    /// Returns the legend of the centrodes of a link, in the label language.
     pub fn centrode_legend(&self, of: &OfLink) -> String {
         let pole = self.pole(of);
         let [is_pole, paths] = match self.lang {

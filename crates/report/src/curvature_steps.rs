@@ -1,4 +1,4 @@
-//! The construction of pole, inflection circle and centres of curvature as sentences, one a step.
+//! The construction of pole, inflection circle and centres of curvature as sentences, one per step.
 
 use super::curvature::Words;
 use hodograph_base::geom::Vec2;
@@ -9,13 +9,13 @@ use hodograph_methods::curvature::{OfLink, OfPoint};
 use hodograph_paper::paper::phrase::{Phrase, capital, tr};
 use hodograph_scene::{Lang, PointId};
 
-/// With a capital and a stop.
+/// Returns the text with a capital first letter and a full stop.
 fn sentence(text: String, lang: Lang) -> String {
     capital(&text) + tr(lang, ".", "。")
 }
 
 impl Words<'_> {
-    /// The construction, step by step.
+    /// Returns the construction step by step.
     pub fn steps(&self, of: &OfLink) -> Vec<Phrase> {
         let mut out = match &of.drawing {
             Drawing::Rays(rays) => self.of_rays(of, rays),
@@ -48,7 +48,7 @@ impl Words<'_> {
         out.into_iter().map(|s| Phrase::new(&sentence(s, lang))).collect()
     }
 
-    /// The steps to Ball's point.
+    /// Returns the steps to Ball's point.
     fn of_ball(&self, of: &OfLink, rays: &Rays) -> [String; 2] {
         let (pole, j, u) = (self.pole(of), self.letter("J", of), self.letter("U", of));
         let (corner, foot) = (self.corner(), self.foot());
@@ -120,7 +120,7 @@ impl Words<'_> {
         }
     }
 
-    /// The point of a ray whose path is straight, by its name.
+    /// Returns the name of the inflection point of a ray, where paths are straight.
     pub fn straight(&self, k: &Known) -> String {
         self.below("J", k.why.moving().or(k.why.fixed()).unwrap_or(PointId(0)))
     }

@@ -1,4 +1,4 @@
-//! Diagnostics as text for a terminal: the line of the file, a mark under the place, the advice.
+//! Diagnostics as text for a terminal: the source line, a mark below the location, the advice.
 
 use std::borrow::Cow;
 
@@ -12,34 +12,40 @@ use hodograph_base::diag::{Diagnostic, Faults, LineColumn, Severity, Span, both}
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::Lang;
 
-/// Width of the text in columns: that of a printed listing; terminals are at least this wide, and tests want it fixed.
+/// Width of the text in columns, fixed for the tests: that of a printed listing, and no wider than
+/// a terminal.
 const WIDTH: usize = 100;
 
-/// Longer lines are not shown: a scene written in one line of a megabyte would be printed whole for every fault in it.
+/// Longest line that is shown: a scene in one line of a megabyte would otherwise be printed in full
+/// for every fault.
 const MAX_LINE: usize = 400;
 
-/// Further diagnostics are only counted: each of them copies the source for its printer.
+/// Largest number of diagnostics that are shown; further ones are only counted, because each copies
+/// the source for its printer.
 const MAX_SHOWN: usize = 100;
 
-/// All diagnostics (beyond the hundredth only their number), one after the other, without colours. `source` is the text that their spans count in.
+/// Returns all diagnostics (beyond the hundredth only their number), one after the other, without
+/// colours. `source` is the text to which their spans refer.
 ///
-/// A diagnostic whose line is too long to show is printed in one line, `name:line:column: error: ...`. Columns count characters. What a
-/// terminal would obey stands there as a sign ([`visible`]).
+/// A diagnostic with a line too long to show is printed in one line,
+/// `name:line:column: error: ...`. Columns count characters. Control characters are shown as
+/// visible signs ([`visible`]).
 pub fn render(faults: &Faults, source_name: &str, source: &str) -> String {
     render_in(faults, source_name, source, Lang::En)
 }
 
-/// [`render`] in a language.
+/// Returns the text of [`render`] in a language.
 pub fn render_in(faults: &Faults, source_name: &str, source: &str, lang: Lang) -> String {
     let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor())
         .with_links(false)
         .with_width(WIDTH)
-        // Names of links, templates and options are copied from a message: no line ends within one.
+        // Names of links, templates and options are copied from messages: no line may break within
+        // one.
         .with_word_splitter(WordSplitter::NoHyphenation);
     let (seen, source_name) = (visible(source), &*visible(source_name));
     let mut out = String::new();
     for d in faults.list.iter().take(MAX_SHOWN) {
-        // Signs may be longer than what they stand for.
+        // The visible signs may be longer than the characters that they replace.
         let moved = |at: usize| if seen == source { at } else { visible(&source[..at]).len() };
         let span = d.span.map(|s| s.within(source)).map(|s| Span::new(moved(s.start), moved(s.end)));
         let shown = match span {
@@ -52,7 +58,7 @@ pub fn render_in(faults: &Faults, source_name: &str, source: &str, lang: Lang) -
             let text = text.trim_start_matches('\n');
             match lang {
                 Lang::En => out.push_str(text),
-                // The printer knows this one word of its own, as wide as the Chinese one.
+                // The printer has one built-in word, as wide as the Chinese one.
                 Lang::Zh => out.push_str(&text.replace("\n  help: ", "\n  建议：")),
             }
         } else {
@@ -66,7 +72,7 @@ pub fn render_in(faults: &Faults, source_name: &str, source: &str, lang: Lang) -
 }
 
 /// Replaces each control character and each bidirectional override by a visible sign: `␛` for the
-/// escape character, `�` where Unicode has no such sign. Line breaks and tabs stay.
+/// escape character, `�` if Unicode has no such sign. Line breaks and tabs are kept.
 ///
 /// ```
 /// assert_eq!(hodograph_report::diagnostics::visible("a\u{1b}[31m\n"), "a␛[31m\n");
@@ -76,11 +82,11 @@ pub fn visible(text: &str) -> Cow<'_, str> {
         '\n' | '\t' => None,
         '\0'..='\u{1f}' => char::from_u32(0x2400 + u32::from(c)),
         '\u{7f}' => Some('␡'),
-        // The second half of the control characters; those that change the direction of writing.
+        // The second half of the control characters, and those that change the writing direction.
         '\u{80}'..='\u{9f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => Some('\u{fffd}'),
         _ => None,
     };
-    // The line breaks of Windows are line breaks.
+    // Windows line breaks are line breaks.
     let kept = |at: usize, c: char| c == '\r' && text[at + 1..].starts_with('\n');
     if !text.char_indices().any(|(at, c)| sign(c).is_some() && !kept(at, c)) {
         return Cow::Borrowed(text);
@@ -88,13 +94,13 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.char_indices().map(|(at, c)| if kept(at, c) { c } else { sign(c).unwrap_or(c) }).collect())
 }
 
-/// A text whose columns count characters; the library counts bytes.
+/// A source text with columns that count characters; the library counts bytes.
 struct Characters(String);
 
 impl SourceCode for Characters {
     fn read_span<'a>(&'a self, span: &SourceSpan, before: usize, after: usize) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
         let found = self.0.read_span(span, before, after)?;
-        // With lines before it, what is read begins with its line.
+        // If lines precede it, the text returned starts at the beginning of its line.
         let column = if before == 0 { LineColumn::of(&self.0, span.offset()).column - 1 } else { found.column() };
         Ok(Box::new(MietteSpanContents::new(found.data(), *found.span(), found.line(), column, found.line_count())))
     }
@@ -119,7 +125,7 @@ fn report(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: La
 
 fn line_length(span: Span, source: &str) -> usize {
     let start = source[..span.start].rfind('\n').map_or(0, |i| i + 1);
-    // An object that spans several lines: the longest of them counts, since all are shown.
+    // An object that spans several lines: the longest of them counts, because all are shown.
     let end = source[span.end..].find('\n').map_or(source.len(), |i| span.end + i);
     source[start..end].split('\n').map(str::len).max().unwrap_or(0)
 }

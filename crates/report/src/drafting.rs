@@ -14,8 +14,9 @@ use unicode_width::UnicodeWidthStr;
 /// Digits of a tolerance: it is an estimate.
 pub const DIGITS: usize = 2;
 
-/// A tolerance beside its answer: in % of it, or in its unit where a part of the answer says nothing (an answer of zero or smaller than its
-/// tolerance, a coordinate, an angle). `None` for what is given, not read.
+/// Returns a tolerance beside its answer: in % of it, or in its unit if a percentage is meaningless
+/// (an answer of zero or smaller than its tolerance, a coordinate, an angle). `None` for values
+/// that are given, not read.
 pub fn amount(book: &Book, find: &Find, t: &Tolerance) -> Option<Amount> {
     if t.absolute == 0.0 {
         return None;
@@ -27,7 +28,7 @@ pub fn amount(book: &Book, find: &Find, t: &Tolerance) -> Option<Amount> {
     })
 }
 
-/// How a tolerance is told.
+/// The form of a tolerance.
 pub enum Amount {
     /// In % of the answer.
     Percent(f64),
@@ -35,7 +36,7 @@ pub enum Amount {
     Of(Kind, f64),
 }
 
-/// The words of [`amount`] for a terminal.
+/// Returns the words of [`amount`] for a terminal.
 pub fn words(book: &Book, find: &Find, t: Option<&Tolerance>) -> String {
     match t.and_then(|t| amount(book, find, t)) {
         Some(Amount::Percent(value)) => format!("± {} %", significant(value, DIGITS)),
@@ -44,8 +45,8 @@ pub fn words(book: &Book, find: &Find, t: Option<&Tolerance>) -> String {
     }
 }
 
-/// The crossings and the scales for 1 %, as tables; nothing where no tolerances were asked for. `steps` are the certified
-/// numbers of the construction for the same pencil.
+/// Returns the intersections and the scales for 1 %, as tables; empty if no tolerances were
+/// requested. `steps` contains the certified numbers of the construction for the same pencil error.
 pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
     let Some(d) = &worked.drafting else { return String::new() };
     let (lang, book) = (w.lang, &w.scene.book);
@@ -111,7 +112,7 @@ fn table<const N: usize>(rows: &[[String; N]]) -> String {
     out
 }
 
-/// The pencil and the crossings, for programs.
+/// Returns the pencil error and the intersections as JSON.
 pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
     let crossing = |c: &CrossingTolerance| {
         json!({
@@ -127,7 +128,7 @@ pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
     json!({"pencil_mm": d.pencil_mm, "part_within": hodograph_board::construct::pencil::WITHIN, "crossings": d.crossings.iter().map(crossing).collect::<Vec<_>>()})
 }
 
-/// The fields of one answer, for programs.
+/// Returns the JSON fields of one answer.
 pub fn answer_fields(t: Option<&Tolerance>) -> [(&'static str, Json); 3] {
     let larger = t.and_then(|t| t.larger.as_ref()).map(|l| {
         let mut all = json!({"factor": l.factor});

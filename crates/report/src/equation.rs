@@ -1,6 +1,6 @@
-//! One step of a plan as it is written down: an equation with its table, or a statement in one line.
+//! One step of a plan in writing: an equation with its table, or a statement in one line.
 //!
-//! Decided here: which equations need a table. Worksheets and lessons write what this says.
+//! This module decides which equations need a table. Worksheets and lessons use its result.
 
 use hodograph_board::construct::Drawing;
 use hodograph_board::plan::names::mate_letter;
@@ -10,7 +10,7 @@ use hodograph_paper::paper::phrase::{Phrase, fill, tr};
 use hodograph_paper::paper::words::words;
 use hodograph_scene::{DiagramKind, Lang};
 
-/// What is written.
+/// The written form of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Written {
     /// A statement.
@@ -19,7 +19,7 @@ pub enum Written {
     Table(Vec<Column>),
 }
 
-/// The equation of a step of a polygon as it is drawn; `None` for one that says nothing.
+/// Returns the equation of a step of a polygon as it is drawn; `None` for a step without text.
 pub fn written(w: &Writer, paper: &Drawing, on: DiagramKind, step: &Step) -> Option<Written> {
     let line = |text: String| Some(Written::Line(Phrase::new(&text)));
     match step {
@@ -56,7 +56,7 @@ pub fn written(w: &Writer, paper: &Drawing, on: DiagramKind, step: &Step) -> Opt
     }
 }
 
-/// The sentence that introduces the mate of a trial, with the step that first finds it.
+/// Returns the sentence that introduces the mate of a trial, at the step that first finds it.
 pub fn mate(w: &Writer, step: &Step) -> Option<String> {
     let [point, bar] = w.mate(step)?;
     Some(fill(words(w.lang).mate, &[("X", mate_letter(w.scene)), ("1", &point), ("", &bar)]))
@@ -69,7 +69,7 @@ fn equation(w: &Writer, on: DiagramKind, target: VertexId, chains: &[Chain]) -> 
         && w.plan.vertex(chain.start).fixed
         && let [term] = chain.known[..]
     {
-        // One known term: a driven point, or one on a known link.
+        // One known term: a driven point, or a point on a known link.
         let (part, magnitude, direction) = (w.symbol(on, &term), w.magnitude(on, &term), w.direction(&term));
         let head = if vector == part { vector } else { format!("{vector} = {part}") };
         let known = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };

@@ -1,4 +1,5 @@
-//! Forces in words: symbols, equations of equilibrium with their tables, moments, what the polygons give.
+//! Forces in words: symbols, equations of equilibrium with their tables, moments, results of the
+//! polygons.
 
 mod checks;
 mod friction;
@@ -16,27 +17,27 @@ use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang, Scene};
 
-/// Digits of measured lengths and forces in sentences: one more than a ruler gives.
+/// Digits of measured lengths and forces in sentences: one more than a ruler provides.
 const DIGITS: usize = 4;
 
-/// An arm (mm) that is no more than this is rounding.
+/// Largest arm (mm) that is attributed to rounding.
 const NO_ARM_MM: f64 = 1e-6;
 
-/// Terms of a sum of moments that stand together on a line; of forces four times as many do.
+/// Number of terms of a sum of moments per line; of forces four times as many.
 const TOGETHER: usize = 2;
-/// The end of a formula and the beginning of the next, between which a line may be broken.
+/// The end of a formula and the start of the next: a line may break between them.
 const BREAK: &str = "$ $";
 
-/// Writes the forces of a scene.
+/// A writer for the forces of a scene.
 #[derive(Clone, Copy)]
 pub struct ForceWriter<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// Marks.
+    /// Notation of the marks.
     pub notation: &'a Notation,
     /// Language.
     pub lang: Lang,
-    /// The drawing.
+    /// The equilibrium as drawn.
     pub of: &'a Equilibrium,
 }
 
@@ -57,7 +58,7 @@ struct Sum {
 }
 
 impl Sum {
-    /// Adds a term, with the sign of its moment.
+    /// Adds a term with the sign of its moment.
     fn add(&mut self, moment: f64, text: String) {
         let sign = match (moment < 0.0, self.terms) {
             (true, 0) => "−",
@@ -70,7 +71,7 @@ impl Sum {
             0 => BREAK,
             _ => " ",
         };
-        // A sign at the beginning of a formula has no space of its own.
+        // A sign at the start of a formula has no space around it.
         let space = if before == BREAK { "\\," } else { "" };
         self.text += &format!("{before}{sign}{space}{text}");
         self.terms += 1;
@@ -78,7 +79,7 @@ impl Sum {
 }
 
 impl ForceWriter<'_> {
-    /// The direction of a force wherever it is drawn.
+    /// Returns the direction of a force, from any group that draws it.
     pub fn direction(&self, term: Term) -> Option<Vec2> {
         if let Term::Load(k) = term {
             return self.of.loads[k].wrench.force.unit();
@@ -95,12 +96,12 @@ impl ForceWriter<'_> {
         find(term).or_else(|| opposite.and_then(find))
     }
 
-    /// The equations of a group, each a list of its forces, whose sum is zero.
+    /// Returns the equations of a group, each a list of forces with a sum of zero.
     pub fn equations(&self, group: &GroupForces) -> Vec<Vec<Side>> {
         if group.kind != "RPP" {
             return vec![group.sides.clone()];
         }
-        // The crossing is where the first equation begins and ends.
+        // The first equation starts and ends at the intersection.
         let v = |side: &Side| &self.of.construction.vectors[side.vector.index()];
         let Some(first) = group.sides.first() else { return Vec::new() };
         let crossing = v(first).from;
@@ -109,19 +110,20 @@ impl ForceWriter<'_> {
         vec![group.sides[..end].to_vec(), rest.collect()]
     }
 
-    /// An equation in the label language: `F_{12} + G_{2} + F_{32} = 0`.
+    /// Returns an equation in the label language: `F_{12} + G_{2} + F_{32} = 0`.
     pub fn equation(&self, sides: &[Side]) -> String {
         let symbols: Vec<String> = sides.iter().map(|s| self.notation.vectors.write(self.symbol(s.term))).collect();
         let lines: Vec<String> = symbols.chunks(4 * TOGETHER).map(|line| line.join(" + ")).collect();
         format!("{} = 0", lines.join(&format!("{BREAK}+ ")))
     }
 
-    /// The table of an equation.
+    /// Returns the table of an equation.
     pub fn columns(&self, sides: &[Side]) -> Vec<ForceColumn> {
         sides.iter().map(|s| ForceColumn { symbol: self.notation.vectors.write(self.symbol(s.term)), magnitude: s.known }).collect()
     }
 
-    /// The vertices of a group with their letters, in the order of the equation, then those of diagonals alone.
+    /// Returns the vertices of a group with their letters, in the order of the equation, then those
+    /// on diagonals only.
     pub fn letters(&self, group: &GroupForces) -> Vec<(MarkId, String)> {
         let mut out: Vec<MarkId> = Vec::new();
         for side in group.sides.iter().chain(&group.diagonals) {
@@ -135,7 +137,7 @@ impl ForceWriter<'_> {
         out.into_iter().enumerate().map(|(k, mark)| (mark, letter(k))).collect()
     }
 
-    /// The heading of a group: `Links 4, 5 (RRP)`.
+    /// Returns the heading of a group: `Links 4, 5 (RRP)`.
     pub fn heading(&self, group: &GroupForces) -> String {
         let names: Vec<&str> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
         let kind = match (group.kind, self.lang) {
@@ -160,7 +162,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// An amount with its unit; a length in that of small things.
+    /// Returns an amount with its unit; a length in the unit of small lengths.
     fn amount(&self, kind: Kind, si: f64) -> String {
         let (unit, per_si) = self.scene.book.fine(kind);
         format!("{}\\,{unit}", inked(&significant(si * per_si, DIGITS)))
@@ -170,20 +172,20 @@ impl ForceWriter<'_> {
         self.of.drawn.number(id).unwrap_or(f64::NAN)
     }
 
-    /// The magnitude of a force (N).
+    /// Returns the magnitude of a force (N).
     fn size(&self, group: &GroupForces, term: Term) -> Option<f64> {
         let side = group.sides.iter().chain(&group.diagonals).find(|s| s.term == term)?;
         self.of.force(side.vector).map(|f| f.norm())
     }
 
-    /// The arm (m) of a force whose moment is known.
+    /// Returns the arm (m) of a force with a known moment.
     pub fn arm(&self, moments: &Moments, k: usize) -> Option<f64> {
         let (term, _, id) = moments.of.get(k)?;
         let force = self.strength(*term)?;
         (force > 0.0).then(|| (self.number(*id) / force).abs())
     }
 
-    /// The magnitude of a force wherever it is drawn.
+    /// Returns the magnitude of a force, from any group that draws it.
     fn strength(&self, term: Term) -> Option<f64> {
         if let Term::Load(k) = term {
             return Some(self.of.loads[k].wrench.force.norm());
@@ -197,7 +199,7 @@ impl ForceWriter<'_> {
         find(term).or_else(|| opposite.and_then(find))
     }
 
-    /// A sentence of moments: what turns, with arms as measured, and what it gives.
+    /// Returns a sentence on moments: the terms, with arms as measured, and the result.
     pub fn moments(&self, m: &Moments) -> String {
         let names: Vec<&str> = m.links.iter().map(|l| self.scene.link_name(*l)).collect();
         let about = match m.about {
@@ -213,7 +215,7 @@ impl ForceWriter<'_> {
         let mut sum = Sum::default();
         for (k, (term, ..)) in m.of.iter().enumerate() {
             let moment = self.number(m.of[k].2);
-            // A line of action through the point turns nothing, but for rounding.
+            // A line of action through the point has no moment, except for rounding.
             let Some(arm) = self.arm(m, k).filter(|arm| *arm > NO_ARM_MM * 1e-3) else { continue };
             sum.add(moment, format!("{}\\cdot {}", self.symbol(*term), self.amount(Kind::Length, arm)));
         }
@@ -253,7 +255,8 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// A force that is tried twice: the moments that are left on the last link of the ring, and the force that leaves none.
+    /// Returns the sentence on a force with two trial values: the residual moments of the last link
+    /// of the ring, and the force for which the residual is zero.
     fn trial(&self, m: &Moments, force: Term, [tried, left]: [[NumberId; 2]; 2]) -> String {
         let (symbol, about) = (self.symbol(force), self.about(m.about));
         let tried = tried.map(|id| self.amount(Kind::Force, self.number(id)));
@@ -284,12 +287,13 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// Unknown sides and diagonals of a group's polygon, as measured.
+    /// Returns the unknown sides and diagonals of a group's polygon, as measured.
     pub fn measured(&self, group: &GroupForces) -> Vec<String> {
         self.of.measured(group).iter().filter_map(|s| self.reading(group, s)).collect()
     }
 
-    /// A force as measured on the polygon: `F_{65} = \\mu_{F}\\cdot ea = 31.2 mm·\\mu_{F} = 62 N`.
+    /// Returns a force as measured on the polygon:
+    /// `F_{65} = \\mu_{F}\\cdot ea = 31.2 mm·\\mu_{F} = 62 N`.
     fn reading(&self, group: &GroupForces, side: &Side) -> Option<String> {
         let force = self.of.force(side.vector)?;
         let mm = inked(&significant(force.norm() / self.of.mu(), DIGITS));
@@ -301,20 +305,21 @@ impl ForceWriter<'_> {
         ))
     }
 
-    /// The moments that come before the polygon.
+    /// Returns the moments that come before the polygon.
     pub fn before(&self, group: &GroupForces) -> Vec<Phrase> {
         let before = |m: &&Moments| !matches!(m.gives, Gives::Offset(_));
         let friction = self.friction(group).map(|s| Phrase::new(&s));
         friction.into_iter().chain(group.moments.iter().filter(before).map(|m| Phrase::new(&self.moments(m)))).collect()
     }
 
-    /// Results of the polygon, and the moments that tell where forces of guides act.
+    /// Returns the results of the polygon, and the moments that determine the points of action of
+    /// guide forces.
     pub fn after(&self, group: &GroupForces) -> Vec<Phrase> {
         let after = group.moments.iter().filter(|m| matches!(m.gives, Gives::Offset(_))).map(|m| self.moments(m));
         self.measured(group).into_iter().map(|m| format!("${m}$")).chain(after).map(|s| Phrase::new(&s)).collect()
     }
 
-    /// All sentences of a group, in the order of drawing.
+    /// Returns all sentences of a group, in drawing order.
     pub fn sentences(&self, group: &GroupForces) -> Vec<Phrase> {
         let mut out = self.before(group);
         for sides in self.equations(group) {
@@ -330,7 +335,7 @@ impl ForceWriter<'_> {
         out
     }
 
-    /// Everything as plain text, group after group.
+    /// Returns the complete report as plain text, group after group.
     pub fn text(&self) -> String {
         let mut out = String::new();
         let book = &self.scene.book;
@@ -348,7 +353,7 @@ impl ForceWriter<'_> {
         out + &self.undrawn()
     }
 
-    /// The groups that are not drawn, with the reason.
+    /// Returns the groups that are not drawn, with the reason.
     fn undrawn(&self) -> String {
         let mut out = String::new();
         for undrawn in &self.of.undrawn {
@@ -365,7 +370,7 @@ impl ForceWriter<'_> {
     }
 }
 
-/// The letter of a vertex: a to z, then with a number.
+/// Returns the letter of a vertex: a to z, then with a number.
 fn letter(k: usize) -> String {
     let base = char::from(b'a' + u8::try_from(k % 26).unwrap_or(0));
     if k < 26 { base.to_string() } else { format!("{base}_{{{}}}", k / 26) }

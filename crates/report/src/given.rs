@@ -1,4 +1,6 @@
-//! What is given, as a list: lengths, fixed points, guides ([`guide`]), masses and forces ([`loads`]), gears and wheels ([`rolling`]), belts and chains ([`belts`]), cams ([`cams`]), drivers, laws of time ([`law`]). Numbers as the scene writes them.
+//! The given data as a list, with numbers as the scene writes them: lengths, fixed points, guides
+//! ([`guide`]), masses and forces ([`loads`]), gears and wheels ([`rolling`]), belts and chains
+//! ([`belts`]), cams ([`cams`]), drivers, laws of time ([`law`]).
 
 mod belts;
 mod cams;
@@ -15,18 +17,18 @@ use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::words::{Words, words};
 use hodograph_scene::{Angle, Book, DriverKind, Given, Kind, Lang, LinkId, Place, PointId, Scene, Told};
 
-/// Digits of a given number that is not written as such but computed by the scene, as in `2*r`.
+/// Digits of a given number that the scene computes, as in `2*r`.
 const DIGITS: usize = 6;
 
-/// Two coordinates of more letters than this do not fit beside a drawing.
+/// Longest pair of coordinates, in characters, that fits beside a drawing.
 const LONG: usize = 24;
 
-/// What a scene gives, in words.
+/// The given data of a scene, in words.
 #[derive(Clone, Copy)]
 pub struct Givens<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// In which language.
+    /// The language of the words.
     pub lang: Lang,
 }
 
@@ -43,14 +45,14 @@ impl Givens<'_> {
         words(self.lang)
     }
 
-    /// The list of given things.
+    /// Returns the list of given data.
     pub fn list(&self) -> Vec<Phrase> {
         let mut all = self.lengths(|_, _| true);
         all.extend(self.others());
         all.iter().map(|s| Phrase::new(s)).collect()
     }
 
-    /// All that is given besides the lengths that a figure shows.
+    /// Returns all given data except the lengths that a figure shows.
     pub fn beside(&self, shown: impl Fn(PointId, PointId) -> bool) -> Vec<Phrase> {
         let mut all = self.lengths(|a, b| !shown(a, b));
         all.extend(self.others());
@@ -59,7 +61,7 @@ impl Givens<'_> {
 
     fn lengths(&self, wanted: impl Fn(PointId, PointId) -> bool) -> Vec<String> {
         let mut all = Vec::new();
-        // The ends in the order of the scene, as the equations name them.
+        // The ends in the order of the scene, as in the equations.
         let ends = |a: PointId, b: PointId| name_label(&format!("{}{}", self.name(a.min(b)), self.name(a.max(b))));
         let written = self.scene.lengths.iter().filter(|l| ![l.a, l.b].iter().any(|p| self.is_of_cam(*p)));
         let lengths: Vec<String> =
@@ -76,7 +78,7 @@ impl Givens<'_> {
         if !places.is_empty() {
             all.push(format!("{}{}", self.tr("points: ", "点："), places.join(self.tr("; ", "；"))));
         }
-        // The guides that rolling pairs and cams bring with them are not in the file.
+        // Guides that belong to rolling pairs and cams are not in the file.
         let guides = self.scene.guides.iter().enumerate().filter(|(g, guide)| guide.rolling.is_none() && !self.is_contact(*g));
         all.extend(guides.map(|(_, g)| self.guide(g)));
         all.extend(self.scene.rolling.iter().map(|pair| self.rolling(pair)));
@@ -94,7 +96,7 @@ impl Givens<'_> {
         self.scene.point_name(p)
     }
 
-    /// A point as a formula.
+    /// Returns a point as a formula.
     pub fn point(&self, p: PointId) -> String {
         format!("${}$", point_label(self.name(p)))
     }
@@ -109,7 +111,7 @@ impl Givens<'_> {
             Place::Unknown => return None,
             Place::At([x, y]) => {
                 let (x, y) = (self.length(x), self.length(y));
-                // Coordinates of many digits may be parted by the end of a line.
+                // A line may break between coordinates of many digits.
                 let between = if x.len() + y.len() > LONG { "$ $" } else { " " };
                 format!("${symbol} = ({x},{between}{y})$")
             }
@@ -202,7 +204,7 @@ impl Givens<'_> {
         out
     }
 
-    /// Adds the rate of a driver and its acceleration.
+    /// Appends the rate of a driver and its acceleration.
     fn driven(&self, mut out: String, d: usize, symbols: [&str; 2], kinds: [Kind; 2], turns: bool) -> String {
         let driver = &self.scene.drivers[d];
         if !driver.rate_told {
@@ -210,7 +212,7 @@ impl Givens<'_> {
         }
         let comma = self.tr(", ", "，");
         let told = |symbol: &str, given: &Given, kind: Kind| {
-            // The sense of a turning is told in words.
+            // The sense of rotation is given in words.
             let shown = |number: String| if turns { number.trim_start_matches('−').to_owned() } else { number };
             let amount = match self.scene.told(kind, &given.text, given.value) {
                 Told::AsWritten(number, unit) => unit.label(&shown(as_written(&number))),
@@ -228,7 +230,7 @@ impl Givens<'_> {
         out
     }
 
-    /// A length as it is given.
+    /// Returns a length as it is given.
     pub fn length(&self, given: &Given) -> String {
         match (self.scene.told(Kind::Length, &given.text, given.value), given.value) {
             (Told::AsWritten(number, unit), _) => unit.label(&as_written(&number)),
@@ -239,12 +241,12 @@ impl Givens<'_> {
         }
     }
 
-    /// A length without its sign, which is told in words.
+    /// Returns a length without its sign, which is given in words.
     fn unsigned(&self, given: &Given) -> String {
         self.length(given).trim_start_matches('−').to_owned()
     }
 
-    /// An angle as it is given; what is written in degrees is told less whole turns.
+    /// Returns an angle as it is given; an angle written in degrees is reduced by full turns.
     pub fn angle(&self, given: &Given<Angle>) -> String {
         match self.scene.told(Kind::Angle, &given.text, given.value.radians()) {
             Told::AsWritten(number, unit) if !unit.is_degree() => unit.label(&as_written(&number)),
@@ -254,12 +256,12 @@ impl Givens<'_> {
     }
 }
 
-/// A number in the label language, as short as it is, but not as long as a computed one.
+/// Returns a number in the label language in its shortest form, limited to [`DIGITS`] if computed.
 fn inked(value: f64) -> String {
     if shortest(value).len() > DIGITS + 2 { number(value, DIGITS) } else { scale(value).replace('-', "−") }
 }
 
-/// A number in the label language with the digits with which it is written.
+/// Returns a number in the label language with the digits with which it is written.
 fn as_written(number: &str) -> String {
     digits::inked(&number.replace('E', "e"))
 }

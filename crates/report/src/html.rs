@@ -6,10 +6,11 @@ use hodograph_paper::render::escaped;
 
 use super::math::mathml;
 
-/// Browsers break a line beside any formula; this between a formula and its punctuation keeps them together (CSS Text, 5.1).
+/// Word joiner between a formula and its punctuation: browsers may otherwise break a line beside
+/// any formula (CSS Text, 5.1).
 const JOINER: &str = "&#x2060;";
 
-/// A sentence as HTML, its formulas as `formula` writes them.
+/// Returns a sentence as HTML, with its formulas written by `formula`.
 pub fn sentence_with(phrase: &Phrase, mut formula: impl FnMut(&str) -> String) -> String {
     let pieces = phrase.pieces();
     let is_formula = |k: Option<usize>| k.and_then(|k| pieces.get(k)).is_some_and(|p| matches!(p, Piece::Formula(_)));
@@ -30,7 +31,7 @@ pub fn sentence_with(phrase: &Phrase, mut formula: impl FnMut(&str) -> String) -
     out
 }
 
-/// A sentence as HTML with MathML.
+/// Returns a sentence as HTML with MathML.
 pub fn sentence(phrase: &Phrase) -> String {
     sentence_with(phrase, |source| mathml(&Label::math(source)))
 }

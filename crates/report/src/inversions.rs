@@ -1,4 +1,5 @@
-//! Inversions in words: for each ground its type, what turns fully and what swings, and how far; Willis' table of its gear trains.
+//! Inversions in words: for each ground the type of the mechanism, the rotating and oscillating
+//! links with their ranges, and Willis' table of its gear trains.
 
 use super::answers::diagnostic;
 use super::{limits, trains};
@@ -9,7 +10,7 @@ use hodograph_scene::{Lang, Scene};
 use hodograph_sweep::extreme::Output;
 use serde_json::{Value as Json, json};
 
-/// The report as text: a line for each ground, then the motion of each as a whole.
+/// Returns the report as text: a line for each ground, then the motion of each over the full range.
 pub fn text(scene: &Scene, all: &[Inversion], lang: Lang) -> String {
     let mut out = String::new();
     let title = scene.title.get(lang);
@@ -27,13 +28,14 @@ pub fn text(scene: &Scene, all: &[Inversion], lang: Lang) -> String {
     out
 }
 
+/// Returns the line of an inversion:
 /// `link 4 fixed (as in the scene): crank-rocker; link 1 turns fully`.
 pub fn line(i: &Inversion, lang: Lang) -> String {
     let original = if i.original { tr(lang, " (as in the scene)", "（原机构）") } else { "" };
     format!("{}{original}{}{}", heading(i, lang), tr(lang, ": ", "："), words(i, lang))
 }
 
-/// `link 4 fixed`.
+/// Returns the heading of an inversion: `link 4 fixed`.
 pub fn heading(i: &Inversion, lang: Lang) -> String {
     let ground = i.scene.link_name(i.scene.ground);
     match lang {
@@ -42,7 +44,7 @@ pub fn heading(i: &Inversion, lang: Lang) -> String {
     }
 }
 
-/// Type and turning links.
+/// Returns the type and the fully rotating links.
 pub fn words(i: &Inversion, lang: Lang) -> String {
     let mut parts: Vec<String> = i.limits.grashof.iter().map(|(kind, _)| limits::grashof_words(*kind, lang).to_owned()).collect();
     parts.extend(slider_crank(i, lang).map(str::to_owned));
@@ -57,9 +59,9 @@ pub fn words(i: &Inversion, lang: Lang) -> String {
     parts.join(tr(lang, "; ", "；"))
 }
 
-/// The name of an inversion of the slider-crank chain; `None` of other chains.
+/// Returns the name of an inversion of the slider-crank chain; `None` for other chains.
 fn slider_crank(i: &Inversion, lang: Lang) -> Option<&'static str> {
-    // With the crank as ground the link with the guide turns about its pin.
+    // With the crank as ground, the link with the guide rotates about its pin.
     let full = || i.limits.range.full() && i.limits.swings.iter().all(|s| s.stroke.is_none());
     Some(match i.part? {
         Part::Guide => tr(lang, "crank-slider", "曲柄滑块机构"),
@@ -70,11 +72,11 @@ fn slider_crank(i: &Inversion, lang: Lang) -> Option<&'static str> {
     })
 }
 
-/// The links of the ground that turn fully.
+/// Returns the links on the ground that rotate fully.
 fn turning(i: &Inversion) -> Vec<String> {
     let scene = &i.scene;
     let driver = scene.drivers[0].kind.turned().filter(|_| i.limits.range.full()).map(|(link, _)| link);
-    // An output that turns with a driver that turns fully, and has no extremes, turns fully too.
+    // An output without extremes rotates fully if its driver does.
     let outputs = i.limits.swings.iter().filter(|s| driver.is_some() && s.extremes.is_empty()).filter_map(|s| match s.output {
         Output::Turning(l) => Some(l),
         Output::Sliding(_) => None,
@@ -86,7 +88,7 @@ fn turning(i: &Inversion) -> Vec<String> {
     driver.into_iter().chain(outputs.filter(on_ground)).map(|l| scene.link_name(l).to_owned()).collect()
 }
 
-/// The inversions for programs, in SI, each with its scene.
+/// Returns the inversions as JSON, in SI, each with its scene.
 pub fn json(scene: &Scene, all: &[Inversion], notes: &[Diagnostic]) -> Json {
     let one = |i: &Inversion| {
         json!({

@@ -1,10 +1,12 @@
-//! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics; tables of numbers as files.
+//! Reports of a run as text and JSON: the plan, the construction, the answers, the diagnostics;
+//! tables of numbers as files.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 // clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
-// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+// The module maps also name private modules; `cargo doc --document-private-items` resolves those
+// links.
 #![allow(rustdoc::private_intra_doc_links)]
 
 #[doc(hidden)]

@@ -1,4 +1,5 @@
-//! The motion as a whole for people and programs: range of the driver, extremes of the outputs, transmission angles, Grashof.
+//! The motion over its full range, as text and JSON: range of the driver, extremes of the outputs,
+//! transmission angles, Grashof.
 
 pub mod balanced;
 pub mod ranges;
@@ -21,7 +22,7 @@ struct Words<'a> {
     angular: bool,
 }
 
-/// The report as text.
+/// Returns the report as text.
 pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String {
     let w = Words::new(scene, driver, limits, lang);
     let mut out = String::new();
@@ -65,7 +66,7 @@ pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String
     out
 }
 
-/// The report as JSON, in SI.
+/// Returns the report as JSON, in SI.
 pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
     let w = Words::new(scene, driver, limits, Lang::En);
     let links = |l: &[LinkId]| l.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>();
@@ -110,18 +111,19 @@ impl<'a> Words<'a> {
         Words { scene, limits, lang, name, angular: kind == Kind::Angle }
     }
 
-    /// A crank's position in [0, 2π) where it turns fully; in as many turns as are looked at.
+    /// Returns a crank's position reduced to [0, 2π) if it rotates fully, or to the number of turns
+    /// examined.
     fn wrapped(&self, value: f64) -> f64 {
         if !(self.angular && self.limits.range.full()) {
             return value;
         }
         let all = TAU * self.limits.seen as f64;
         let turned = value.rem_euclid(all);
-        // A hair below a full turn is the start.
+        // A value within rounding of a full turn is the start.
         if all - turned < 1e-12 { 0.0 } else { turned }
     }
 
-    /// A coordinate as it is told: Chinese sentences have Greek letters.
+    /// Returns the name of a coordinate in a sentence: Chinese sentences have Greek letters.
     fn told(&self, name: &str) -> String {
         if self.lang == Lang::Zh { name.replacen("phi", "φ", 1) } else { name.to_owned() }
     }
@@ -151,7 +153,8 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// After how many turns everything stands as it did, where it takes more than one.
+    /// Returns the number of turns after which all wheels are in their initial position; `None` if
+    /// it is one.
     fn turns(&self) -> Option<String> {
         let Limits { turns, seen, .. } = self.limits;
         let both = match (*turns, *seen) {
@@ -242,7 +245,7 @@ impl<'a> Words<'a> {
     }
 }
 
-/// Grashof's type in words.
+/// Returns Grashof's type in words.
 pub fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
     match kind {
         Grashof::CrankRocker => tr(lang, "crank-rocker", "曲柄摇杆机构"),
@@ -255,7 +258,8 @@ pub fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
 }
 
 fn angle(book: &Book, rad: f64) -> String {
-    // A zero that was found to rounding is zero; a crossing angle is the root of what was found.
+    // A value within rounding of zero is zero; the angle is a square root, hence the wide
+    // tolerance.
     let rad = if rad.abs() < 1e-7 { 0.0 } else { rad };
     book.text(Kind::Angle, &significant(book.value(Kind::Angle, rad), 6))
 }

@@ -1,13 +1,14 @@
 //! Formulas of the label language as MathML, TeX and Typst.
 //!
-//! One walk over a parsed [`Label`]; each language says how it writes letters, numbers, signs and scripts. Decided here:
-//! that what looks alike on the figures is written alike (letters of quantities italic, units and words upright).
+//! One traversal of a parsed [`Label`] serves all languages; each defines its form of letters,
+//! numbers, signs and scripts. The appearance is the same as on figures: letters of quantities
+//! italic, units and words upright.
 
 use hodograph_paper::paper::font::Slant;
 use hodograph_paper::paper::label::{Label, Node, Role};
 use hodograph_paper::render::escaped;
 
-/// A part of a formula that stands on a line of its own.
+/// A part of a displayed formula.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Math {
     /// A row of signs.
@@ -19,7 +20,7 @@ pub enum Math {
 }
 
 impl Math {
-    /// In one line of characters: `(a)/(b)`, `√(a)`.
+    /// Returns the part in one line of characters: `(a)/(b)`, `√(a)`.
     pub fn plain(&self) -> String {
         match self {
             Math::Row(row) => row.plain(),
@@ -29,32 +30,32 @@ impl Math {
     }
 }
 
-/// From this on a space is one between words, in em.
+/// Smallest width of a space between words, in em.
 const WORD_EM: f64 = 0.2;
 
-/// A language of formulas.
+/// An output language for formulas.
 trait Tongue {
-    /// Letters of quantities: `AB`, `ω`.
+    /// Writes letters of quantities: `AB`, `ω`.
     fn letters(&self, text: &str) -> String;
-    /// Letters of vectors, bold.
+    /// Writes letters of vectors, bold.
     fn bold(&self, text: &str) -> String;
-    /// A number.
+    /// Writes a number.
     fn number(&self, text: &str) -> String;
-    /// Upright words and units.
+    /// Writes upright words and units.
     fn words(&self, text: &str) -> String;
-    /// A sign, such as `=`, `⊥`, `(`.
+    /// Writes a sign, such as `=`, `⊥`, `(`.
     fn sign(&self, c: char, role: Role) -> String;
-    /// A function's name.
+    /// Writes a function's name.
     fn function(&self, name: &str) -> String;
-    /// Space, in em.
+    /// Writes a space, in em.
     fn space(&self, em: f64) -> String;
-    /// A base with its primes, subscript and superscript (each may be empty).
+    /// Writes a base with its primes, subscript and superscript (each may be empty).
     fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String;
-    /// One over another.
+    /// Writes a fraction.
     fn fraction(&self, over: String, under: String) -> String;
-    /// A square root.
+    /// Writes a square root.
     fn root(&self, row: String) -> String;
-    /// Pieces one after another.
+    /// Joins adjacent pieces.
     fn join(&self, pieces: Vec<String>) -> String;
 
     fn row(&self, row: &[Node]) -> String {
@@ -97,32 +98,32 @@ trait Tongue {
     }
 }
 
-/// A formula in the line as MathML.
+/// Returns an inline formula as MathML.
 pub fn mathml(label: &Label) -> String {
     format!("<math><mrow>{}</mrow></math>", Mathml.row(label.row()))
 }
 
-/// A formula on its own line as MathML.
+/// Returns a displayed formula as MathML.
 pub fn mathml_display(parts: &[Math]) -> String {
     format!("<math display=\"block\"><mrow>{}</mrow></math>", Mathml.formula(parts))
 }
 
-/// A formula in TeX, without dollar signs.
+/// Returns a formula in TeX, without dollar signs.
 pub fn tex(label: &Label) -> String {
     Tex.row(label.row())
 }
 
-/// A formula of several parts in TeX.
+/// Returns a formula of several parts in TeX.
 pub fn tex_display(parts: &[Math]) -> String {
     Tex.formula(parts)
 }
 
-/// A formula in Typst, without dollar signs.
+/// Returns a formula in Typst, without dollar signs.
 pub fn typst(label: &Label) -> String {
     Typst.row(label.row())
 }
 
-/// A formula of several parts in Typst.
+/// Returns a formula of several parts in Typst.
 pub fn typst_display(parts: &[Math]) -> String {
     Typst.formula(parts)
 }
@@ -135,7 +136,7 @@ impl Tongue for Mathml {
         if text.chars().count() > 1 { format!("<mrow>{each}</mrow>") } else { each }
     }
     fn bold(&self, text: &str) -> String {
-        // Browsers know of all variants of letters the upright one only.
+        // Of the letter variants, browsers support only the upright one.
         self.letters(text).replace("<mi>", "<mi style=\"font-weight:bold\">")
     }
     fn number(&self, text: &str) -> String {
@@ -148,7 +149,7 @@ impl Tongue for Mathml {
         let c = escaped(&c.to_string());
         match role {
             Role::Ordinary if matches!(c.as_str(), "(" | ")" | "[" | "]" | "|") => format!("<mo stretchy=\"false\">{c}</mo>"),
-            // A sign that stands for a thing, as `?` or `⊥` before a line, keeps no space around it.
+            // A sign used as a symbol, as `?` or `⊥` before a line, has no space around it.
             Role::Ordinary => format!("<mo lspace=\"0\" rspace=\"0\">{c}</mo>"),
             Role::Binary | Role::Relation | Role::Punctuation | Role::Function => format!("<mo>{c}</mo>"),
         }
@@ -161,14 +162,16 @@ impl Tongue for Mathml {
     }
     fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String {
         let (above, below) = (format!("<mrow>{sup}</mrow>"), format!("<mrow>{sub}</mrow>"));
-        // The prime is a raised sign already: as a superscript Chromium raises it once more. A subscript stands below it.
+        // The prime is already a raised sign: as a superscript Chromium would raise it again. The
+        // subscript is below it.
         let marks = format!("<mi mathvariant=\"normal\">{}</mi>", "′".repeat(primes));
         let base = match (primes, sub.is_empty()) {
             (0, _) => base,
             (_, true) => format!("<mrow>{base}{marks}</mrow>"),
             (_, false) => format!("<mrow>{base}<mpadded width=\"0\">{marks}</mpadded></mrow>"),
         };
-        // Under the descender of φ or μ a subscript would hang lower than under ω: the base is said to have no depth.
+        // Below the descender of φ or μ a subscript would be lower than below ω: the base is
+        // declared to have no depth.
         let base = match (base.is_empty(), sub.is_empty()) {
             (true, _) => "<mrow></mrow>".to_owned(),
             (false, true) => base,
@@ -194,7 +197,7 @@ impl Tongue for Mathml {
 
 struct Tex;
 
-/// The command of a sign or a Greek letter in TeX, and its name in Typst.
+/// Returns the command of a sign or a Greek letter in TeX, and its name in Typst.
 fn named(c: char) -> Option<(&'static str, &'static str)> {
     Some(match c {
         'α' => ("\\alpha", "alpha"),
@@ -264,7 +267,7 @@ impl Tongue for Tex {
         text.to_owned()
     }
     fn words(&self, text: &str) -> String {
-        // A bracket that closes what the words stand in is none of theirs.
+        // A closing bracket around the words is not part of them.
         match text.strip_suffix(')').filter(|inner| !inner.contains('(')) {
             Some(inner) => format!("\\text{{{}}})", tex_escaped(inner)),
             None => format!("\\text{{{}}}", tex_escaped(text)),
@@ -303,7 +306,7 @@ impl Tongue for Tex {
     fn join(&self, pieces: Vec<String>) -> String {
         let mut out = String::new();
         for p in pieces {
-            // A command ends where no letter follows.
+            // A command ends at the first character that is not a letter.
             let open = out.rfind('\\').is_some_and(|i| out.len() > i + 1 && out[i + 1..].chars().all(|c| c.is_ascii_alphabetic()));
             if open && p.starts_with(|c: char| c.is_ascii_alphabetic()) {
                 out.push(' ');
@@ -348,7 +351,7 @@ impl Tongue for Typst {
     fn sign(&self, c: char, _: Role) -> String {
         match (named(c), c) {
             (Some((_, typst)), _) => typst.to_owned(),
-            // What means something in Typst's formulas stands as text.
+            // Characters with a meaning in Typst's formulas are written as text.
             (None, '+' | '=' | '<' | '>' | '?' | '!' | ':' | '|') => c.to_string(),
             (None, _) => quoted(&c.to_string()),
         }
@@ -365,7 +368,7 @@ impl Tongue for Typst {
         name.to_owned()
     }
     fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String {
-        // Scripts stand on one thing.
+        // Scripts need a base.
         let mut out = if base.is_empty() { "\"\"".to_owned() } else { base };
         out += &"'".repeat(primes);
         for (mark, script) in [('_', sub), ('^', sup)] {
@@ -384,7 +387,7 @@ impl Tongue for Typst {
     fn join(&self, pieces: Vec<String>) -> String {
         let mut out = String::new();
         for p in pieces {
-            // A space beside quoted text is printed; everywhere else it parts names.
+            // A space beside quoted text is printed; elsewhere it only separates names.
             if !out.is_empty() && !out.ends_with('"') && !p.starts_with('"') {
                 out.push(' ');
             }

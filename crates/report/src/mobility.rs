@@ -1,4 +1,5 @@
-//! Freedoms for people and programs: what is counted and why, what repeats others, groups from the far end.
+//! Mobility (degrees of freedom) as text and JSON: the counts with reasons, redundant constraints,
+//! Assur groups from the far end.
 
 use super::plan::{dyad, grade, group_words};
 use hodograph_base::diag::{Both, both};
@@ -9,7 +10,7 @@ use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{GuideId, Lang, PointId, Rolling, Scene};
 use serde_json::{Value as Json, json};
 
-/// Whether a pair repeats others, as far as it is known.
+/// The known state of a redundant pair.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Known {
     Repeats,
@@ -25,10 +26,10 @@ fn known(checked: Option<&Checked>) -> Known {
     }
 }
 
-/// More drivers than these are not tried where the file has none and the count asks for fewer.
+/// Largest number of drivers that is tried if the file has none and the count requires fewer.
 const MOST_DRIVERS: usize = 4;
 
-/// How many equations repeat others for sure, and how many may.
+/// Returns the number of equations that are certainly redundant, and of those that may be.
 fn repeated(survey: &Survey, checked: &[Option<Checked>]) -> (usize, usize) {
     let of = |wanted: Known| {
         let all = survey.redundant().iter().zip(checked).filter(|(_, c)| known(c.as_ref()) == wanted);
@@ -37,13 +38,16 @@ fn repeated(survey: &Survey, checked: &[Option<Checked>]) -> (usize, usize) {
     (of(Known::Repeats), of(Known::Open))
 }
 
-/// What is counted, and what lengths say of it. Where pairs repeat others the count does not tell how many drivers there may be: as long as
-/// one more moves what repeats along, it is one of the freedoms.
+/// Returns the counts and the checks of redundant pairs by the lengths.
+///
+/// With redundant pairs the count does not determine the number of drivers: as long as a further
+/// driver moves the mechanism with its redundant pairs, it is one of the degrees of freedom.
 pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
     let mut survey = Survey::of(scene);
     let mut found = checked(&survey);
     if scene.drivers.is_empty() && survey.choices.is_empty() {
-        // By count alone it has fewer freedoms than it has: what repeats others is found only where all drivers are there.
+        // By count alone the mechanism has too few degrees of freedom: redundant pairs are found
+        // only with all drivers present.
         let more = (2..=MOST_DRIVERS).map(|drivers| (drivers, Survey::driven_by(scene, drivers)));
         let mut sure = more.filter(|(_, s)| !s.choices.is_empty()).map(|(drivers, s)| (drivers, checked(&s), s));
         let moves = |verdicts: &[Option<Checked>]| verdicts.iter().all(|c| known(c.as_ref()) == Known::Repeats);
@@ -68,30 +72,32 @@ pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
     (survey, found)
 }
 
-/// Number of pairs of gears whose distance other pairs change.
+/// Number of gear pairs with a centre distance that other pairs change.
 fn not_kept_apart(survey: &Survey) -> usize {
     let Some(first) = survey.choices.first() else { return 0 };
     let looked = |opened: &Opened| survey.choices.iter().find_map(|c| look(&c.scene, &c.mechanism, opened).ok());
     first.mechanism.kept_apart(&first.scene).filter(|g| known(looked(&Opened::Guide(*g)).as_ref()) == Known::Locks).count()
 }
 
-/// What lengths say of each pair that only repeats others as far as topology can tell; `None` where they are missing.
+/// Returns the check by the lengths of each pair that is redundant by topology; `None` if lengths
+/// are missing.
 fn checked(survey: &Survey) -> Vec<Option<Checked>> {
     let Some(first) = survey.choices.first() else { return Vec::new() };
     let (scene, m) = (&first.scene, &first.mechanism);
-    // Whatever drives it: where one choice of drivers does not tell the pose, another may.
+    // Independent of the drivers: if one choice of drivers does not determine the pose, another
+    // may.
     let looked = |opened: &Opened| {
         survey.choices.iter().find_map(|c| c.mechanism.is_opened(opened).then(|| look(&c.scene, &c.mechanism, opened).ok())?)
     };
     survey.redundant().iter().map(|r| looked(&r.opened).or_else(|| by_topology(scene, m, &r.opened))).collect()
 }
 
-/// F, as far as it is known.
+/// Degree of freedom F, as far as it is known.
 fn freedom(survey: &Survey, checked: &[Option<Checked>]) -> i64 {
     survey.counts.freedom(repeated(survey, checked).0, survey.local.len())
 }
 
-/// Why a pair repeats others, or what is known of it.
+/// Returns the reason why a pair is redundant, or what is known of it.
 fn repeats_words(survey: &Survey, i: usize, checked: Option<&Checked>) -> Both {
     let Some(first) = survey.choices.first() else { return Both::default() };
     let (scene, m) = (&first.scene, &first.mechanism);
@@ -124,7 +130,7 @@ fn local_words(l: &Local) -> Both {
     both!("link {} turns about {} alone and moves nothing else", "构件 {} 绕 {} 的自转不影响其他构件", l.link, l.pin)
 }
 
-/// F = 3n − (2 p_l + p_h − p′) − F′ with its numbers.
+/// Returns F = 3n − (2 p_l + p_h − p′) − F′ with its numbers.
 fn formula(c: &Counts, repeated: usize, local: usize) -> String {
     let Counts { moving, lower, higher } = *c;
     let f = c.freedom(repeated, local).to_string().replace('-', "−");
@@ -135,12 +141,13 @@ fn class_of(class: &'static str, lang: Lang) -> &'static str {
     if lang == Lang::Zh { grade(class) } else { class }
 }
 
-/// The class of a mechanism for a choice of drivers: `II`, `Ⅱ级`.
+/// Returns the class of a mechanism for a choice of drivers: `II`, `Ⅱ级`.
 pub fn class(choice: &ForDrivers, lang: Lang) -> &'static str {
     class_of(choice.class(), lang)
 }
 
-/// The groups of a choice of drivers from the far end, each by class and kind: `II RRR, III`.
+/// Returns the groups for a choice of drivers from the far end, each by class and kind:
+/// `II RRR, III`.
 pub fn kinds(choice: &ForDrivers, lang: Lang) -> String {
     let kind = |g: &Assur| {
         let class = class_of(g.class().unwrap_or_default(), lang);
@@ -149,39 +156,40 @@ pub fn kinds(choice: &ForDrivers, lang: Lang) -> String {
     choice.from_the_far_end().iter().map(kind).collect::<Vec<_>>().join(tr(lang, ", ", "、"))
 }
 
-/// What is counted of a scene, with all reasons.
+/// The counts of a scene, with all reasons.
 pub struct Counted {
     /// The counts and the groups.
     pub survey: Survey,
     checked: Vec<Option<Checked>>,
-    /// Virtual constraints that lengths have proved.
+    /// Number of virtual constraints proved by the lengths.
     pub sure: usize,
 }
 
 impl Counted {
-    /// Counts a scene; what its lengths tell is checked where it has them.
+    /// Counts a scene; redundant pairs are checked where it has lengths.
     pub fn of(scene: &Scene) -> Counted {
         let (survey, checked) = surveyed(scene);
         let (sure, _) = repeated(&survey, &checked);
         Counted { survey, checked, sure }
     }
 
-    /// What is told of the count of lower pairs, points set as points.
+    /// Returns the remarks on the count of lower pairs, with points as formulas.
     pub fn lower(&self, scene: &Scene, lang: Lang) -> Vec<Phrase> {
         lower_set(scene, &self.survey.compound, lang)
     }
 
-    /// Local freedoms.
+    /// Returns the local degrees of freedom.
     pub fn local(&self) -> Vec<Both> {
         self.survey.local.iter().map(local_words).collect()
     }
 
-    /// What repeats others, and why.
+    /// Returns the redundant pairs with their reasons.
     pub fn repeats(&self) -> Vec<Both> {
         self.checked.iter().enumerate().map(|(i, c)| repeats_words(&self.survey, i, c.as_ref())).collect()
     }
 
-    /// The counts without local freedoms and virtual constraints, higher pairs replaced.
+    /// Returns the counts without local degrees of freedom and virtual constraints, with higher
+    /// pairs replaced by lower ones.
     pub fn substituted(&self) -> Counts {
         self.survey.substituted(|i| self.checked.get(i).is_some_and(|c| known(c.as_ref()) != Known::Locks))
     }
@@ -191,7 +199,8 @@ fn compound_words(name: &str, links: usize) -> Both {
     both!("{name} joins {links} links: compound hinge, {} pairs", "{name} 处 {links} 个构件组成复合铰链，计 {} 个转动副", links - 1)
 }
 
-/// Why lower pairs count as they do: pins of more than two links, and what rolls without slipping.
+/// Returns the reasons for the count of lower pairs: pins of more than two links, and rolling
+/// without slipping.
 fn lower_words(scene: &Scene, compound: &[(PointId, usize)], point: impl Fn(&str) -> String) -> Vec<Both> {
     let hinges = compound.iter().map(|(p, links)| compound_words(&point(scene.point_name(*p)), *links));
     let rolls = scene.rolling.iter().filter(|r| r.kind.is_lower()).map(|r| {
@@ -204,13 +213,15 @@ fn lower_words(scene: &Scene, compound: &[(PointId, usize)], point: impl Fn(&str
     hinges.chain(rolls).collect()
 }
 
-/// Why a toothed pair counts two: nothing else keeps its links at their distance.
+/// Returns the reason why a toothed pair counts as two: no other pair keeps the distance of its
+/// links.
 fn doubled(scene: &Scene, survey: &Survey) -> Vec<Both> {
     let holds = |g: GuideId| survey.choices.first().is_none_or(|c| c.mechanism.constraints.iter().any(|c| c.item() == Item::Guide(g)));
     let (higher, slots) =
         (|r: &&Rolling| !r.kind.is_lower(), scene.guides.iter().filter(|g| g.rolling.is_none() && g.slider.is_none()).count());
     let twice: Vec<&Rolling> = scene.rolling.iter().filter(higher).filter(|r| r.guide().is_some_and(holds)).collect();
-    // Without drivers that move it nothing tells which of them hold, but that all do.
+    // Without drivers that move the mechanism, only a count in which all of them hold is
+    // conclusive.
     let all = scene.rolling.iter().filter(higher).count() + slots + twice.len();
     if survey.choices.is_empty() && (survey.counts.higher != all || !scene.cams.is_empty()) {
         return Vec::new();
@@ -227,13 +238,13 @@ fn doubled(scene: &Scene, survey: &Survey) -> Vec<Both> {
         .collect()
 }
 
-/// The same with points set as points.
+/// Returns the remarks on the count of lower pairs, with points as formulas.
 pub fn lower_set(scene: &Scene, compound: &[(PointId, usize)], lang: Lang) -> Vec<Phrase> {
     let told = lower_words(scene, compound, |name| format!("${}$", name_label(name)));
     told.iter().map(|b| Phrase::new(lang.of(b))).collect()
 }
 
-/// The report as text.
+/// Returns the report as text.
 pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: Lang) -> String {
     let mut out = String::new();
     let mut line = |text: String| {
@@ -296,7 +307,7 @@ fn choice_words(choice: &ForDrivers, lang: Lang) -> String {
     }
 }
 
-/// The report as JSON.
+/// Returns the report as JSON.
 pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json {
     let (sure, open) = repeated(survey, checked);
     let counts = |c: &Counts| json!({"n": c.moving, "p_l": c.lower, "p_h": c.higher});

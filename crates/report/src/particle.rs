@@ -1,4 +1,5 @@
-//! Motions without a mechanism for people and programs: answers with their certain digits, the drawing beside them, and that a pursuit is integrated.
+//! Motion of particles without a mechanism, as text and JSON: answers to their certain digits, the
+//! values by drawing, and a note if a pursuit is integrated.
 
 use super::answers::diagnostic;
 use crate::amount::scale_formula;
@@ -15,7 +16,7 @@ use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Book, DiagramKind, Kind as Quantity, Lang};
 use serde_json::{Value as Json, json};
 
-/// The kind of an answer; a time has none.
+/// Returns the kind of an answer; `None` for a time.
 pub fn kind(what: Asked) -> Option<Quantity> {
     match what {
         Asked::MeetingTime(_) => None,
@@ -30,23 +31,24 @@ pub fn kind(what: Asked) -> Option<Quantity> {
     }
 }
 
-/// The unit of an answer: that of the file's `answers`, else SI.
+/// Returns the unit of an answer: that of the file's `answers`, else SI.
 pub fn unit(book: &Book, what: Asked) -> &str {
     kind(what).map_or("s", |k| book.name(k))
 }
 
-/// An SI value in that unit.
+/// Returns an SI value in the unit of the answer.
 pub fn in_unit(book: &Book, what: Asked, si: f64) -> f64 {
     kind(what).map_or(si, |k| book.value(k, si))
 }
 
-/// An enclosure in that unit.
+/// Returns an enclosure in the unit of the answer.
 fn enclosed(book: &Book, what: Asked, e: &Enclosure) -> Enclosure {
     let chosen = kind(what).filter(|k| book.chosen(*k).is_some());
     chosen.and_then(|k| book.in_chosen(k, Ball::new(e.approx, e.radius)).enclosure()).unwrap_or_else(|| e.clone())
 }
 
-/// A number to at most so many digits, all of them certain; zero where it is nothing beside `size`.
+/// Returns a number to at most `digits` digits, all of them certain; zero if it is negligible
+/// relative to `size`.
 pub fn number(e: &Enclosure, size: f64, digits: usize) -> String {
     if e.contains_zero() && e.largest() <= 1e-10 * size || e.approx == 0.0 && e.radius == 0.0 {
         return "0".to_owned();
@@ -58,7 +60,8 @@ pub fn number(e: &Enclosure, size: f64, digits: usize) -> String {
 /// The names of the components.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The largest answer of the same kind: what is nothing beside it is printed as zero.
+/// Returns the largest answer of the same kind; values negligible relative to it are printed as
+/// zero.
 pub fn largest(problem: &Problem, solved: &Solved, what: Asked) -> f64 {
     let of = |a: &hodograph_methods::particle::Answer| match &a.value {
         Value::Vector(_, size) if kind(problem.find[a.find].what) == kind(what) => size.approx,
@@ -67,7 +70,8 @@ pub fn largest(problem: &Problem, solved: &Solved, what: Asked) -> f64 {
     solved.answers.iter().map(of).fold(0.0, f64::max)
 }
 
-/// The value of an answer: components, and the magnitude; `size` is that of the largest of its kind (SI).
+/// Returns the value of an answer: components, and the magnitude; `size` is the largest value of
+/// its kind (SI).
 pub fn value(book: &Book, what: Asked, value: &Value, size: f64, digits: usize, lang: Lang) -> String {
     let unit = unit(book, what);
     let told = |e: &Enclosure, size: f64| number(&enclosed(book, what, e), in_unit(book, what, size), digits);
@@ -86,7 +90,7 @@ pub fn value(book: &Book, what: Asked, value: &Value, size: f64, digits: usize, 
     }
 }
 
-/// What is said of a pursuit.
+/// Returns the note on a pursuit.
 pub fn integrated(lang: Lang) -> &'static str {
     tr(
         lang,
@@ -95,23 +99,23 @@ pub fn integrated(lang: Lang) -> &'static str {
     )
 }
 
-/// How far the drawing is from an answer, as a part of it.
+/// Returns the difference between drawing and answer, as a fraction of the answer.
 pub fn apart(answer: &Value, drawn: &[f64], largest: f64) -> Option<f64> {
     let all = answer.vector().or_else(|| answer.scalar().map(|s| vec![s.abs()]))?;
     let norm = |v: &mut dyn Iterator<Item = f64>| v.fold(0.0, |s, x| s + x * x).sqrt();
     let drawn: Vec<f64> = if all.len() == 1 { vec![drawn[0].abs()] } else { drawn.to_vec() };
-    // What is small beside the others of its kind is compared with a thousandth of them.
+    // A small answer is compared with a thousandth of the largest of its kind.
     let size = norm(&mut all.iter().copied()).max(1e-3 * largest);
     let off = norm(&mut all.iter().zip(&drawn).map(|(a, b)| a - b));
     Some(if size > 0.0 { off / size } else { off })
 }
 
-/// The drawn value of an answer: what is calculated is not drawn.
+/// Returns the drawn value of an answer; `None` if it is only calculated.
 pub fn drawn(all: &[Drawn], what: Asked) -> Option<&[f64]> {
     all.iter().filter(|d| !d.calculated).flat_map(|d| &d.readings).find(|r| r.0 == what).map(|r| r.1.as_slice())
 }
 
-/// The report.
+/// Returns the report as text.
 pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, steps: Option<&Notation>, lang: Lang) -> String {
     let mut out = format!("{}\n", lang.of(&problem.title));
     out += &format!("t = {} s\n\n", significant(problem.instant(), 6));
@@ -140,7 +144,7 @@ pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
     out
 }
 
-/// The words over the steps of a drawing.
+/// Returns the heading of the steps of a drawing.
 fn head(drawn: &Drawn, lang: Lang) -> &'static str {
     match drawn.calculated {
         true => tr(lang, "Calculated, shown to scale: ", "计算所得，按比例示出："),
@@ -148,13 +152,13 @@ fn head(drawn: &Drawn, lang: Lang) -> &'static str {
     }
 }
 
-/// The scales of a drawing in the label language.
+/// Returns the scales of a drawing in the label language.
 pub fn scales(book: &Book, [l, v, a]: [f64; 3]) -> String {
     let all = [(DiagramKind::Plane, l), (DiagramKind::Velocity, v), (DiagramKind::Acceleration, a)];
     all.map(|(on, mu)| format!("${}$", scale_formula(book, on, mu))).join(", ")
 }
 
-/// The same for programs, in SI.
+/// Returns the report as JSON, in SI.
 pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, notes: &[Diagnostic]) -> Json {
     let told = |e: &Enclosure, size: f64| json!({"value": e.approx, "radius": e.radius, "text": number(e, size, digits)});
     let answers: Vec<Json> = solved
@@ -203,17 +207,17 @@ pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
     })
 }
 
-/// A sentence of a construction with the marks of a notation.
+/// Returns a sentence of a construction with the marks of a notation.
 pub fn sentence(of: &Both, lang: Lang, notation: &Notation) -> Phrase {
     Phrase::new(&marked(&lang.of(of).replace("a_c", "a_k"), notation))
 }
 
-/// Symbols of a board with the marks of a notation for its tangential and Coriolis parts.
+/// Returns symbols of a board with the marks of a notation for tangential and Coriolis components.
 pub fn marked(symbols: &str, notation: &Notation) -> String {
     symbols.replace("^t", &format!("^{{{}}}", notation.tangential)).replace("a_k", &format!("a_{{{}}}", notation.coriolis))
 }
 
-/// The symbol of a question in the label language.
+/// Returns the symbol of a question in the label language.
 pub fn symbol(problem: &Problem, what: Asked, notation: &Notation) -> String {
     let name = |k: usize| problem.motions[k].point.as_str();
     let pair = |k: usize| {
@@ -256,7 +260,7 @@ fn part_symbol(part: Part) -> &'static str {
     }
 }
 
-/// The answers as sentences with formulas, a line each.
+/// Returns the answers as sentences with formulas, one line each.
 pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang, notation: &Notation) -> Vec<Phrase> {
     let mut out: Vec<Phrase> = solved
         .answers
@@ -276,7 +280,7 @@ pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang, nota
     out
 }
 
-/// Numbers as they are printed: a minus as long as a plus.
+/// Returns numbers as they are printed: a minus as wide as a plus.
 fn inked_words(text: &str) -> String {
     text.replace('-', "−")
 }

@@ -10,7 +10,8 @@ use hodograph_paper::paper::phrase::{Phrase, formula, tr};
 use hodograph_scene::{DiagramKind, Lang, PointId, Scene};
 use unicode_width::UnicodeWidthStr;
 
-/// The whole plan; that of forces follows where they are asked for and the pose can be solved.
+/// Returns the complete plan, followed by the plan of forces if forces are requested and the pose
+/// can be solved.
 pub fn text(scene: &Scene, m: &Mechanism, w: &Writer, forces: Option<&ForceWriter>) -> String {
     let mut out = String::new();
     let mut line = |s: String| {
@@ -90,7 +91,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer, forces: Option<&ForceWrite
     out
 }
 
-/// The class of a group or of a mechanism as Chinese books count it.
+/// Returns the class of a group or of a mechanism in Chinese notation.
 pub fn grade(class: &str) -> &'static str {
     match class {
         "I" => "Ⅰ级",
@@ -100,17 +101,17 @@ pub fn grade(class: &str) -> &'static str {
     }
 }
 
-/// The kind of a dyad; classes above have no kinds of their own.
+/// Returns the kind of a dyad; higher classes have no kinds.
 pub fn dyad<'a>(g: &'a Assur<'_>) -> Option<&'a str> {
     Some(g.kind()).filter(|kind| !matches!(*kind, "triad" | "higher group"))
 }
 
-/// A group in words: its class, its kind, its links.
+/// Returns a group in words: its class, its kind, its links.
 pub fn group_words(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang) -> String {
     group(scene, m, g, lang, str::to_owned)
 }
 
-/// The same with its points set as points.
+/// Returns a group in words, with its points as formulas.
 pub fn group_set(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang) -> Phrase {
     Phrase::new(&group(scene, m, g, lang, |name| format!("${}$", name_label(name))))
 }
@@ -121,7 +122,7 @@ fn group(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang, point: impl Fn(&st
     let led = g.drivers(m).any(|d| scene.is_led(d));
     let what = match (g.class(), lang) {
         (None, lang) if led => tr(lang, "follower of the cam", "凸轮从动件").into(),
-        // A "driven link" of English books is the follower.
+        // The "driven link" of English books is the follower.
         (None, Lang::En) => match g.kind() {
             "driven slider" => "driving slider".into(),
             _ => "driving link".into(),
@@ -224,7 +225,7 @@ fn group_lines(w: &Writer, on: DiagramKind, group: &GroupSteps, equation: &mut u
     out
 }
 
-/// What is drawn between two images, because no equation shows it.
+/// Returns the relation drawn between two images that no equation shows.
 pub(super) fn between_words(w: &Writer, on: DiagramKind, between: &Between) -> String {
     let (of, to) = between.ends();
     let (from, end) = (formula(&w.image(on, to)), formula(&w.image(on, of)));
@@ -250,7 +251,8 @@ pub(super) fn between_words(w: &Writer, on: DiagramKind, between: &Between) -> S
     }
 }
 
-/// How an angular rate is found; nothing is said of a link that does not turn.
+/// Returns the determination of an angular velocity or acceleration; `None` for a link that does
+/// not rotate.
 pub(super) fn rate_words(w: &Writer, on: DiagramKind, body: Body, rate: Rate) -> Option<String> {
     let symbol = formula(&w.turning(on, body));
     Some(match rate {
@@ -261,7 +263,8 @@ pub(super) fn rate_words(w: &Writer, on: DiagramKind, body: Body, rate: Rate) ->
     })
 }
 
-/// What a special point is: of a triad by its legs, else by the lines that cross.
+/// Returns the definition of a special point: by the legs of its triad, else by the intersecting
+/// lines.
 fn special_words(w: &Writer, special: &Special, name: &str) -> String {
     match (special.legs, w.lang) {
         (Some((a, b)), Lang::En) => format!("{name}: crossing of the constraint lines of legs {} and {}", a + 1, b + 1),
@@ -279,7 +282,7 @@ fn special_words(w: &Writer, special: &Special, name: &str) -> String {
     }
 }
 
-/// A line along which a link is held.
+/// Returns a line along which a link is constrained.
 fn line_words(w: &Writer, line: &SpecialLine) -> String {
     let name = |p: PointId| w.scene.point_name(p);
     match *line {
@@ -360,7 +363,7 @@ pub(super) fn method_words(method: Method, lang: Lang) -> &'static str {
     }
 }
 
-/// An equation table in aligned characters: symbols, magnitudes, directions.
+/// Returns an equation table in aligned characters: symbols, magnitudes, directions.
 pub(super) fn table(lang: Lang, columns: &[Column]) -> Vec<String> {
     let heads = ["", tr(lang, "magnitude", "大小"), tr(lang, "direction", "方向")];
     let head = heads.iter().map(|h| h.width()).max().unwrap_or(0);

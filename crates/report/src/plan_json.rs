@@ -1,8 +1,9 @@
-//! The plan for programs: groups, effects and equations as JSON, with the counters of the work that was done.
+//! The plan as JSON: groups, effects and equations, with counters of the work done.
 //!
-//! `docs/plan.schema.json` is its shape. Vertices, groups, guides and drivers are told by their index in the lists of the
-//! document; points and links by their names in the scene. Every formula is there twice: in plain characters (`text`)
-//! and in the label language, which is a part of TeX's (`tex`).
+//! The format is described by `docs/plan.schema.json`. Vertices, groups, guides and drivers are
+//! identified by their index in the lists of the document; points and links by their names in the
+//! scene. Every formula is given twice: in plain characters (`text`) and in the label language, a
+//! subset of TeX (`tex`).
 
 use super::answers::diagnostic;
 use super::forces::ForceWriter;
@@ -17,7 +18,8 @@ use hodograph_worked::effort::{Motion, Work};
 use hodograph_worked::worked::Worked;
 use serde_json::{Value as Json, json};
 
-/// The plan that `w` writes, and what was done for it; without `done` (a pose that cannot be solved) the plan alone.
+/// Returns the plan that `w` writes, and the work done for it; without `done` (a pose that cannot
+/// be solved) the plan alone.
 pub fn json(m: &Mechanism, demand: &Demand, w: &Writer, done: Option<(&Worked, Work)>, notes: &[Diagnostic]) -> Json {
     let r = Reporter { w, scene: w.scene, m, demand, worked: done.map(|d| d.0) };
     let f = &m.mobility;
@@ -176,18 +178,19 @@ impl Reporter<'_> {
         })
     }
 
-    /// Equations of a polygon in the first alternatives, which the text of the plan numbers.
+    /// Returns the number of equations of a polygon in the first alternatives, which the text of
+    /// the plan numbers.
     fn equations(&self, on: DiagramKind) -> usize {
         self.w.plan.steps(on).iter().map(|g| count(g.steps(0))).sum()
     }
 
-    /// The groups of a polygon; their equations are numbered from `first` + 1.
+    /// Returns the groups of a polygon; their equations are numbered from `first` + 1.
     fn stage(&self, on: DiagramKind, first: usize) -> Vec<Json> {
         let mut number = first;
         let mut out = Vec::new();
         for g in self.w.plan.steps(on) {
             let before = number;
-            // An alternative replaces the first solution and takes over its numbering.
+            // An alternative replaces the first solution and uses its numbering.
             let alternatives: Vec<Vec<Json>> = g.alternatives.iter().map(|steps| self.steps(on, steps, before)).collect();
             number += g.alternatives.first().map_or(0, count);
             let further = self.steps(on, &g.further, number);
@@ -345,8 +348,9 @@ impl Reporter<'_> {
         }
     }
 
-    /// The terms that an acceleration equation could have and has not, with the reason: what connects its points is told
-    /// by its own terms and by those of the velocity equation for the same point.
+    /// Returns the terms that an acceleration equation could have but lacks, with the reason, which
+    /// follows from the equation's own terms and from those of the velocity equation for the same
+    /// point.
     fn omitted(&self, on: DiagramKind, target: VertexId, chains: &[Chain]) -> Vec<Json> {
         if on != DiagramKind::Acceleration {
             return Vec::new();
@@ -390,7 +394,7 @@ fn count<'a>(steps: impl IntoIterator<Item = &'a Step>) -> usize {
     steps.into_iter().filter(|s| matches!(s, Step::Equation { .. })).count()
 }
 
-/// A formula in plain characters and in the label language.
+/// Returns a formula in plain characters and in the label language.
 fn both(tex: &str) -> Json {
     json!({"text": formula(tex), "tex": tex})
 }

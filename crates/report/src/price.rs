@@ -1,4 +1,4 @@
-//! The price of accuracy as a table for people and as JSON for programs.
+//! The cost of accuracy as a table and as JSON.
 
 use super::columns::columns;
 use hodograph_base::digits::significant;
@@ -8,7 +8,7 @@ use hodograph_worked::accuracy::Rung;
 use hodograph_worked::effort::ways::{Measured, Near, Way};
 use serde_json::{Value as Json, json};
 
-/// A way's name.
+/// Returns the name of a way of solution.
 pub fn name(way: Way, lang: Lang) -> String {
     let power = |x: f64| format!("{x:e}");
     match way {
@@ -27,7 +27,7 @@ pub fn name(way: Way, lang: Lang) -> String {
     }
 }
 
-/// An error as a power of ten with one digit; `fails` where there is none.
+/// Returns an error as a power of ten with one digit; `fails` if there is no result.
 fn error(e: Option<f64>, lang: Lang) -> String {
     match e {
         None => "–".into(),
@@ -45,12 +45,12 @@ fn time(seconds: Option<f64>) -> String {
     }
 }
 
-/// The first column set to the left, numbers to the right.
+/// Returns a table with the first column left-aligned and numbers right-aligned.
 fn table(rows: &[Vec<String>]) -> String {
     columns(rows, 1).iter().map(|line| format!("  {}\n", line.trim_end())).collect()
 }
 
-/// The table of all ways.
+/// Returns the table of all ways of solution.
 pub fn text(scene: &Scene, ways: &[Measured], lang: Lang) -> String {
     let heading = [("way", "方法"), ("velocity", "速度误差"), ("acceleration", "加速度误差"), ("time", "用时")];
     let mut rows = vec![heading.map(|(en, zh)| tr(lang, en, zh).to_string()).to_vec()];
@@ -70,7 +70,8 @@ pub fn text(scene: &Scene, ways: &[Measured], lang: Lang) -> String {
     format!("{}{}\n{note}\n", if title.is_empty() { String::new() } else { format!("{title}\n") }, table(&rows).trim_end())
 }
 
-/// The table of a series of poses: errors of the accelerations (of the velocities where no acceleration is asked).
+/// Returns the table of a series of poses: errors of the accelerations (of the velocities if no
+/// acceleration is requested).
 pub fn series_text(series: &[Near], lang: Lang) -> String {
     let Some(first) = series.iter().find(|n| !n.ways.is_empty()) else { return String::new() };
     let mut rows = vec![
@@ -89,7 +90,7 @@ pub fn series_text(series: &[Near], lang: Lang) -> String {
     table(&rows)
 }
 
-/// Both tables for programs.
+/// Returns both tables as JSON.
 pub fn json(ways: &[Measured], series: &[Near]) -> Json {
     let finite = |e: Option<f64>| e.filter(|e| e.is_finite());
     let one = |m: &Measured| {

@@ -1,4 +1,5 @@
-//! The table of readings: for each the answers, right and by the wrong equations that the scene names, against what was printed.
+//! The table of readings: for each interpretation of the problem the answers, correct and by the
+//! wrong equations that the scene names, compared with the printed values.
 
 use hodograph_base::digits::{direction_degrees, significant};
 use hodograph_mechanism::answer::Value;
@@ -11,22 +12,24 @@ use unicode_width::UnicodeWidthStr;
 
 /// Digits of the table.
 const DIGITS: usize = 5;
-/// Printed numbers are rounded to two or three digits: nearer than this share one comes from a reading.
+/// Largest relative difference at which a printed number, rounded to two or three digits, is
+/// attributed to a reading.
 const GIVES: f64 = 0.006;
 
-/// One reading, worked through.
+/// One reading with its solution.
 pub struct Read {
-    /// Its name; empty for the file as it stands.
+    /// Name of the reading; empty for the unchanged file.
     pub name: String,
-    /// Its scene.
+    /// Scene of the reading.
     pub scene: Scene,
-    /// The same worked through.
+    /// Solution of the scene.
     pub worked: Worked,
-    /// The wrong solutions that it names.
+    /// The wrong solutions named in the scene.
     pub attempts: Vec<Attempt>,
 }
 
-/// One line: a question, how it is answered, the answer, and whether that is what was printed.
+/// One line: a question, the way it is answered, the answer, and a flag if it equals the printed
+/// value.
 struct Line {
     find: Find,
     by: Option<&'static str>,
@@ -71,7 +74,7 @@ fn value_words(scene: &Scene, find: &Find, value: Value) -> String {
     }
 }
 
-/// The table as text: a column for each reading; a star marks what was printed.
+/// Returns the table as text: a column for each reading; a star marks values that agree with print.
 pub fn text(all: &[Read], lang: Lang) -> String {
     let name = |r: &Read| match (r.name.as_str(), lang) {
         ("", Lang::En) => "as given".to_owned(),
@@ -117,7 +120,7 @@ pub fn text(all: &[Read], lang: Lang) -> String {
     out
 }
 
-/// The same for programs, in SI.
+/// Returns the table as JSON, in SI.
 pub fn json(all: &[Read]) -> Json {
     let value = |v: Value| match v {
         Value::Scalar(s) => json!(s),

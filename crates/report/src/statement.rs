@@ -1,4 +1,4 @@
-//! The problem's statement as sentences, and what of its mathematics cannot be read.
+//! The problem's statement as sentences, and the faults in its formulas.
 
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_paper::paper::label::Label;
@@ -6,7 +6,7 @@ use hodograph_paper::paper::phrase::{Phrase, Piece};
 use hodograph_scene::statement::Run;
 use hodograph_scene::{Lang, Scene};
 
-/// The paragraphs of the statement; none where the scene has no statement.
+/// Returns the paragraphs of the statement; empty if the scene has no statement.
 pub fn paragraphs(scene: &Scene, lang: Lang) -> Vec<Phrase> {
     let piece = |run: &Run| match run {
         Run::Words(words) => Piece::Words(words.clone()),
@@ -16,7 +16,8 @@ pub fn paragraphs(scene: &Scene, lang: Lang) -> Vec<Phrase> {
     all.iter().map(|runs| Phrase::of_pieces(runs.iter().map(piece).collect())).collect()
 }
 
-/// The faults in the formulas of the statement, in both languages, each with its place in the file.
+/// Returns the faults in the formulas of the statement, in both languages, each with its position
+/// in the file.
 pub fn faults(scene: &Scene) -> Faults {
     let mut faults = Faults::default();
     let formulas = [Lang::En, Lang::Zh].into_iter().flat_map(|lang| scene.statement.as_ref().map(|s| s.get(lang)).unwrap_or_default());
@@ -29,7 +30,7 @@ pub fn faults(scene: &Scene) -> Faults {
                 "see the label language: {forms}; a dollar sign that is to be printed is `\\$`",
                 "参见标注的写法：{forms}；要印出的美元符号写作 `\\$`"
             );
-            // A text that serves for both languages is told of once.
+            // A fault in a text for both languages is reported once.
             if !faults.list.iter().any(|f| f.span == d.span && f.message == d.message) {
                 faults.push(d.help(help));
             }

@@ -1,11 +1,13 @@
-//! Names of points and angles in plain sentences, set as formulas: `AC1` as a line from A to C with its index, `ψ12` as an angle.
+//! Names of points and angles in plain sentences as formulas: `AC1` as a line from A to C with its
+//! index, `ψ12` as an angle.
 //!
-//! The sentences of a construction stand in terminals too, where they have no formulas; documents and pictures set the same sentences
-//! with what this finds in them.
+//! The sentences of a construction are also printed in terminals, without formulas; documents and
+//! pictures typeset the same sentences with the names found here.
 
-/// A sentence with its names between dollar signs.
+/// Returns a sentence with its names between dollar signs.
 ///
-/// A name is capital letters, each with digits and primes behind it, or one small Greek letter with digits, that no other letter touches.
+/// A name consists of capital letters, each optionally followed by digits and primes, or of one
+/// small Greek letter with digits, and is not adjacent to another letter.
 pub fn symbols(sentence: &str) -> String {
     let all: Vec<char> = sentence.chars().collect();
     let mut out = String::with_capacity(sentence.len());
@@ -28,16 +30,17 @@ pub fn symbols(sentence: &str) -> String {
     out
 }
 
-/// The article at the beginning of a sentence: a word follows.
+/// Returns true for the article at the start of a sentence: a word follows it.
 fn article(name: &[char], after: &[char]) -> bool {
     name == ['A'] && matches!(after, [' ', c, d, ..] if c.is_ascii_lowercase() && d.is_ascii_lowercase()) && {
         let word: String = after[1..].iter().take_while(|c| c.is_ascii_alphabetic()).collect();
-        // What follows a point is a verb or a conjunction; these are the nouns of the board.
+        // A point is followed by a verb or a conjunction, an article by one of these nouns of
+        // constructions.
         ["line", "circle", "parallel", "perpendicular", "ray", "point"].contains(&word.as_str())
     }
 }
 
-/// The name that a text begins with: its length and its formula.
+/// Returns the name at the start of a text: its length and its formula.
 fn name(text: &[char]) -> Option<(usize, String)> {
     let mut k = 0;
     let mut formula = String::new();
@@ -54,7 +57,7 @@ fn name(text: &[char]) -> Option<(usize, String)> {
         if !digits.is_empty() {
             formula += &format!("_{{{digits}}}");
         }
-        // An apostrophe before a letter is a genitive: D's arc.
+        // An apostrophe before a letter is a possessive: D's arc.
         while text.get(k) == Some(&'\'') && !text.get(k + 1).is_some_and(char::is_ascii_lowercase) {
             formula.push('\'');
             k += 1;

@@ -1,4 +1,5 @@
-//! The candidates of a synthesis for people and programs: lengths, errors, defects, transmission, and which is taken and why.
+//! The candidates of a synthesis as text and JSON: lengths, errors, defects, transmission angles,
+//! and the chosen candidate with the reason.
 
 use super::limits::grashof_words;
 use hodograph_base::diag::{Both, Diagnostic};
@@ -16,7 +17,7 @@ use hodograph_synthesis::{Board, Candidate, Design, Task, Wanted, judge};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
-/// The table of candidates.
+/// Returns the table of candidates.
 pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
     let mut out = format!("{}\n", lang.of(&task.heading.title));
     for line in design.numbers.iter().map(|n| format!("{} = {}", printed(&n.name), value(&task.book, n))).collect::<Vec<_>>().chunks(4) {
@@ -39,7 +40,8 @@ pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
     out + &format!("\n{}\n", taken(design, lang))
 }
 
-/// A number's name in a text: Greek letters and signs for what programs write in words.
+/// Returns the name of a number in text: Greek letters and signs in place of the words used in
+/// JSON.
 fn printed(name: &str) -> String {
     const NAMES: [(&str, &str); 15] = [
         ("alpha", "α"),
@@ -73,7 +75,7 @@ fn printed(name: &str) -> String {
     format!("{stem}{joint}{index}")
 }
 
-/// What the finished scene does, in a line.
+/// Returns the motion of the finished scene in one line.
 pub fn motion(c: &Candidate, lang: Lang) -> String {
     let j = &c.judged;
     let mut parts = Vec::new();
@@ -102,22 +104,22 @@ pub fn motion(c: &Candidate, lang: Lang) -> String {
     parts.join(" · ")
 }
 
-/// A direction as people count it, from 0 to 360°.
+/// Returns a direction reduced to the range from 0 to 360°.
 fn turn(degrees: f64) -> f64 {
     let turned = degrees.rem_euclid(360.0);
     if turned < 5e-4 || 360.0 - turned < 5e-4 { 0.0 } else { turned }
 }
 
-/// A number of a design with its unit.
+/// Returns a number of a design with its unit.
 pub fn value(book: &Book, n: &Number) -> String {
     match n.kind {
-        // What the file asks for in a unit of its own.
+        // Values with a unit requested by the file.
         Some(kind @ (Kind::Length | Kind::Angle)) if book.chosen(kind).is_some() => {
             book.text(kind, &significant(book.value(kind, if n.value.abs() < 1e-12 { 0.0 } else { n.value }), 6))
         }
         Some(Kind::Length) => metres_fine(n.value),
         Some(Kind::Angle) => format!("{}°", significant(if n.value.abs() < 1e-12 { 0.0 } else { n.value.to_degrees() }, 6)),
-        // How many there are of something has no decimals.
+        // A count has no decimals.
         None if n.value.fract() == 0.0 && n.value.abs() < 1e15 => format!("{}", n.value),
         Some(
             Kind::Velocity
@@ -138,7 +140,7 @@ fn metres_fine(value_m: f64) -> String {
     if value_m.abs() >= 10.0 { metres(value_m) } else { format!("{} mm", significant(value_m * 1e3, 6)) }
 }
 
-/// Which candidate is taken, and why.
+/// Returns the chosen candidate, and the reason.
 pub fn taken(design: &Design, lang: Lang) -> String {
     let Some(first) = design.candidates.first() else { return String::new() };
     let j = &first.judged;
@@ -158,7 +160,8 @@ pub fn taken(design: &Design, lang: Lang) -> String {
     }
 }
 
-/// The construction as JSON: steps, the marks that each brings (m), what is read (mm of paper, rad).
+/// Returns the construction as JSON: steps, the marks that each adds (m), and the readings (mm of
+/// paper, rad).
 pub fn construction(board: &Board) -> Json {
     let marks = |marks: &[(String, Point)]| -> Vec<Json> {
         let told =
@@ -171,7 +174,7 @@ pub fn construction(board: &Board) -> Json {
     json!({"mu_l": board.mu_l, "steps": steps.collect::<Vec<_>>(), "readings": readings.collect::<Vec<_>>()})
 }
 
-/// The candidates as JSON, in SI.
+/// Returns the candidates as JSON, in SI.
 pub fn json(task: &Task, design: &Design) -> Json {
     json!({
         "synthesis": task.kind,
@@ -219,7 +222,7 @@ fn note(d: &Diagnostic) -> Json {
 
 /// A position of a linkage: each moving link with its points (m), and the fixed pivots.
 pub struct Posed {
-    /// Links by their place in the scene.
+    /// Links by their index in the scene.
     pub links: Vec<(usize, Vec<(String, Point)>)>,
     /// Pivots on the ground.
     pub fixed: Vec<(String, Point)>,
@@ -230,15 +233,15 @@ pub struct Posed {
 /// A slider's block.
 #[derive(Clone, Copy, Debug)]
 pub struct Block {
-    /// Its pin (m).
+    /// Position of its pin (m).
     pub at: Point,
-    /// The direction of its guide, a unit vector.
+    /// Direction of its guide, a unit vector.
     pub direction: Vec2,
-    /// Whether the guide is on the ground.
+    /// True if the guide is on the ground.
     pub fixed: bool,
 }
 
-/// The linkage in all its wanted positions, as the general position solver closes its scene there.
+/// Returns the linkage in all its prescribed positions, as computed by the general position solver.
 pub fn positions(candidate: &Candidate) -> Vec<Posed> {
     candidate.draft.wanted.iter().filter_map(|w| posed(&candidate.draft.scene, w)).collect()
 }
@@ -258,7 +261,8 @@ fn posed(scene: &Json, wanted: &Wanted) -> Option<Posed> {
     Some(pose_of(&scene, &at))
 }
 
-/// Where everything of a scene is, for drawing. A lever that is known by its slot goes on to the block on it.
+/// Returns the positions of all parts of a scene, for drawing. A lever that is known by its slot
+/// extends to the block on it.
 pub fn pose_of(scene: &Scene, at: &Configuration) -> Posed {
     let named = |p: &PointId| Some((scene.points[p.0].name.clone(), at.points[p.0]?));
     let of = |l: usize| (l, scene.links[l].points.iter().filter_map(named).collect::<Vec<_>>());
@@ -278,7 +282,8 @@ pub fn pose_of(scene: &Scene, at: &Configuration) -> Posed {
     Posed { links: links.filter(|l| l.1.len() > 1).collect(), fixed: of(scene.ground.0).1, sliders }
 }
 
-/// The path of a point while the driver turns, in pieces where it does not go all round; empty where the linkage has no such point.
+/// Returns the path of a point while the driver rotates, in pieces if the rotation is not complete;
+/// empty if the linkage has no such point.
 pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
     const STEPS: usize = 360;
     let path = || {
@@ -290,7 +295,7 @@ pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
         let table = sweep::run(&placed, 0, &Stations::of_values(all, 1.0), Width::One).ok()?;
         let of = |axis: char| table.column(&format!("{axis}_{point}")).map(|c| c.values.clone());
         let places: Vec<Point> = of('x')?.into_iter().zip(of('y')?).map(|(x, y)| Point::new(x, y)).collect();
-        // Positions that cannot be assembled part the path.
+        // Positions that cannot be assembled divide the path.
         let mut pieces: Vec<Vec<Point>> = Vec::new();
         let mut last = f64::NEG_INFINITY;
         for (driver, at) in table.columns[0].values.iter().zip(places) {
@@ -305,7 +310,7 @@ pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
     path().unwrap_or_default()
 }
 
-/// The construction step by step, with what is read off.
+/// Returns the construction step by step, with the readings.
 pub fn steps(candidate: &Candidate, board: &Board, lang: Lang) -> String {
     let mut out = match lang {
         Lang::En => format!("\nConstruction (μ_l = {} m/mm)\n", shortest(board.mu_l)),
@@ -326,7 +331,7 @@ pub fn steps(candidate: &Candidate, board: &Board, lang: Lang) -> String {
     }
     for r in &board.readings {
         let Some(formula) = candidate.number(&r.name) else { continue };
-        // What is nothing has no share of itself: it is off by a share of the linkage.
+        // The error of a value of zero is relative to the size of the linkage.
         let scale = if formula != 0.0 { formula.abs() } else { candidate.judged.size_m };
         let off = significant((board.value(r) - formula.abs()).abs() / scale, 2);
         let formula = if r.angle { format!("{}°", significant(formula.abs().to_degrees(), 6)) } else { metres_fine(formula) };

@@ -1,4 +1,5 @@
-//! Gear trains in words: Willis' table, the ratio as a formula, and how far it agrees with drawing and analysis.
+//! Gear trains in words: Willis' table, the ratio as a formula, and its agreement with drawing and
+//! analysis.
 
 use hodograph_base::digits::{inked, significant};
 use hodograph_board::plan::Body;
@@ -14,43 +15,44 @@ use unicode_width::UnicodeWidthStr;
 /// Significant digits of rates and ratios.
 const DIGITS: usize = 6;
 
-/// A table of labels: a row for each turn, first its words and then the arm and all gears.
+/// A table of labels: a row for each motion, first its words, then the arm and all gears.
 pub struct Table {
-    /// Above the columns: symbols of the rates.
+    /// Symbols of the angular velocities above the columns.
     pub head: Vec<String>,
-    /// Words (not in the label language) and cells (in it).
+    /// Rows of words (not in the label language) and cells (in it).
     pub rows: Vec<(String, Vec<String>)>,
-    /// What follows from it, as formulas.
+    /// Results of the table as formulas.
     pub results: Vec<String>,
 }
 
-/// The turns of a train: from what the scene gives, else from the analysis.
+/// Returns the rotations of a train: from the given data of the scene, else from the analysis.
 pub fn turns(scene: &Scene, worked: &Worked, train: &Train) -> Option<Turns> {
     let solved = |l: LinkId| worked.solution.turning(Level::Velocity, l);
     train.turns(|l| given(scene, l)).or_else(|| train.turns(solved))
 }
 
-/// The symbol of a rate: `\omega_{3}`.
+/// Returns the symbol of an angular velocity: `\omega_{3}`.
 pub fn omega(scene: &Scene, link: LinkId) -> String {
     format!("\\omega_{{{}}}", name_label(scene.link_name(link)))
 }
 
-/// A rate in the unit of the answers, with it; in the label language.
+/// Returns an angular velocity with the unit of the answers, in the label language.
 pub fn amount(scene: &Scene, rate: f64, digits: usize) -> String {
     scene.book.label(Kind::Omega, &number(scene.book.value(Kind::Omega, rate), digits))
 }
 
-/// A number in the label language; what is left of a difference by rounding is zero.
+/// Returns a number in the label language; the rounding remainder of a difference is zero.
 pub fn number(x: f64, digits: usize) -> String {
     inked(&significant(x, digits))
 }
 
-/// Willis' table of a train: arm held and the first gear turned by one, the same by x, all of it by y, and the sum.
+/// Returns Willis' table of a train: arm fixed and the first gear rotated by one, the same by x,
+/// all rotated by y, and the sum.
 pub fn table(scene: &Scene, train: &Train, t: Turns, lang: Lang, digits: usize) -> Table {
     let (arm, first) = (scene.link_name(train.arm), scene.link_name(train.gears[0].link));
     let rates: Vec<f64> = (0..train.gears.len()).map(|g| train.rate(g, t)).collect();
     let largest = rates.iter().fold(t.arm.abs().max(t.first.abs()), |m, r| m.max(r.abs()));
-    // A rate that is only rounding is zero.
+    // A rate within rounding of zero is zero.
     let shown = |w: f64| number(scene.book.value(Kind::Omega, if w.abs() < 1e-12 * largest { 0.0 } else { w }), digits);
     let head = std::iter::once(train.arm).chain(train.gears.iter().map(|g| g.link)).map(|l| omega(scene, l)).collect();
     let row = |of_arm: String, of_gear: &dyn Fn(usize) -> String| -> Vec<String> {
@@ -71,7 +73,7 @@ pub fn table(scene: &Scene, train: &Train, t: Turns, lang: Lang, digits: usize) 
     let unit = scene.book.name(Kind::Omega);
     let with_unit = |words: &str| format!("{words} / ({unit})");
     if train.arm == scene.ground {
-        // Nothing is added: the axes are held by the ground.
+        // With axes fixed to the ground nothing is added.
         if let Some((words, _)) = rows.last_mut() {
             *words = with_unit(words);
         }
@@ -82,7 +84,8 @@ pub fn table(scene: &Scene, train: &Train, t: Turns, lang: Lang, digits: usize) 
     Table { head, rows, results: results(scene, train, t, digits) }
 }
 
-/// The equation of Willis between the first gear and the last about its axis, and the ratio that it gives where one member is held.
+/// Returns Willis' equation between the first gear and the last about its axis, and the ratio that
+/// it gives if one member is fixed.
 fn results(scene: &Scene, train: &Train, t: Turns, digits: usize) -> Vec<String> {
     let w = |l: LinkId| omega(scene, l);
     let (arm, first) = (train.arm, &train.gears[0]);
@@ -102,13 +105,13 @@ fn results(scene: &Scene, train: &Train, t: Turns, digits: usize) -> Vec<String>
     out
 }
 
-/// Willis' equation of each train and the ratio that it gives, for programs.
+/// Returns Willis' equation of each train and the resulting ratio, for programs.
 pub fn formulas(scene: &Scene, worked: &Worked) -> Vec<String> {
     let of = |train: &Train| turns(scene, worked, train).map(|t| results(scene, train, t, DIGITS));
     trains(scene).iter().filter_map(of).flatten().map(|r| formula(&r)).collect()
 }
 
-/// The section of the report on trains; nothing for a scene without any that has rates.
+/// Returns the section of the report on trains; empty for a scene without a train with known rates.
 pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
     let mut out = String::new();
     for train in trains(scene) {
@@ -158,7 +161,8 @@ fn of_train(scene: &Scene, worked: &Worked, train: &Train, t: Turns, lang: Lang)
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
 }
 
-/// By how much the rates of drawing and analysis differ from those of the table at most, in parts of the largest; `None` where none is drawn.
+/// Returns the largest differences between the rates of drawing and analysis and those of the
+/// table, relative to the largest rate; `None` if no rate is drawn.
 fn apart(worked: &Worked, train: &Train, t: Turns) -> Option<[String; 2]> {
     let members: Vec<(LinkId, f64)> =
         std::iter::once((train.arm, t.arm)).chain(train.gears.iter().enumerate().map(|(k, g)| (g.link, train.rate(k, t)))).collect();

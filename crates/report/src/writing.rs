@@ -1,18 +1,19 @@
-//! How points are written in a sentence: in the plain text of a terminal by their names, in figures and documents as letters of a formula.
+//! The form of points in a sentence: names in the plain text of a terminal, letters of a formula in
+//! figures and documents.
 
 use hodograph_board::plan::names::{name_label, point_label};
 
-/// How points are written in a sentence.
+/// The form of points in a sentence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Writing {
-    /// By their names.
+    /// Names.
     Plain,
-    /// As letters of a formula, between dollar signs ([`hodograph_paper::paper::phrase::Phrase::new`]).
+    /// Letters of a formula between dollar signs ([`hodograph_paper::paper::phrase::Phrase::new`]).
     Marked,
 }
 
 impl Writing {
-    /// A point.
+    /// Returns a point.
     pub(super) fn point(self, name: &str) -> String {
         match self {
             Writing::Plain => name.to_owned(),
@@ -20,7 +21,7 @@ impl Writing {
         }
     }
 
-    /// A letter with an index run on: `P24`.
+    /// Returns a letter with an index directly after it: `P24`.
     pub(super) fn letter(self, letter: &str, index: &str) -> String {
         match self {
             Writing::Plain => format!("{letter}{index}"),
@@ -28,7 +29,7 @@ impl Writing {
         }
     }
 
-    /// A letter with its index: `ω_4`.
+    /// Returns a letter with its index: `ω_4`.
     pub(super) fn indexed(self, letter: &str, index: &str) -> String {
         match self {
             Writing::Plain => format!("{letter}_{index}"),

@@ -1,36 +1,40 @@
-//! The geometry of arrows: a slim head with a hollow back, and where the shaft ends.
+//! The geometry of arrows: a slim head with a hollow back, and the end of the shaft.
 //!
-//! Heads are drawn by ourselves, not by SVG markers: a marker takes no part in bounding boxes, its colour does not
-//! follow the line everywhere, and PDF has none.
+//! Heads are drawn as shapes, not as SVG markers: a marker is ignored in bounding boxes, its colour
+//! does not follow the line in every program, and PDF has no markers.
 
 use hodograph_base::geom::{Point, Vec2};
 
 use super::extent::on_circle;
 
-/// The shape of an arrow's head.
+/// The shape of an arrowhead.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Head {
-    /// From the tip to the barbs, along the shaft.
+    /// Length from the tip to the barbs, along the shaft.
     pub length_mm: f64,
-    /// From barb to barb.
+    /// Width from barb to barb.
     pub width_mm: f64,
-    /// How far the back is hollow, as a part of the length.
+    /// Depth of the hollow back, as a fraction of the length.
     pub notch: f64,
 }
 
-/// A head is at most this part of its vector, so that a short vector is still a vector and not a head alone. Larger,
-/// and the shaft vanishes in the hollow back; smaller, and the head of a vector of 2 mm is no wider than its shaft.
+/// Largest length of a head as a fraction of its vector's length.
+///
+/// With a larger fraction the shaft vanishes in the hollow back; with a smaller one the head of a
+/// vector of 2 mm is no wider than its shaft.
 pub const HEAD_PART_MAX: f64 = 0.7;
 
 impl Head {
-    /// Vectors of polygons and on the mechanism: three times as long as wide, as the textbooks print it.
+    /// Head of vectors in polygons and on the mechanism: three times as long as wide, as in
+    /// textbooks.
     pub const VECTOR: Head = Head { length_mm: 3.0, width_mm: 1.0, notch: 0.25 };
-    /// Angles and dimensions.
+    /// Head of the arrows of angles and dimensions.
     pub const THIN: Head = Head { length_mm: 2.2, width_mm: 0.75, notch: 0.2 };
 
     pub(super) fn limited(self, length_mm: f64) -> Head {
         let k = (length_mm * HEAD_PART_MAX / self.length_mm).min(1.0);
-        // A short head is blunter than a long one (√k > k): the shaft keeps its width, and the head must show beside it.
+        // A short head is blunter than a long one (√k > k): the shaft keeps its width, and the head
+        // must be visible beside it.
         Head { length_mm: self.length_mm * k, width_mm: self.width_mm * k.sqrt(), ..self }
     }
 
@@ -41,16 +45,16 @@ impl Head {
     }
 }
 
-/// A straight arrow taken apart.
+/// The parts of a straight arrow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Straight {
-    /// Where the shaft ends, inside the head.
+    /// End of the shaft, inside the head.
     pub shaft_end: Point,
-    /// Corners of the head, tip first; empty for a vector of no length, which has no direction.
+    /// Corners of the head, tip first; empty for a vector of length zero, which has no direction.
     pub head: Vec<Point>,
 }
 
-/// Takes a straight arrow apart.
+/// Splits a straight arrow into shaft and head.
 pub fn straight(from: Point, to: Point, head: Head) -> Straight {
     let Some(along) = (to - from).unit() else {
         return Straight { shaft_end: to, head: Vec::new() };
@@ -59,16 +63,17 @@ pub fn straight(from: Point, to: Point, head: Head) -> Straight {
     Straight { shaft_end: corners[2], head: corners.to_vec() }
 }
 
-/// A bent arrow taken apart.
+/// The parts of a bent arrow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bent {
-    /// Angle at which the shaft ends, inside the head.
+    /// Angle at the end of the shaft, inside the head.
     pub shaft_end_rad: f64,
-    /// Corners of the head, tip first; empty for an arc of no length.
+    /// Corners of the head, tip first; empty for an arc of length zero.
     pub head: Vec<Point>,
 }
 
-/// Takes a bent arrow apart: the head lies along the chord of its own length, so that it follows the bend.
+/// Splits a bent arrow into shaft and head. The head lies along the chord of its own length, so
+/// that it follows the bend.
 pub fn bent(centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64, head: Head) -> Bent {
     let sweep = to_rad - from_rad;
     let head = head.limited(sweep.abs() * radius_mm);

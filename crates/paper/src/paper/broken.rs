@@ -1,7 +1,8 @@
-//! Thin lines are broken where something written or hatched lies in their way.
+//! Breaks thin lines at the boxes of labels.
 //!
 //! # Source
-//! GB/T 4458.4 and ISO 129-1: no line goes through a figure; where that cannot be avoided the line is broken.
+//! GB/T 4458.4 and ISO 129-1: no line passes through a dimension figure; where this cannot be
+//! avoided, the line is broken.
 
 use std::f64::consts::TAU;
 
@@ -10,16 +11,18 @@ use hodograph_base::geom::Point;
 use super::extent::{Rect, on_circle};
 use super::item::{Item, Piece, Shape, Stroke};
 
-/// Lines from this width on are drawn to be seen, and stay whole.
+/// Smallest width of lines that are never broken.
 const THICK_MM: f64 = 0.33;
-/// Air between letters and the ends of a broken line.
+/// Gap between letters and the ends of a broken line.
 const AIR_MM: f64 = 0.3;
-/// How finely breaks are measured.
+/// Step at which the hidden parts of a line are sampled.
 const STEP_MM: f64 = 0.1;
-/// Of a line of which less than this part is left one would not see what it joins: it stays whole.
+/// A line is broken only if more than this fraction of it remains; otherwise the reader could not
+/// see what it joins.
 const LEFT_PART: f64 = 0.5;
 
-/// The parts of a way from 0 to 1 that nothing hides, in so many steps.
+/// Returns the visible runs of a line, as intervals of its parameter from 0 to 1, sampled in
+/// `steps` steps.
 pub fn seen(steps: usize, hidden: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
     let at = |k: usize| k as f64 / steps as f64;
     let (mut runs, mut begin) = (Vec::new(), None);
@@ -38,9 +41,9 @@ pub fn seen(steps: usize, hidden: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
     runs
 }
 
-/// A line without an area.
+/// The course of a line without an area.
 enum Way {
-    /// Through these corners, with the length of the way up to each (mm).
+    /// A chain of straight lines: its corners, each with the length of the line up to it (mm).
     Straight(Vec<(Point, f64)>),
     Bent {
         centre: Point,
@@ -60,7 +63,7 @@ impl Way {
         Way::Straight(way)
     }
 
-    /// That of a thin item, and its stroke.
+    /// Returns the course and the stroke of a thin item; `None` for areas, labels and thick lines.
     fn thin(shape: &Shape) -> Option<(Way, Stroke)> {
         let (way, stroke) = match shape {
             Shape::Line { from, to, stroke } => (Way::through([*from, *to]), *stroke),
@@ -118,14 +121,15 @@ impl Way {
         }
     }
 
-    /// These runs of it as one item's shape.
+    /// Returns the shape of one item that draws these runs of the line.
     fn path(&self, runs: &[[f64; 2]], stroke: Stroke) -> Shape {
         let pieces = runs.iter().flat_map(|run| std::iter::once(Piece::Move(self.at(run[0]))).chain(self.pieces(*run))).skip(1).collect();
         Shape::Path { start: self.at(runs[0][0]), pieces, closed: false, stroke: Some(stroke), fill: None }
     }
 }
 
-/// The last run of a broken arrow, which keeps the head; `None` where the head itself would be broken or made smaller.
+/// Returns the last run of a broken arrow, which keeps the head; `None` if the head itself would be
+/// broken or made smaller.
 fn with_head(shape: &Shape, way: &Way, last: [f64; 2]) -> Option<Shape> {
     let mut shape = shape.clone();
     let head = match &mut shape {
@@ -144,8 +148,9 @@ fn with_head(shape: &Shape, way: &Way, last: [f64; 2]) -> Option<Shape> {
     whole.then_some(shape)
 }
 
-/// Breaks the thin lines among these items at the boxes of labels. What comes before the last break of an arrow is an item of its own behind all
-/// others.
+/// Breaks the thin lines among these items at the boxes of labels.
+///
+/// The part of an arrow before its last break becomes an item of its own at the end of the list.
 pub fn break_at(items: &mut Vec<Item>, labels: &[Rect]) {
     let mut before = Vec::new();
     for item in items.iter_mut() {
@@ -201,7 +206,7 @@ mod tests {
             _ => 0,
         };
         assert_eq!(items.iter().map(parts).collect::<Vec<_>>(), [2, 0, 2, 0, 1]);
-        // The head stays with the last part, the first one is an item of its own.
+        // The head stays with the last part; the first part is a separate item.
         let ends = |shape: &Shape| match shape {
             Shape::ArcArrow { from_rad, to_rad, .. } => [*from_rad, *to_rad],
             _ => [f64::NAN; 2],

@@ -1,7 +1,8 @@
-//! A part of a sheet in the making: items, what labels keep off, and the labels that still want a place.
+//! A part of a sheet while it is built: its items, the obstacles of its labels, and the labels to
+//! be placed.
 //!
-//! Decided here: that every item has a name of its own, and when labels are placed (once, when all lines are there).
-//! Not decided here: what is drawn, and where the part stands on the sheet.
+//! This module gives every item a unique name and places the labels once, after all lines are
+//! drawn. It does not decide what is drawn or the position of the part on the sheet.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -16,38 +17,39 @@ use super::place::{Habit, LabelRequest, Leads, Obstacles, Placement, Target, is_
 use super::shown::{Shown, escaped};
 use super::style::Style;
 
-/// Room around the lines of a part in which its labels may stand: the longest leader line and a short label.
+/// Margin around the lines of a part in which its labels may be placed: the longest leader line and
+/// a short label.
 const LABEL_ROOM_MM: f64 = 20.0;
-/// Air between a line and a label that is wider than that room.
+/// Gap between a line and a label that is wider than [`LABEL_ROOM_MM`].
 const LABEL_AIR_MM: f64 = 3.0;
 
-/// As many names within the height of a letter still find places from which one sees what they name.
+/// Number of names within the height of a letter that still find readable places.
 const CROWD: usize = 8;
 
-/// Two places nearer than this are one.
+/// Two points nearer than this coincide.
 const SAME_MM: f64 = 0.05;
 
-/// A finished part: items in coordinates of its own, and the box around them.
+/// A finished part: its items in local coordinates and their bounding box.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// What is drawn.
+    /// The items to draw.
     pub items: Vec<Item>,
-    /// The box around all ink.
+    /// The bounding box of all ink.
     pub bounds: Rect,
-    /// Where the labels found their places, and what it cost.
+    /// The places of the labels and their costs.
     pub placements: Vec<Placement>,
-    /// The names of optional labels for which there was no clear place.
+    /// The names of optional labels that found no clear place.
     pub left_out: Vec<String>,
 }
 
 impl Part {
-    /// A part of finished items; an empty one takes no room.
+    /// Returns a part of finished items; an empty part has no size.
     pub fn of(items: Vec<Item>) -> Part {
         let bounds = bounds(&items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
         Part { items, bounds, placements: Vec::new(), left_out: Vec::new() }
     }
 
-    /// Moves the part so that its box begins at `corner`, its upper left one.
+    /// Moves the part so that the upper left corner of its box is at `corner`.
     pub fn stand_at(&mut self, corner: Point) {
         let by = corner - Point::new(self.bounds.min.x, self.bounds.max.y);
         self.translate(by);
@@ -64,10 +66,10 @@ impl Part {
     }
 }
 
-/// For each label, by name, where it stood or that it was left out.
+/// The place of each label, by name, in the previous figure, or the fact that it was left out.
 pub type Habits = BTreeMap<String, Habit>;
 
-/// A part in the making.
+/// A part while it is built.
 #[derive(Debug)]
 pub struct Drawing {
     kind: &'static str,
@@ -76,13 +78,13 @@ pub struct Drawing {
     obstacles: Obstacles,
     wanted: Vec<Wanted>,
     names: HashSet<String>,
-    /// For each wish, up to which number its names are taken.
+    /// For each requested name, the highest number already in use.
     counts: HashMap<String, usize>,
     owners: u32,
     link: Option<usize>,
 }
 
-/// A label that wants a place.
+/// A label to be placed.
 #[derive(Debug)]
 struct Wanted {
     request: LabelRequest,
@@ -92,18 +94,19 @@ struct Wanted {
 }
 
 impl Drawing {
-    /// An empty drawing; `kind` is the first word of every class and name in it.
+    /// Returns an empty drawing; `kind` is the first word of every class and name in it.
     pub fn new(kind: &'static str, style: Style) -> Drawing {
         let (obstacles, names, counts) = (Obstacles::default(), HashSet::new(), HashMap::new());
         Drawing { kind, style, items: Vec::new(), obstacles, wanted: Vec::new(), names, counts, owners: 0, link: None }
     }
 
-    /// What is drawn from now on belongs to this link, or to none.
+    /// Assigns the items drawn after this call to a link, or to none.
     pub fn of_link(&mut self, link: Option<usize>) {
         self.link = link;
     }
 
-    /// Draws a thing of one or more items, named after `name`; returns its owner for labels.
+    /// Draws an object of one or more items, named after `name`; returns its owner number for
+    /// labels.
     pub fn draw(&mut self, name: &str, class: &str, mut items: Vec<Item>) -> u32 {
         self.owners += 1;
         items = items.into_iter().map(|item| item.in_fonts(&self.style.fonts)).collect();
@@ -111,40 +114,41 @@ impl Drawing {
         self.obstacles.add(&items, Some(self.owners));
         for item in &mut items {
             item.id = self.name(name);
-            // Parts of one symbol may belong to links of their own, as barrel and rod do.
+            // Parts of one symbol may belong to different links, as barrel and rod do.
             item.link = item.link.or(self.link);
         }
         self.items.extend(items);
         self.owners
     }
 
-    /// How many things of what is drawn so far these items would cross, or come nearer to than `air_mm`.
+    /// Counts the drawn objects that these items would cross, or approach to less than `air_mm`.
     pub fn met_by(&self, items: &[Item], air_mm: f64) -> usize {
         self.obstacles.met_by(&Obstacles::of(items), air_mm)
     }
 
-    /// The same for ink that is known.
+    /// Counts the drawn objects that this ink would cross, or approach to less than `air_mm`.
     pub fn met(&self, ink: &Obstacles, air_mm: f64) -> usize {
         self.obstacles.met_by(ink, air_mm)
     }
 
-    /// All that labels keep off so far.
+    /// Returns all obstacles of the labels drawn so far.
     pub fn obstacles(&self) -> &Obstacles {
         &self.obstacles
     }
 
-    /// The box around what is drawn so far.
+    /// Returns the bounding box of the items drawn so far.
     pub fn bounds(&self) -> Rect {
         bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN))
     }
 
-    /// What is drawn by this lies behind all that is there but the areas of plates, in which it shows.
+    /// Draws behind all items drawn before, but in front of the areas of plates, so that it is
+    /// visible on them.
     pub fn behind(&mut self, draw: impl FnOnce(&mut Drawing)) {
         let (before, bars) = (self.items.len(), self.obstacles.bars.len());
         draw(self);
         self.obstacles.bars[bars..].iter_mut().for_each(|bar| bar.faint = true);
         let added = self.items.split_off(before);
-        // An area without its edge is one that went behind before.
+        // A plate area without an edge was moved to the back by an earlier call.
         let edgeless = |i: &Item| matches!(i.shape, Shape::Polyline { stroke: None, fill: Some(_), .. });
         let plate = |i: &Item| i.class.split(' ').any(|word| word == "plate");
         let (mut areas, kept): (Vec<Item>, Vec<Item>) = std::mem::take(&mut self.items).into_iter().partition(|i| plate(i) && edgeless(i));
@@ -167,7 +171,7 @@ impl Drawing {
         self.draw(name, class, vec![Item::new("", shape)])
     }
 
-    /// Draws a thin frame around other things: labels may stand in it, and across it where there is no better place.
+    /// Draws a thin frame around other items: labels may be placed in it, and also across it.
     pub fn frame(&mut self, name: &str, class: &str, shape: Shape) {
         let mut item = Item::new("", shape).with_id(self.name(name));
         tag(std::slice::from_mut(&mut item), &format!("{} {class}", self.kind));
@@ -179,8 +183,10 @@ impl Drawing {
         self.draw(name, class, vec![Item::new("", shape).showing(shown)])
     }
 
-    /// Names a place without ink, for programs that measure on the drawing: a circle of no radius, which labels do not keep off, but to which
-    /// the letter of another place stands no nearer than to its own.
+    /// Names a point without ink, for programs that measure on the drawing.
+    ///
+    /// The point is a circle of radius zero. Labels may cover it, but no letter of another point is
+    /// placed nearer to it than to its own point.
     pub fn mark(&mut self, name: &str, shown: Shown, at: Point) {
         let shape = Shape::Circle { centre: at, radius_mm: 0.0, stroke: None, fill: None };
         let id = self.name(&format!("mark-{name}"));
@@ -188,7 +194,7 @@ impl Drawing {
         self.obstacles.marks.push(at);
     }
 
-    /// Asks for a label; it is placed when the drawing is finished. Returns its name.
+    /// Requests a label, which is placed when the drawing is finished. Returns its name.
     pub fn label(&mut self, name: &str, class: &str, mut request: LabelRequest) -> String {
         request.label = request.label.in_fonts(&self.style.fonts);
         let id = self.name(&format!("label-{name}"));
@@ -196,20 +202,22 @@ impl Drawing {
         id
     }
 
-    /// Only the letters of points stay: for a drawing that stands beside one with all its names.
+    /// Keeps only the letters of points and poles, for a drawing beside one that has all names.
     pub fn letters_only(&mut self) {
         let is_letter = |w: &Wanted| w.request.point().is_some() && w.class.split(' ').any(|word| matches!(word, "point" | "pole"));
         self.wanted.retain(is_letter);
     }
 
-    /// Only the labels stay whose name, as it was asked for, is among these.
+    /// Keeps only the labels for which `among` accepts the requested name.
     pub fn only_named(&mut self, among: impl Fn(&str) -> bool) {
         let prefix = format!("{}-label-", prefix(self.kind));
         self.wanted.retain(|w| w.id.strip_prefix(&prefix).is_none_or(&among));
     }
 
-    /// Where very many marks and short lines lie within the height of a letter, no leader tells one from the others: their names are left out, but
-    /// for those at the points that are kept.
+    /// Leaves out names in crowded regions, except those at the points in `kept`.
+    ///
+    /// A region is crowded where more than [`CROWD`] points and short lines are within the height
+    /// of a letter: leader lines could not distinguish them.
     pub fn thin_out(&mut self, kept: &[Point]) {
         let small = |w: &Wanted| match w.request.target {
             Target::Point { at, .. } => Some((at, w.request.size_mm)),
@@ -227,19 +235,19 @@ impl Drawing {
         self.wanted.retain(|_| staying.next().unwrap_or(true));
     }
 
-    /// A label at a point.
+    /// Requests a label at a point.
     pub fn label_at(&mut self, name: &str, class: &str, text: &str, at: Point, clear_mm: f64, prefer: Option<Vec2>) {
         let request = LabelRequest::at_point(Label::math(text), self.style.label_mm, at, clear_mm);
         self.label(name, class, LabelRequest { prefer, ..request });
     }
 
-    /// A label along a line that has been drawn.
+    /// Requests a label along a line that is already drawn.
     pub fn label_along(&mut self, name: &str, class: &str, text: &str, ends: (Point, Point), clear_mm: f64, owner: u32) {
         let request = LabelRequest::along(Label::math(text), self.style.label_mm, ends.0, ends.1, clear_mm);
         self.label(name, class, request.owned(owner));
     }
 
-    /// An id not used before: `vel-rel-C-B`, then `vel-rel-C-B-2`.
+    /// Returns an unused id: `vel-rel-C-B`, then `vel-rel-C-B-2`.
     fn name(&mut self, wish: &str) -> String {
         let base = id(self.kind, wish);
         let taken = self.counts.entry(base.clone()).or_default();
@@ -252,20 +260,22 @@ impl Drawing {
         }
     }
 
-    /// Places the labels.
+    /// Places the labels and returns the finished part.
     pub fn finish(self) -> Part {
         let room = self.room();
         self.placed(&mut Habits::new(), room, Leads::Long)
     }
 
-    /// Places the labels of a drawing of a series: each where it stood before, if it can; `habits` then says where it stands
-    /// now.
+    /// Places the labels of a drawing in a series and returns the finished part.
+    ///
+    /// Each label keeps its place from the previous drawing if possible. Updates `habits` with the
+    /// places taken.
     pub fn finish_after(self, habits: &mut Habits) -> Part {
         let room = self.room();
         self.finish_within(habits, room)
     }
 
-    /// The same with the room that the labels have.
+    /// Places the labels of a drawing in a series within an area and returns the finished part.
     pub fn finish_within(self, habits: &mut Habits, room: Rect) -> Part {
         self.placed(habits, room, Leads::Short)
     }
@@ -282,7 +292,7 @@ impl Drawing {
         let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
         let placed = place_or_leave(&requests, &self.obstacles, (room, leads), &before);
         if leads == Leads::Long {
-            // In a series breaks would come and go.
+            // In a series, breaks would appear and disappear from figure to figure.
             let fixed = self.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(Item::bounds);
             let boxes: Vec<Rect> = placed.iter().flatten().map(|p| p.bounds).chain(fixed).collect();
             break_at(&mut self.items, &boxes);
@@ -295,10 +305,11 @@ impl Drawing {
                 item.link = w.link;
                 let id = &w.id;
                 if k > 0 {
-                    // It comes and goes with its label, but is none.
+                    // The leader line appears and disappears with its label, but is not a label.
                     item.class = format!("{} leader", w.class.trim_end_matches(PLACED).trim_end());
                 }
-                // The label comes first in this order and keeps the name; its leader line is named after it.
+                // The label comes first in this order and keeps the name; its leader line is named
+                // after it.
                 self.items.push(if k == 0 { item.with_id(id.clone()) } else { item.with_id(format!("{id}-leader")) });
             }
         }
@@ -309,13 +320,16 @@ impl Drawing {
     }
 }
 
-/// The id in a document of a thing of a drawing: `id("velocity", "normal-C-B")` is `vel-normal-C-B`; a second one of the same name bears a number
-/// behind it. The name is made of words in small letters and of names of the scene as they are ([`escaped`]).
+/// Returns the id of a drawing's object in the document: `id("velocity", "normal-C-B")` is
+/// `vel-normal-C-B`.
+///
+/// A second object with the same name gets a number at the end. The name consists of words in small
+/// letters and of unchanged names of the scene ([`escaped`]).
 pub fn id(kind: &str, name: &str) -> String {
     format!("{}-{}", prefix(kind), escaped(name))
 }
 
-/// The first word of the ids of a drawing.
+/// Returns the first word of the ids of a drawing.
 pub fn prefix(kind: &str) -> &str {
     DiagramKind::ALL.into_iter().find(|on| on.word() == kind).map_or(kind, |on| on.prefix())
 }
@@ -338,7 +352,8 @@ mod tests {
         assert_eq!(part.placements.len(), 1);
     }
 
-    /// Of a crowd only what is kept is named; what stands apart, and long lines out of the crowd, keep their names.
+    /// In a crowded region only the kept points are named; isolated points, and long lines that
+    /// leave the region, keep their names.
     #[test]
     fn a_crowd_is_not_named() {
         let labels = |count: usize| {

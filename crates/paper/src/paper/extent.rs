@@ -1,4 +1,4 @@
-//! How much paper an item takes, and moving it there.
+//! Bounding boxes of items, and their translation.
 
 use hodograph_base::geom::{Point, Vec2};
 
@@ -22,7 +22,7 @@ impl Rect {
         Rect { min: Point::new(a.x.min(b.x), a.y.min(b.y)), max: Point::new(a.x.max(b.x), a.y.max(b.y)) }
     }
 
-    /// The smallest rectangle that holds both.
+    /// The smallest rectangle that contains both.
     pub fn union(self, o: Rect) -> Rect {
         Rect {
             min: Point::new(self.min.x.min(o.min.x), self.min.y.min(o.min.y)),
@@ -30,29 +30,29 @@ impl Rect {
         }
     }
 
-    /// The rectangle larger by `d_mm` at every side (smaller when negative).
+    /// Returns the rectangle larger by `d_mm` on every side (smaller if negative).
     pub fn grown(self, d_mm: f64) -> Rect {
         Rect { min: self.min - Vec2::new(d_mm, d_mm), max: self.max + Vec2::new(d_mm, d_mm) }
     }
 
-    /// Area common to both, in mm².
+    /// Area common to both rectangles (mm²).
     pub fn overlap_mm2(self, o: Rect) -> f64 {
         let w = self.max.x.min(o.max.x) - self.min.x.max(o.min.x);
         let h = self.max.y.min(o.max.y) - self.min.y.max(o.min.y);
         w.max(0.0) * h.max(0.0)
     }
 
-    /// Its width.
+    /// Width of the rectangle.
     pub fn width_mm(self) -> f64 {
         self.max.x - self.min.x
     }
 
-    /// Its height.
+    /// Height of the rectangle.
     pub fn height_mm(self) -> f64 {
         self.max.y - self.min.y
     }
 
-    /// Its middle.
+    /// Centre of the rectangle.
     pub fn centre(self) -> Point {
         Point::new((self.min.x + self.max.x) / 2.0, (self.min.y + self.max.y) / 2.0)
     }
@@ -62,12 +62,13 @@ impl Rect {
     }
 }
 
-/// The point at an angle of a circle.
+/// Returns the point of a circle at an angle.
 pub fn on_circle(centre: Point, radius_mm: f64, angle_rad: f64) -> Point {
     centre + Vec2::from_angle(angle_rad) * radius_mm
 }
 
-/// Corners of the box around an arc: its ends and those of the four extremes that it passes.
+/// Points that determine the box around an arc: its ends and those of the four extremes that it
+/// passes.
 fn arc_points(centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<Point> {
     use std::f64::consts::FRAC_PI_2;
     let (lo, hi) = (from_rad.min(to_rad), from_rad.max(to_rad));
@@ -78,7 +79,8 @@ fn arc_points(centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<
 }
 
 impl Item {
-    /// Whether every number of the item is finite. ([`Item::bounds`] does not tell: the smaller of NaN and 1 is 1.)
+    /// Returns true if every number of the item is finite. ([`Item::bounds`] cannot show this: the
+    /// smaller of NaN and 1 is 1.)
     pub fn is_finite(&self) -> bool {
         let all = |numbers: &[f64]| numbers.iter().all(|n| n.is_finite());
         match &self.shape {
@@ -100,7 +102,8 @@ impl Item {
         }
     }
 
-    /// The box around the item's ink; `None` for an item that has no ink, such as an empty label.
+    /// Returns the bounding box of the item's ink; `None` for an item without ink, such as an empty
+    /// label.
     pub fn bounds(&self) -> Option<Rect> {
         let half = |s: &Option<Stroke>| s.map_or(0.0, |s| s.width_mm / 2.0);
         match &self.shape {
@@ -160,7 +163,8 @@ impl Item {
     }
 }
 
-/// The box of a label's line (its advance by its ink's height); `None` when it has no ink.
+/// Returns the box of a label's line (its advance by the height of its ink); `None` if it has no
+/// ink.
 pub fn label_bounds(at: Point, label: &Label, size_mm: f64, anchor: Anchor) -> Option<Rect> {
     let set = text::set(label);
     if !set.inked {
@@ -173,7 +177,8 @@ pub fn label_bounds(at: Point, label: &Label, size_mm: f64, anchor: Anchor) -> O
     })
 }
 
-/// The corners of the box of a turned label, its middle at the place, from the beginning of its lower edge on; `None` when it has no ink.
+/// Returns the corners of the box of a turned label whose anchor (the middle of its baseline) is at
+/// `at`, counter-clockwise from the start of the lower edge; `None` if it has no ink.
 pub fn turned_corners(at: Point, angle_rad: f64, label: &Label, size_mm: f64) -> Option<[Point; 4]> {
     let level = label_bounds(Point::ORIGIN, label, size_mm, Anchor::Middle)?;
     let turn = Vec2::from_angle(angle_rad);
@@ -181,7 +186,7 @@ pub fn turned_corners(at: Point, angle_rad: f64, label: &Label, size_mm: f64) ->
     Some([(lo.x, lo.y), (hi.x, lo.y), (hi.x, hi.y), (lo.x, hi.y)].map(|(x, y)| at + Vec2::new(x, y).rotate_by(turn)))
 }
 
-/// How far the line's start lies left of its anchor, in em.
+/// Distance from the line's start to its anchor, in em.
 pub fn anchor_shift_em(anchor: Anchor, width_em: f64) -> f64 {
     match anchor {
         Anchor::Start => 0.0,
@@ -195,7 +200,7 @@ pub fn translate(items: &mut [Item], by: Vec2) {
     items.iter_mut().for_each(|item| item.translate(by));
 }
 
-/// The box around a list of items; `None` when nothing in it has ink.
+/// Returns the bounding box of a list of items; `None` if none of them has ink.
 pub fn bounds(items: &[Item]) -> Option<Rect> {
     items.iter().filter_map(Item::bounds).reduce(Rect::union)
 }

@@ -1,9 +1,10 @@
-//! The embedded fonts: which character comes from which font, how a run of characters becomes glyphs, and what these look like.
+//! The fonts: the choice of a font for each character, the shaping of runs into glyphs, and the
+//! outlines of glyphs.
 //!
-//! Decided here: the order in which the five fonts are asked, after the author's own ([`own::Fonts`]) where there are any. Not decided here: what is italic (the label
-//! language, [`super::label`]) and where scripts go ([`super::text`]). No system font is ever asked: the same
-//! label gives the same outline on every machine, and a character that none of the fonts has is reported by the
-//! caller, never drawn as a box.
+//! The author's fonts ([`own::Fonts`]), if any, come first, then the five embedded fonts in a fixed
+//! order. Italics are decided by the label language ([`super::label`]), the places of scripts by
+//! [`super::text`]. System fonts are never used: the same label gives the same outline on every
+//! machine. The caller reports a character that no font has; it is never drawn as a box.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -23,19 +24,20 @@ pub use outline::{Ink, Outline, Segment};
 use own::{Fonts, Own};
 use plans::Plans;
 
-/// The file of a font; copies share it.
+/// The bytes of a font file; copies share them.
 pub type Bytes = Arc<dyn AsRef<[u8]> + Send + Sync>;
 
-/// How a character is to look, before a font is chosen for it.
+/// The style of a character, before a font is chosen for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Slant {
     /// Letters of quantities and points.
     Italic,
-    /// Letters of vectors, where these are told from their magnitudes.
+    /// Letters of vectors, where a vector and its magnitude have different letters.
     Bold,
     /// Digits, units, words.
     Upright,
-    /// Operators, relations and primes: the mathematical font first, so that all of them share one weight and axis.
+    /// Operators, relations and primes: the mathematical font comes first, so that all of them have
+    /// one weight and axis.
     Symbol,
 }
 
@@ -57,7 +59,7 @@ impl Cut {
     }
 }
 
-/// One of the fonts.
+/// A font.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Face {
     /// Tinos Regular: Latin and Greek with the metrics of Times.
@@ -70,11 +72,11 @@ pub enum Face {
     Math,
     /// Noto Serif CJK SC (subset): Song-style Chinese.
     Song,
-    /// One of the author's own.
+    /// A font of the author.
     Own(Own),
 }
 
-/// Stands for a font where fonts are looked up: it holds no file. Bundled fonts come before the author's.
+/// The lookup key of a font, without its file. Embedded fonts sort before the author's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FaceKey(u8, u64);
 
@@ -87,7 +89,7 @@ struct Loaded {
     bytes: Bytes,
     shaper: ShaperData,
     plans: Plans,
-    /// Units of the font.
+    /// Font units per em.
     em: f64,
 }
 
@@ -102,22 +104,22 @@ impl Loaded {
         Some(Loaded { bytes, shaper, plans: Plans::default(), em })
     }
 
-    /// The font: a view of its file, whose directory of tables is all that is read here.
+    /// Returns the font as a view of its file; only the table directory is parsed.
     fn font(&self) -> FontRef<'_> {
         FontRef::from_index((*self.bytes).as_ref(), 0).expect("the same bytes have been read before")
     }
 
-    /// The glyph of a character.
+    /// Returns the glyph of a character.
     fn glyph(&self, c: char) -> Option<GlyphId> {
         self.font().charmap().map(c)
     }
 
-    /// The outline of a glyph; `None` where it is damaged.
+    /// Returns the outline of a glyph; `None` if it is damaged.
     fn outline(&self, glyph: u32) -> Option<Outline> {
         Outline::of(&self.font(), GlyphId::new(glyph), self.em)
     }
 
-    /// A run of characters as glyphs; `ink_of` tells what each of them covers, for it may be known already.
+    /// Shapes a run of characters; `ink_of` returns the ink box of a glyph, which may be cached.
     fn shape(&self, run: &str, ink_of: impl Fn(u32) -> Ink) -> Run {
         let em = self.em;
         let mut buffer = UnicodeBuffer::new();
@@ -132,7 +134,8 @@ impl Loaded {
         let mut pen = 0.0;
         for (info, pos) in buffer.glyph_infos().iter().zip(buffer.glyph_positions()) {
             let start = info.cluster as usize;
-            // Scripts run from left to right here, so the characters of a glyph end where those of the next begin.
+            // All scripts run from left to right, so the characters of a glyph end where those of
+            // the next one begin.
             if let Some(before) = glyphs.last_mut().filter(|g| g.text.start < start) {
                 before.text.end = start;
             }
@@ -152,16 +155,19 @@ static BOLD: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Bold));
 static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Math));
 static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Song));
 
-/// The upright letters of pages of HTML as WOFF2, with the constants by which browsers set formulas.
+/// The upright font of HTML pages as WOFF2, with the constants that browsers use to lay out
+/// formulas.
 pub const PAGE_UPRIGHT: &[u8] = include_bytes!("../../fonts/page-upright.woff2");
-/// The italic letters of pages of HTML as WOFF2.
+/// The italic font of HTML pages as WOFF2.
 pub const PAGE_ITALIC: &[u8] = include_bytes!("../../fonts/page-italic.woff2");
 
-/// Runs kept: a few sheets' worth, about a megabyte; a batch of thousands of sheets must not grow without bound.
+/// Largest number of cached runs: a few sheets' worth, about a megabyte. The bound keeps memory
+/// constant in a batch of thousands of sheets.
 const MOST_RUNS: usize = 2048;
-/// No letter of a sound font reaches so far (em).
+/// Largest extent of a letter in an undamaged font (em).
 const MOST_EM: f64 = 8.0;
-/// Glyphs kept, of about a kilobyte each: more than two languages' sheets ever use at once.
+/// Largest number of cached glyph outlines, of about a kilobyte each: more than the sheets of two
+/// languages use at once.
 const MOST_OUTLINES: usize = 2048;
 
 thread_local! {
@@ -172,7 +178,7 @@ thread_local! {
 }
 
 impl Face {
-    /// What it is looked up by.
+    /// Returns the lookup key of the font.
     pub fn key(&self) -> FaceKey {
         match self {
             Face::Roman => FaceKey(0, 0),
@@ -184,7 +190,7 @@ impl Face {
         }
     }
 
-    /// The font file, for formats that carry their fonts.
+    /// Returns the font file, for formats that embed their fonts.
     pub fn bytes(&self) -> Bytes {
         let embedded: &'static [u8] = match self {
             Face::Roman => include_bytes!("../../fonts/tinos-normal.ttf"),
@@ -208,7 +214,8 @@ impl Face {
         }
     }
 
-    /// The font for a character of that slant: of the author's, else of the embedded ones; `None` when none has it.
+    /// Returns the font for a character of that slant: one of the author's if it has the character,
+    /// else an embedded one; `None` if no font has it.
     pub fn of(c: char, slant: Slant, fonts: &Fonts) -> Option<Face> {
         let order: &[Face] = match slant {
             Slant::Italic => &ITALIC_FIRST,
@@ -221,7 +228,7 @@ impl Face {
 
     /// Shapes a run of characters (kerning included).
     ///
-    /// A sheet measures the same few runs many times over while it looks for places: they are kept.
+    /// Results are cached: the placement of labels measures the same few runs many times.
     pub fn shaped(&self, run: &str) -> Rc<Run> {
         RUNS.with_borrow_mut(|runs| {
             if let Some(known) = runs.get(&(self.key(), run.to_owned())) {
@@ -237,13 +244,14 @@ impl Face {
     }
 
     fn shape(&self, run: &str) -> Run {
-        // Outlines are kept: what a letter covers is read from its font once.
+        // Outlines are cached: the ink of a letter is read from its font once.
         let ink_of = |glyph| self.outline(glyph).ink;
         let whole = self.loaded().shape(run, ink_of);
         if !matches!(self, Face::Own(_)) || sound(&whole, run) {
             return whole;
         }
-        // A damaged font: what goes wrong between letters does not where each stands alone.
+        // The font is damaged and the measures of the run are wrong: its letters are shaped one by
+        // one.
         let mut out = Run { ink: Ink::NONE, advance_em: 0.0, glyphs: Vec::new() };
         for (at, c) in run.char_indices() {
             let one = self.loaded().shape(c.encode_utf8(&mut [0; 4]), ink_of);
@@ -254,7 +262,8 @@ impl Face {
         out
     }
 
-    /// What is found of a character once: of a bundled font whether it has it, of one of the author's whether it can draw it too.
+    /// Returns the cached result of `find` for a character: for an embedded font, true if it has
+    /// the character; for one of the author's, true if it can also draw it.
     fn known(&self, c: char, find: impl FnOnce(&Loaded) -> bool) -> bool {
         KNOWN.with_borrow_mut(|known| {
             if known.len() >= MOST_RUNS {
@@ -264,7 +273,7 @@ impl Face {
         })
     }
 
-    /// What a glyph looks like.
+    /// Returns the outline of a glyph.
     pub fn outline(&self, glyph: u32) -> Rc<Outline> {
         OUTLINES.with_borrow_mut(|outlines| {
             if outlines.len() >= MOST_OUTLINES {
@@ -275,23 +284,23 @@ impl Face {
     }
 
     fn draw(&self, glyph: u32) -> Outline {
-        // A character that cannot be drawn has been taken from another font.
+        // A character that cannot be drawn was taken from another font.
         self.loaded().outline(glyph).unwrap_or(Outline { segments: Vec::new(), ink: Ink::NONE })
     }
 }
 
-/// How a font draws a character; `None` where it does not have it, or only a damaged one.
+/// Returns the outline of a character; `None` if the font does not have it or has a damaged glyph.
 fn drawn(loaded: &Loaded, c: char) -> Option<Outline> {
     let glyph = loaded.glyph(c)?;
     let text = String::from(c);
     let run = loaded.shape(&text, |g| loaded.outline(g).map_or(Ink::NONE, |o| o.ink));
     let all = sound(&run, &text) && run.glyphs.iter().all(|g| loaded.outline(g.id).is_some());
     let outline = loaded.outline(glyph.to_u32()).filter(|_| all)?;
-    // A letter without ink is a hole in the sentence.
+    // A letter without ink would leave a gap in the sentence.
     (outline.ink.any() || c.is_whitespace()).then_some(outline)
 }
 
-/// Whether a run's measures are those of letters.
+/// Returns true if the measures of a run are plausible for letters.
 fn sound(run: &Run, text: &str) -> bool {
     let within = |v: f64, most: f64| v.is_finite() && v.abs() <= most;
     let glyph = |g: &Glyph| {
@@ -304,24 +313,25 @@ fn sound(run: &Run, text: &str) -> bool {
 /// A shaped run of one font.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// The box around all glyphs, the first one's origin at 0.
+    /// The box around all glyphs, with the origin of the first one at 0.
     pub ink: Ink,
-    /// Where the next run begins, in em.
+    /// Distance to the origin of the next run, in em.
     pub advance_em: f64,
-    /// The glyphs by number.
+    /// The glyphs in order.
     pub glyphs: Vec<Glyph>,
 }
 
 /// A glyph of a shaped run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Glyph {
-    /// Its number in the font.
+    /// Glyph number in the font.
     pub id: u32,
-    /// From its origin to that of the next one.
+    /// Distance from its origin to that of the next glyph.
     pub advance_em: f64,
-    /// From the pen to where it is drawn, y up.
+    /// Offset of the glyph from the pen position, y up.
     pub offset_em: [f64; 2],
-    /// The bytes of the run's text that it stands for: more than one character for a ligature.
+    /// Byte range of the glyph's characters in the run's text: more than one character for a
+    /// ligature.
     pub text: std::ops::Range<usize>,
 }
 

@@ -1,6 +1,7 @@
-//! Labels in rows and columns: equation tables, results.
+//! Places labels in rows and columns, as in equation tables and results.
 //!
-//! Decided here: only where cells stand. The origin is the upper left corner; rows go down.
+//! This module decides only the positions of the cells. The origin is the upper left corner; rows
+//! go down.
 
 use hodograph_base::geom::Point;
 
@@ -11,11 +12,11 @@ use super::text;
 /// One cell of a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
-    /// What is written.
+    /// The text of the cell.
     pub label: Label,
-    /// Size of the type.
+    /// Type size.
     pub size_mm: f64,
-    /// To which side of its column it goes.
+    /// Alignment in the column.
     pub anchor: Anchor,
     /// Class of the item.
     pub class: String,
@@ -23,16 +24,16 @@ pub struct Cell {
     pub id: String,
 }
 
-/// A row: its cells from the first column on (`None`: nothing there), and the height it takes.
+/// A row: its cells from the first column on (`None`: empty), and its height.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// The cells.
+    /// The cells, one per column.
     pub cells: Vec<Option<Cell>>,
-    /// Distance of this row's baseline from the one before (for the first row: from the top).
+    /// Distance of this row's baseline from the previous one (for the first row: from the top).
     pub height_mm: f64,
 }
 
-/// Sets rows in columns as wide as their widest cell, `gap_mm` apart.
+/// Places rows in columns that are as wide as their widest cell, with gaps of `gap_mm`.
 pub fn set(rows: &[Row], gap_mm: f64) -> Vec<Item> {
     let columns = rows.iter().map(|r| r.cells.len()).max().unwrap_or(0);
     let width = |c: &Cell| text::set(&c.label).width_em * c.size_mm;
@@ -59,7 +60,7 @@ pub fn set(rows: &[Row], gap_mm: f64) -> Vec<Item> {
                 };
                 items.push(Item::new(c.class.clone(), shape).with_id(c.id.clone()));
             }
-            // An empty column takes no gap either.
+            // An empty column has no gap.
             x += if *wide > 0.0 { wide + gap_mm } else { 0.0 };
         }
     }

@@ -1,7 +1,7 @@
-//! The display list: what is on the paper, in millimetres, x to the right and **y up**.
+//! The display list: the content of the paper, in millimetres, x to the right and **y up**.
 //!
-//! Decided here: nothing about looks. An item is finished: its writer needs no style, no scene and no solution.
-//! Items are drawn in the order of the list. Only the SVG writer turns y over.
+//! An item is finished: its writer needs no style, no scene and no solution. Items are drawn in the
+//! order of the list. The writers of files turn y over where their format needs it.
 
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Point;
@@ -21,24 +21,25 @@ pub struct Figure {
     pub height_mm: f64,
     /// A title for readers who do not see the figure.
     pub title: String,
-    /// What the figure shows, in words.
+    /// Description of the figure in words.
     pub desc: String,
     /// Language tag of title and description, such as `en` or `zh`.
     pub lang: String,
-    /// Colour of the paper; any but white is painted.
+    /// Colour of the paper; any colour but white is painted.
     pub paper: Colour,
-    /// What is drawn, from back to front.
+    /// The items to draw, from back to front.
     pub items: Vec<Item>,
 }
 
 impl Figure {
-    /// Labels for which a place was searched among the lines of a drawing; captions, tables and results have theirs given.
+    /// Number of labels that were placed by search among the lines of a drawing; captions, tables
+    /// and results have given positions and do not count.
     pub fn labels_placed(&self) -> usize {
         let placed = |i: &&Item| matches!(i.shape, Shape::Label { .. }) && i.class.split(' ').next_back() == Some(PLACED);
         self.items.iter().filter(placed).count()
     }
 
-    /// What the reader of the figure should know of how it was made: that its labels were too many for a careful search.
+    /// Remarks on the figure for its reader: a note if it had too many labels for a full search.
     pub fn remarks(&self) -> Vec<Diagnostic> {
         let coarse = |i: &&Item| i.class.rsplit(' ').nth(1) == Some(COARSE);
         let count = self.items.iter().filter(coarse).count();
@@ -57,7 +58,8 @@ impl Figure {
 /// The last word of the class of every label that was placed by search.
 pub const PLACED: &str = "label";
 
-/// The word before it where there were so many that they were placed one after the other.
+/// The word before [`PLACED`] if there were so many labels that they were placed one after the
+/// other.
 pub const COARSE: &str = "coarse";
 
 /// One element of a figure.
@@ -65,51 +67,51 @@ pub const COARSE: &str = "coarse";
 pub struct Item {
     /// A name unique in the figure; may be empty.
     pub id: String,
-    /// Stable words for step-by-step reveal, such as `velocity edge unknown`; may be empty.
+    /// Fixed words for step-by-step display, such as `velocity edge unknown`; may be empty.
     pub class: String,
-    /// The link that it belongs to, by its place in the scene: styles may colour it.
+    /// The link that the item belongs to, by its index in the scene: styles may colour it.
     pub link: Option<usize>,
-    /// The quantity that it shows, of vectors and marks.
+    /// The quantity that a vector or mark shows.
     pub shown: Option<Box<Shown>>,
-    /// What is drawn.
+    /// The shape to draw.
     pub shape: Shape,
 }
 
-/// A colour of the ink.
+/// A colour of ink or paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Colour {
-    /// Red.
+    /// Red component.
     pub r: u8,
-    /// Green.
+    /// Green component.
     pub g: u8,
-    /// Blue.
+    /// Blue component.
     pub b: u8,
 }
 
 impl Colour {
     /// Black ink.
     pub const BLACK: Colour = Colour::grey(0);
-    /// Paper.
+    /// White paper.
     pub const WHITE: Colour = Colour::grey(255);
 
-    /// A grey: 0 black, 255 white.
+    /// Returns a grey: 0 is black, 255 white.
     pub const fn grey(level: u8) -> Colour {
         Colour { r: level, g: level, b: level }
     }
 
-    /// The colour with these components.
+    /// Returns the colour with these components.
     pub const fn rgb(r: u8, g: u8, b: u8) -> Colour {
         Colour { r, g, b }
     }
 }
 
-/// The pattern of a line (ISO 128-2 names).
+/// The pattern of a line (names as in ISO 128-2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Dash {
     /// Continuous.
     #[default]
     Solid,
-    /// Dashed: hidden edges, directions laid off before their length is known.
+    /// Dashed: hidden edges, and directions drawn before their length is known.
     Dashed,
     /// Long dash, dot: centre lines and paths.
     DashDot,
@@ -118,7 +120,7 @@ pub enum Dash {
 }
 
 impl Dash {
-    /// Lengths of strokes and gaps in mm; empty for a continuous line.
+    /// Returns the lengths of strokes and gaps (mm); empty for a continuous line.
     pub const fn pattern_mm(self) -> &'static [f64] {
         match self {
             Dash::Solid => &[],
@@ -129,57 +131,57 @@ impl Dash {
     }
 }
 
-/// How a line ends and turns.
+/// The form of a line's ends and corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Cap {
-    /// Cut off at its end, mitred corners.
+    /// Cut off at the end, with mitred corners.
     #[default]
     Butt,
     /// Round ends and corners: links.
     Round,
 }
 
-/// How a line is drawn.
+/// The appearance of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
     /// Width of the line.
     pub width_mm: f64,
-    /// Its pattern.
+    /// Line pattern.
     pub dash: Dash,
-    /// Its ends.
+    /// Form of the ends and corners.
     pub cap: Cap,
-    /// Its colour.
+    /// Line colour.
     pub colour: Colour,
 }
 
 impl Stroke {
-    /// A continuous black line with cut ends.
+    /// Returns a continuous black line with cut ends.
     pub const fn new(width_mm: f64) -> Stroke {
         Stroke { width_mm, dash: Dash::Solid, cap: Cap::Butt, colour: Colour::BLACK }
     }
 
-    /// The same with a pattern.
+    /// Returns the stroke with a pattern.
     pub const fn dashed(self, dash: Dash) -> Stroke {
         Stroke { dash, ..self }
     }
 
-    /// The same with round ends.
+    /// Returns the stroke with round ends.
     pub const fn round(self) -> Stroke {
         Stroke { cap: Cap::Round, ..self }
     }
 
-    /// The same with cut ends.
+    /// Returns the stroke with cut ends.
     pub const fn flat(self) -> Stroke {
         Stroke { cap: Cap::Butt, ..self }
     }
 
-    /// The same in another colour.
+    /// Returns the stroke in another colour.
     pub const fn coloured(self, colour: Colour) -> Stroke {
         Stroke { colour, ..self }
     }
 }
 
-/// Which point of a label's line is meant, from left to right.
+/// The reference point of a label's line, from left to right.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Anchor {
     /// Start of the baseline.
@@ -194,59 +196,59 @@ pub enum Anchor {
 /// A piece of a [`Shape::Path`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Piece {
-    /// Begins anew elsewhere, as between the strokes of a hatching.
+    /// Starts at another point, as between the strokes of a hatching.
     Move(Point),
     /// A straight line to the point.
     Line(Point),
-    /// An arc that begins where the path is and ends at `centre` + radius · (cos `to_rad`, sin `to_rad`);
-    /// counter-clockwise when `to_rad` > `from_rad`.
+    /// An arc from the current point to `centre` + radius · (cos `to_rad`, sin `to_rad`);
+    /// counter-clockwise if `to_rad` > `from_rad`.
     Arc {
         /// Centre of the arc.
         centre: Point,
-        /// Its radius.
+        /// Radius of the arc.
         radius_mm: f64,
-        /// Angle of its beginning.
+        /// Angle at the start.
         from_rad: f64,
-        /// Angle of its end.
+        /// Angle at the end.
         to_rad: f64,
     },
 }
 
-/// What is drawn.
+/// The shape of an item.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Shape {
     /// A straight line.
     Line {
-        /// Beginning.
+        /// Start point.
         from: Point,
-        /// End.
+        /// End point.
         to: Point,
-        /// How it is drawn.
+        /// Line appearance.
         stroke: Stroke,
     },
     /// A chain of straight lines, or a polygon.
     Polyline {
-        /// Its corners.
+        /// Corners in order.
         points: Vec<Point>,
-        /// Whether the last corner is joined to the first.
+        /// True if the last corner is joined to the first.
         closed: bool,
-        /// Its line, if any.
+        /// Outline, if any.
         stroke: Option<Stroke>,
-        /// Its area's colour, if any.
+        /// Fill colour, if any.
         fill: Option<Colour>,
     },
     /// Lines and arcs in one stroke.
     Path {
-        /// Where it begins.
+        /// Start point.
         start: Point,
-        /// What follows.
+        /// The pieces after the start point.
         pieces: Vec<Piece>,
-        /// Whether it is closed.
+        /// True if the path is closed.
         closed: bool,
-        /// Its line, if any.
+        /// Outline, if any.
         stroke: Option<Stroke>,
-        /// Its area's colour, if any.
+        /// Fill colour, if any.
         fill: Option<Colour>,
     },
     /// A circle or disc.
@@ -255,80 +257,81 @@ pub enum Shape {
         centre: Point,
         /// Radius.
         radius_mm: f64,
-        /// Its line, if any.
+        /// Outline, if any.
         stroke: Option<Stroke>,
-        /// Its area's colour, if any.
+        /// Fill colour, if any.
         fill: Option<Colour>,
     },
-    /// A piece of a circle, counter-clockwise when `to_rad` > `from_rad`.
+    /// An arc of a circle, counter-clockwise if `to_rad` > `from_rad`.
     Arc {
         /// Centre.
         centre: Point,
         /// Radius.
         radius_mm: f64,
-        /// Angle of its beginning, counter-clockwise from x.
+        /// Angle at the start, counter-clockwise from x.
         from_rad: f64,
-        /// Angle of its end.
+        /// Angle at the end.
         to_rad: f64,
-        /// How it is drawn.
+        /// Line appearance.
         stroke: Stroke,
     },
-    /// A vector; its head is at `to`.
+    /// A vector with its head at `to`.
     Arrow {
         /// Tail.
         from: Point,
         /// Tip.
         to: Point,
-        /// Its shaft.
+        /// Shaft.
         stroke: Stroke,
-        /// Its head.
+        /// Head.
         head: Head,
     },
-    /// A bent arrow, with its head at `to_rad`; counter-clockwise when `to_rad` > `from_rad`.
+    /// A bent arrow with its head at `to_rad`; counter-clockwise if `to_rad` > `from_rad`.
     ArcArrow {
         /// Centre.
         centre: Point,
         /// Radius.
         radius_mm: f64,
-        /// Angle of the tail.
+        /// Angle at the tail.
         from_rad: f64,
-        /// Angle of the tip.
+        /// Angle at the tip.
         to_rad: f64,
-        /// Its shaft.
+        /// Shaft.
         stroke: Stroke,
-        /// Its head.
+        /// Head.
         head: Head,
     },
-    /// A label in one line that is turned about its anchor, the middle of its baseline, as the numbers of dimensions are.
+    /// A label in one line, turned about its anchor, the middle of its baseline, as the numbers of
+    /// dimensions are.
     Turned {
-        /// The anchor's place.
+        /// Position of the anchor.
         at: Point,
-        /// The direction of reading.
+        /// Reading direction.
         angle_rad: f64,
-        /// What is written.
+        /// The text.
         label: Label,
-        /// Size of the type (its em).
+        /// Type size (em).
         size_mm: f64,
-        /// Its colour.
+        /// Text colour.
         colour: Colour,
     },
     /// A label in one line.
     Label {
-        /// The anchor's place on the baseline.
+        /// Position of the anchor on the baseline.
         at: Point,
-        /// What is written.
+        /// The text.
         label: Label,
-        /// Size of the type (its em).
+        /// Type size (em).
         size_mm: f64,
-        /// Which point of the line stands at `at`.
+        /// The point of the line that is placed at `at`.
         anchor: Anchor,
-        /// Its colour.
+        /// Text colour.
         colour: Colour,
     },
 }
 
 impl Item {
-    /// The same with its letters in these fonts of the author's.
+    /// Returns the item with its letters in the author's fonts `fonts`.
     pub fn in_fonts(mut self, fonts: &Fonts) -> Item {
         if let Shape::Label { label, .. } | Shape::Turned { label, .. } = &mut self.shape
             && label.fonts() != fonts
@@ -338,12 +341,12 @@ impl Item {
         self
     }
 
-    /// An item without a name.
+    /// Returns an item without a name.
     pub fn new(class: impl Into<String>, shape: Shape) -> Item {
         Item { id: String::new(), class: class.into(), link: None, shown: None, shape }
     }
 
-    /// The steps of the construction that draw it, by their classes `step-N`.
+    /// Returns the construction steps that draw the item, from its classes `step-N`.
     pub fn steps(&self) -> impl Iterator<Item = usize> {
         self.class.split(' ').filter_map(|word| word.strip_prefix("step-")?.parse().ok())
     }
@@ -354,21 +357,22 @@ impl Item {
         self
     }
 
-    /// The same with a name.
+    /// Returns the item with a name.
     pub fn with_id(mut self, id: impl Into<String>) -> Item {
         self.id = id.into();
         self
     }
 }
 
-/// Puts words before the class of each item, such as the step that brings it.
+/// Puts words before the class of each item, such as the construction step that draws it.
 pub fn tag(items: &mut [Item], words: &str) {
     for item in items {
         item.class = format!("{words} {}", item.class).trim_end().to_owned();
     }
 }
 
-/// Makes ids unique: a second item of an id gets `-2`, a third `-3`. Items without one are named after their class.
+/// Makes ids unique: the second item with an id gets `-2`, the third `-3`. Items without an id are
+/// named after their class.
 pub fn distinct(items: &mut [Item]) {
     let mut taken: HashSet<String> = HashSet::new();
     for item in items {

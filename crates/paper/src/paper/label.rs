@@ -1,14 +1,16 @@
-//! The label language: what a short formula or a sentence on a figure says, parsed into rows of atoms.
+//! Labels of figures: a short formula or a sentence in the label language, parsed into rows of
+//! atoms.
 //!
 //! ```text
 //! v_{B3B2}^r   a^n_{CB}   \omega_1^2 l_{AB}   b'_2   \mu_l = 0.002 m/mm   \perp AB   B \to A
 //! \text{max}   \bm{v}_B   \circled{3}   \checkmark   \surd   \sin\varphi   \,   \quad   B\_1
 //! ```
-//! Names of a scene's points and links come in as labels already, in which their marks stand for themselves.
+//! Names of a scene's points and links come in as labels in which their marks are already escaped.
 //!
-//! Decided here: what is italic. Letters of quantities and points are; digits, operators and words are not; nor are
-//! units, which are what stands after a number **and a space** (`2 m/s` is two metres per second, `2l` twice a length).
-//! Spaces mean nothing else in a formula, except beside Chinese. Not decided here: sizes, fonts, places.
+//! Letters of quantities and points are italic; digits, operators, words and units are upright. A
+//! unit is the text after a number **and a space** (`2 m/s` is two metres per second, `2l` twice a
+//! length). Spaces have no other meaning in a formula, except beside Chinese. Sizes, fonts and
+//! positions are decided elsewhere.
 
 use hodograph_base::diag::Diagnostic;
 
@@ -20,7 +22,7 @@ mod parse;
 
 pub use parse::greek;
 
-/// What is written at one place of a figure.
+/// A text on a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     source: String,
@@ -30,7 +32,7 @@ pub struct Label {
     kept: Kept,
 }
 
-/// The label set in type, once someone has asked; no part of what the label *is*.
+/// The typeset label, kept after the first request; it does not take part in comparisons of labels.
 #[derive(Clone, Debug, Default)]
 struct Kept(OnceLock<Arc<Typeset>>);
 
@@ -40,7 +42,7 @@ impl PartialEq for Kept {
     }
 }
 
-/// What an atom does to the space around it, as in TeX.
+/// The effect of an atom on the space around it, as in TeX.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// A letter, a digit, a word.
@@ -51,7 +53,7 @@ pub enum Role {
     Relation,
     /// `, ;`.
     Punctuation,
-    /// A function's name: a thin space to its argument.
+    /// A function's name: a thin space before its argument.
     Function,
 }
 
@@ -60,17 +62,17 @@ pub enum Role {
 pub struct Node {
     /// The characters.
     pub text: String,
-    /// How they look.
+    /// Type style of the characters.
     pub slant: Slant,
-    /// What they do to the space around them.
+    /// Effect on the space around them.
     pub role: Role,
     /// Extra space after the atom, in em.
     pub space_em: f64,
     /// Number of primes.
     pub primes: usize,
-    /// The subscript's row; empty for none.
+    /// The subscript's row; empty if there is none.
     pub sub: Vec<Node>,
-    /// The superscript's row; empty for none.
+    /// The superscript's row; empty if there is none.
     pub sup: Vec<Node>,
 }
 
@@ -85,21 +87,22 @@ impl Node {
 }
 
 impl Label {
-    /// A formula. Never fails: what it cannot read is kept as it stands and reported by [`Label::faults`].
+    /// Parses a formula. Never fails: unreadable input is kept unchanged and reported by
+    /// [`Label::faults`].
     pub fn math(source: impl Into<String>) -> Label {
         let source = source.into();
         let (row, faults) = parse::formula(&source);
         Label { source, row, faults, fonts: Fonts::default(), kept: Kept::default() }
     }
 
-    /// A sentence: every character upright and as it stands.
+    /// Returns a label of a sentence: every character upright and unchanged.
     pub fn text(source: impl Into<String>) -> Label {
         let source = source.into();
         let row = vec![Node::new(source.as_str(), Slant::Upright, Role::Ordinary)];
         Label { source, row, faults: Vec::new(), fonts: Fonts::default(), kept: Kept::default() }
     }
 
-    /// The same label set in the author's fonts; the figure passes those of its style, together with the size.
+    /// Returns the label typeset in the author's fonts; the figure passes the fonts of its style.
     pub fn in_fonts(mut self, fonts: &Fonts) -> Label {
         if self.fonts != *fonts {
             self.fonts = fonts.clone();
@@ -108,7 +111,7 @@ impl Label {
         self
     }
 
-    /// This label followed by another, such as a caption's words followed by a formula.
+    /// Returns this label followed by another, such as a caption's words followed by a formula.
     pub fn then(mut self, other: Label) -> Label {
         self.source.push_str(&other.source);
         self.row.extend(other.row);
@@ -117,32 +120,33 @@ impl Label {
         self
     }
 
-    /// Where [`super::text::set`] keeps its result.
+    /// The cell in which [`super::text::set`] keeps its result.
     pub(super) fn kept(&self) -> &OnceLock<Arc<Typeset>> {
         &self.kept.0
     }
 
-    /// The author's fonts that it is set in.
+    /// The author's fonts for this label.
     pub fn fonts(&self) -> &Fonts {
         &self.fonts
     }
 
-    /// What was written.
+    /// Source text of the label.
     pub fn source(&self) -> &str {
         &self.source
     }
 
-    /// The atoms.
+    /// The row of atoms.
     pub fn row(&self) -> &[Node] {
         &self.row
     }
 
-    /// What the parser could not read (`label-syntax`).
+    /// Faults of the source (`label-syntax`).
     pub fn faults(&self) -> &[Diagnostic] {
         &self.faults
     }
 
-    /// In one line of characters, for screen readers and text reports: `ω_1^2 l_AB`, `3 m/s²`.
+    /// Returns the label in one line of plain characters, for screen readers and text reports:
+    /// `ω_1^2 l_AB`, `3 m/s²`.
     pub fn plain(&self) -> String {
         let mut out = String::new();
         plain_row(&self.row, &mut out);
@@ -165,7 +169,7 @@ fn plain_row(row: &[Node], out: &mut String) {
             let mut told = String::new();
             plain_row(script, &mut told);
             match (mark, node.slant, told.trim()) {
-                // Powers of units are written as all texts write them.
+                // Powers of units are written as in running text.
                 ('^', Slant::Upright, "2") => out.push('²'),
                 ('^', Slant::Upright, "3") => out.push('³'),
                 (_, _, parts) if parts.contains(' ') => {

@@ -1,7 +1,7 @@
-//! Breaking a sentence with formulas into lines.
+//! Breaks sentences with formulas into lines.
 //!
-//! Decided here: that Unicode's line breaking rules hold, which know where Chinese may not break; a formula is one thing
-//! among the words, and a long one may break before its relations.
+//! Breaks follow the Unicode line breaking rules, which cover Chinese. A formula counts as one
+//! character among the words; a long formula may also break before its relations.
 
 use std::collections::VecDeque;
 
@@ -12,20 +12,22 @@ use super::label::Label;
 use super::text;
 use crate::paper::phrase::{Phrase, Piece};
 
-/// Units as they follow a number that is a formula.
+/// Units that may follow a number given as a formula.
 const UNITS: [&str; 8] = ["mm", "cm", "m", "ft", "in", "rad/s", "m/s", "s"];
-/// A formula is one thing among the words; before its relations it may break too.
+/// Placeholder for a formula, or for a part of a long one, among the words.
 const THING: char = '\u{FFFC}';
 
-/// Whether a break would part a number from its unit, or from what it counts.
+/// Returns true if a break would separate a number from its unit or from the counted noun.
 fn parts_a_number(text: &str, at: usize) -> bool {
     let unit = || text[at..].split([' ', ')', ',', ';', '.', '，', '；', '。', '）']).next().is_some_and(|word| UNITS.contains(&word));
     let number = |before: &str| before.ends_with(|c: char| c.is_ascii_digit()) || before.ends_with(THING) && unit();
     at < text.len() && text[..at].strip_suffix(' ').is_some_and(number)
 }
 
-/// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. A word that is longer than a line
-/// breaks anywhere; a formula that is, sticks out.
+/// Breaks a phrase into lines no wider than `width_mm`, at the places that Unicode's rules allow.
+///
+/// A word longer than a line breaks anywhere; a formula longer than a line extends beyond the
+/// width.
 pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> Vec<Label> {
     let mut plain = String::new();
     let mut formulas = VecDeque::new();
@@ -56,7 +58,7 @@ pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> V
     };
     let wide = |l: &Label| text::set(l).width_em * size_mm;
     let mut lines = Vec::new();
-    // The line so far, as it would stand, and as it goes on.
+    // The current line: without its trailing space, and with it for continuation.
     let mut here: Option<(Label, Label)> = None;
     let whole = breaks.windows(2).map(|ends| &plain[ends[0]..ends[1]]);
     let pieces = whole.flat_map(|segment| {
@@ -64,7 +66,7 @@ pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> V
         if long { segment.split_inclusive(|_| true).collect() } else { vec![segment] }
     });
     for segment in pieces {
-        // The space at a line's end takes no room, and is not set.
+        // The space at a line's end is dropped and takes no width.
         let things = segment.matches(THING).count();
         let mut own: VecDeque<String> = formulas.drain(..things).collect();
         let trimmed = label(segment.trim_end(), &mut own.clone());
@@ -86,9 +88,10 @@ pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> V
     lines
 }
 
-/// A formula in parts that may stand on different lines: each relation begins one, if the formula is long.
+/// Splits a formula into parts that may be on different lines: in a long formula, each relation
+/// starts a part.
 fn pieces_of(formula: &str) -> Vec<String> {
-    /// Shorter formulas stay whole.
+    /// Shorter formulas are not split.
     const LONG: usize = 40;
     if formula.len() < LONG {
         return vec![formula.to_owned()];

@@ -1,6 +1,8 @@
-//! What figures are made of: typed items in millimetres of paper, labels in a language of their own, fonts, and where labels are put.
+//! Figures as typed items in millimetres of paper, with labels in the label language, fonts, and
+//! the placement of labels.
 //!
-//! Everything here is y up and knows no file format; [`crate::render`] turns an [`item::Figure`] into ink.
+//! Everything in this module is y up and independent of file formats; [`crate::render`] turns an
+//! [`item::Figure`] into ink.
 
 pub mod arrow;
 pub mod broken;

@@ -1,9 +1,9 @@
-//! Sentences that mix words and formulas, in one of the two languages.
+//! Sentences with words and formulas, in one of the two languages.
 
 use crate::paper::label::Label;
 use hodograph_base::lang::Lang;
 
-/// A sentence: words as they stand, formulas in the label language.
+/// A sentence: words that are printed unchanged, and formulas in the label language.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Phrase {
     pieces: Vec<Piece>,
@@ -19,7 +19,7 @@ pub enum Piece {
 }
 
 impl Phrase {
-    /// A sentence with formulas between dollar signs: `through $b$ draw a line $\perp BC$`.
+    /// Reads a sentence with formulas between dollar signs: `through $b$ draw a line $\perp BC$`.
     pub fn new(source: &str) -> Phrase {
         let pieces = source
             .split('$')
@@ -30,17 +30,17 @@ impl Phrase {
         Phrase { pieces }
     }
 
-    /// Words as they stand, dollar signs too: no formula begins in them.
+    /// Returns a sentence of words only; dollar signs do not start a formula.
     pub fn of_words(words: &str) -> Phrase {
         Phrase { pieces: vec![Piece::Words(words.into())] }
     }
 
-    /// A sentence of these pieces.
+    /// Returns a sentence of these pieces.
     pub fn of_pieces(pieces: Vec<Piece>) -> Phrase {
         Phrase { pieces }
     }
 
-    /// The sentence with its formulas between dollar signs, as [`Phrase::new`] reads it.
+    /// Returns the sentence with its formulas between dollar signs, as [`Phrase::new`] reads it.
     pub fn source(&self) -> String {
         let piece = |p: &Piece| match p {
             Piece::Words(w) => w.clone(),
@@ -49,12 +49,12 @@ impl Phrase {
         self.pieces.iter().map(piece).collect()
     }
 
-    /// Its pieces.
+    /// The pieces of the sentence.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
 
-    /// As a label for figures.
+    /// Returns the sentence as a label for figures.
     pub fn label(&self) -> Label {
         self.pieces.iter().fold(Label::text(""), |l, p| {
             l.then(match p {
@@ -64,7 +64,7 @@ impl Phrase {
         })
     }
 
-    /// In plain characters, for terminals and golden texts.
+    /// Returns the sentence in plain characters, for terminals and golden texts.
     pub fn plain(&self) -> String {
         self.pieces
             .iter()
@@ -76,14 +76,15 @@ impl Phrase {
     }
 }
 
-/// A formula in plain characters: `ω_1^2 l_AB`.
+/// Returns a formula in plain characters: `ω_1^2 l_AB`.
 pub fn formula(source: &str) -> String {
     Label::math(source).plain().trim().to_string()
 }
 
-/// A sentence with its places filled: `{1}` by the value of `1`, `{}` by that of the empty name.
+/// Fills the placeholders of a sentence: `{1}` with the value of `1`, `{}` with that of the empty
+/// name.
 ///
-/// All at once: a value may hold braces of its own (`$O_{2}B$`), which are no places.
+/// All are filled in one pass: braces in a value (`$O_{2}B$`) are not placeholders.
 pub fn fill(sentence: &str, values: &[(&str, &str)]) -> String {
     let mut out = String::with_capacity(sentence.len());
     let mut rest = sentence;
@@ -101,7 +102,7 @@ pub fn fill(sentence: &str, values: &[(&str, &str)]) -> String {
     out + rest
 }
 
-/// One of two texts by language.
+/// Returns the text in the given language.
 pub fn tr(lang: Lang, en: &'static str, zh: &'static str) -> &'static str {
     match lang {
         Lang::En => en,
@@ -109,14 +110,14 @@ pub fn tr(lang: Lang, en: &'static str, zh: &'static str) -> &'static str {
     }
 }
 
-/// A text that begins with a capital.
+/// Returns the text with a capital first letter.
 pub fn capital(text: &str) -> String {
     let mut rest = text.chars();
     let first = rest.next().map(|c| c.to_ascii_uppercase());
     first.into_iter().chain(rest).collect()
 }
 
-/// The words for a sense of turning.
+/// Returns the words for a sense of rotation.
 pub fn sense(lang: Lang, value: f64) -> &'static str {
     if value > 0.0 {
         tr(lang, "counter-clockwise", "逆时针")

@@ -1,4 +1,5 @@
-//! For programs: the quantities that items show, ids in ASCII, and the vectors and marks of a figure by their names.
+//! An interface for programs: the quantities that items show, ids in ASCII, and access to the
+//! vectors and marks of a figure by name.
 
 use std::fmt::Write as _;
 
@@ -8,9 +9,10 @@ use hodograph_base::geom::Point;
 /// The quantity that an item shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
-    /// Its names as `find` writes them: `v_B`. A vector that is several on paper has all their names, the first is that of its id.
+    /// The names of the quantity as `find` writes them: `v_B`. A vector on paper that shows several
+    /// quantities has all their names; the id uses the first.
     pub names: Vec<String>,
-    /// The length of a vector on paper and its value; marks have none.
+    /// The length of a vector on paper and its value; `None` for marks.
     pub length: Option<Length>,
 }
 
@@ -24,13 +26,14 @@ pub struct Length {
 }
 
 impl Shown {
-    /// A vector of one name, drawn from one point to another at a scale in SI units per mm.
+    /// Returns the quantity of a vector with one name, drawn from one point to another at a scale
+    /// of `mu` SI units per mm.
     pub fn vector(name: impl Into<String>, from: Point, to: Point, mu: f64) -> Shown {
         let mm = from.distance(to);
         Shown { names: vec![name.into()], length: Some(Length { mm, si: mm * mu }) }
     }
 
-    /// A mark.
+    /// Returns the quantity of a mark.
     pub fn mark(name: impl Into<String>) -> Shown {
         Shown { names: vec![name.into()], length: None }
     }
@@ -41,11 +44,11 @@ impl Shown {
 pub struct Vector<'a> {
     /// Id of its element in the SVG.
     pub id: &'a str,
-    /// Its names as `find` writes them.
+    /// The names as `find` writes them.
     pub names: &'a [String],
     /// Tail, in mm of the paper, y up.
     pub from: Point,
-    /// Tip.
+    /// Tip, in mm of the paper.
     pub to: Point,
     /// Length on paper.
     pub mm: f64,
@@ -53,24 +56,26 @@ pub struct Vector<'a> {
     pub si: f64,
 }
 
-/// A mark of a figure: a place between which lengths are measured.
+/// A mark of a figure: a point for measuring lengths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark<'a> {
     /// Id of its element in the SVG.
     pub id: &'a str,
-    /// Its names: the vector from the pole that ends there (`v_B`), the part that ends there (`an_CB`), `pole-v`, `pole-a`.
+    /// The names: the vector from the pole that ends at the mark (`v_B`), the part that ends there
+    /// (`an_CB`), `pole-v`, `pole-a`.
     pub names: &'a [String],
-    /// Its place, in mm of the paper, y up.
+    /// Position, in mm of the paper, y up.
     pub at: Point,
 }
 
 impl Figure {
-    /// The vectors of the figure, in the order of drawing.
+    /// Returns the vectors of the figure, in drawing order.
     pub fn vectors(&self) -> impl Iterator<Item = Vector<'_>> {
         self.items.iter().filter_map(vector)
     }
 
-    /// The first vector of a name as `find` writes it: that of a polygon before those of its insets.
+    /// Returns the first vector with a name as `find` writes it: a vector of a polygon before those
+    /// of its insets.
     ///
     /// ```
     /// use hodograph_base::geom::Point;
@@ -92,12 +97,13 @@ impl Figure {
         all().filter(|i| !inset(i)).find_map(vector).or_else(|| all().find_map(vector))
     }
 
-    /// The marks of the figure, in the order of drawing.
+    /// Returns the marks of the figure, in drawing order.
     pub fn marks(&self) -> impl Iterator<Item = Mark<'_>> {
         self.items.iter().filter_map(mark)
     }
 
-    /// The mark of a name: `v_B` is where v_B ends, `pole-v` the pole of the velocity polygon.
+    /// Returns the mark with a name: `v_B` is the tip of v_B, `pole-v` the pole of the velocity
+    /// polygon.
     pub fn mark(&self, name: &str) -> Option<Mark<'_>> {
         self.marks().find(|m| m.names.iter().any(|n| n == name))
     }
@@ -106,7 +112,7 @@ impl Figure {
 fn vector(item: &Item) -> Option<Vector<'_>> {
     let (Some(shown), Shape::Arrow { from, to, .. }) = (&item.shown, &item.shape) else { return None };
     let Length { mm, si } = shown.length?;
-    // A thin vector may be broken at a label: the tail is where it would be without the break.
+    // A thin vector may be broken at a label: the tail is computed as if without the break.
     let from = (*from - *to).unit().map_or(*from, |back| *to + back * mm);
     Some(Vector { id: &item.id, names: &shown.names, from, to: *to, mm, si })
 }
@@ -116,9 +122,11 @@ fn mark(item: &Item) -> Option<Mark<'_>> {
     Some(Mark { id: &item.id, names: &shown.names, at: *centre })
 }
 
-/// A name of an id in ASCII: letters, digits and `-` stay, a comma is `__`, each other UTF-16 unit is `_` with its four hexadecimal digits.
+/// Escapes a name for ids in ASCII: letters, digits and `-` are kept, a comma becomes `__`, and
+/// every other UTF-16 unit becomes `_` with its four hexadecimal digits.
 ///
-/// Names of a scene are letters, digits, `'` and `_`, and those of coincident points may have a comma before the link: two names never become one.
+/// Names of a scene contain letters, digits, `'` and `_`, and those of coincident points may have a
+/// comma before the link: different names have different results.
 ///
 /// ```
 /// use hodograph_paper::paper::shown::escaped;
@@ -139,13 +147,14 @@ pub fn escaped(name: &str) -> String {
     out
 }
 
-/// A question as a part of an id: its `_` is `-`, all else as [`escaped`] has it.
+/// Returns a question as a part of an id: its `_` becomes `-`, all other characters are escaped as
+/// in [`escaped`].
 ///
 /// ```
 /// assert_eq!(hodograph_paper::paper::shown::question_id("an_CB"), "an-CB");
 /// ```
 pub fn question_id(text: &str) -> String {
-    // A hyphen is a comma to `find`, in ids it parts words.
+    // A hyphen is a comma in `find`; in ids it separates words.
     let parts: Vec<String> = text.split('_').map(|part| escaped(part).replace('-', "_002d")).collect();
     parts.join("-")
 }

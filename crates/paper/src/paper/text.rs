@@ -1,6 +1,7 @@
-//! Setting a label: from atoms to glyphs with their places, and the measures of the whole.
+//! Typesetting of labels: from atoms to glyphs with positions, and the measures of the whole.
 //!
-//! Decided here: sizes and places of scripts, after the MATH table of STIX Two Math (constants below, in em of the label).
+//! Sizes and positions of scripts follow the MATH table of STIX Two Math (constants below, in em of
+//! the label).
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -16,38 +17,41 @@ const SCRIPT_SCALE: f64 = 0.70;
 const SUB_DOWN: f64 = 0.210;
 /// `SuperscriptShiftUp` = 360.
 const SUP_UP: f64 = 0.360;
-/// `SubSuperscriptGapMin` = 150: less, and `ω₃²` closes up in print.
+/// `SubSuperscriptGapMin` = 150: with a smaller gap, `ω₃²` closes up in print.
 const SCRIPT_GAP: f64 = 0.150;
-/// `SuperscriptBottomMaxWithSubscript` = 380: the superscript rises no further to make the gap; then the subscript sinks.
+/// `SuperscriptBottomMaxWithSubscript` = 380: the superscript rises no further to make the gap;
+/// beyond that the subscript moves down.
 const SUP_BOTTOM_MAX: f64 = 0.380;
 /// `SpaceAfterScript` = 40.
 const AFTER_SCRIPT: f64 = 0.040;
-/// TeX's thick space, 5/18 em, at each side of a relation.
+/// TeX's thick space, 5/18 em, on each side of a relation.
 const RELATION_SPACE: f64 = 0.278;
-/// TeX's medium space, 4/18 em, at each side of a binary operator.
+/// TeX's medium space, 4/18 em, on each side of a binary operator.
 const BINARY_SPACE: f64 = 0.222;
 /// TeX's thin space, 3/18 em, after punctuation and function names.
 const THIN_SPACE: f64 = 0.167;
-/// Advance of a character that no font has, so that its place stays visible beside the diagnostic.
+/// Advance of a character that no font has, so that the gap stays visible beside the diagnostic.
 const MISSING_ADVANCE: f64 = 0.5;
 
-/// Characters of one label that are told to be missing: who has read of so many knows that the fonts do not suit the text.
+/// Largest number of missing characters reported per label: this many already show that the fonts
+/// do not suit the text.
 const MISSING_MAX: usize = 12;
 
-/// A label set in type; all measures in em of the label's size.
+/// A typeset label; all measures in em of the label's size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Typeset {
-    /// What stands where in which font.
+    /// The runs with their fonts and positions.
     pub runs: Vec<Run>,
     /// Advance width.
     pub width_em: f64,
-    /// Where the ink begins and ends, from the start of the baseline: the advance ends beyond it, or within a slanted letter.
+    /// Start and end of the ink, from the start of the baseline: the advance ends beyond the ink,
+    /// or within a slanted letter.
     pub ink_em: [f64; 2],
     /// Height of the ink above the baseline (0 for an empty label).
     pub ascent_em: f64,
-    /// Depth of the ink below the baseline, positive downwards; negative when all ink stands above it.
+    /// Depth of the ink below the baseline, positive downwards; negative if all ink is above it.
     pub descent_em: f64,
-    /// Whether anything is to be seen.
+    /// True if the label has visible ink.
     pub inked: bool,
     /// Faults of the label: `label-syntax` and `missing-glyph`.
     pub faults: Vec<Diagnostic>,
@@ -58,22 +62,22 @@ pub struct Typeset {
 pub struct Run {
     /// The font.
     pub face: Face,
-    /// What is written.
+    /// The text of the run.
     pub text: String,
-    /// How the font writes it; measures in em of the run.
+    /// The glyphs of the run; measures in em of the run.
     pub glyphs: Vec<Glyph>,
     /// Origin of the first glyph from the start of the baseline, in em of the label.
     pub x_em: f64,
-    /// Its height over the baseline, in em of the label.
+    /// Height of that origin above the baseline, in em of the label.
     pub y_em: f64,
-    /// The run's em in those of the label: 1, or less in a script.
+    /// The run's em as a fraction of the label's: 1, or less in a script.
     pub size_em: f64,
 }
 
-/// Sets a label.
+/// Typesets a label.
 ///
-/// A character that no embedded font has leaves a gap of half an em and a `missing-glyph` warning; it is never drawn
-/// as a box and never dropped in silence.
+/// A character that no font has leaves a gap of half an em and a `missing-glyph` warning; it is
+/// never drawn as a box and never dropped silently.
 ///
 /// ```
 /// use hodograph_paper::paper::{label::Label, text};
@@ -82,7 +86,8 @@ pub struct Run {
 /// assert_eq!(text::set(&Label::text("\u{1F600}")).faults[0].code, "missing-glyph");
 /// ```
 ///
-/// A label is measured many times while places are tried, and set once: it keeps the result, which its clones share.
+/// The result is kept in the label and shared by its clones, because a label is measured many times
+/// during placement.
 pub fn set(label: &Label) -> Arc<Typeset> {
     Arc::clone(label.kept().get_or_init(|| Arc::new(set_anew(label))))
 }
@@ -106,7 +111,7 @@ fn set_anew(label: &Label) -> Typeset {
     Typeset { runs: line.runs, width_em: line.advance, ink_em, ascent_em: top, descent_em: -bottom, inked: line.ink.any(), faults }
 }
 
-/// A piece of set type, relative to its own origin, in em.
+/// A piece of typeset text relative to its own origin, in em.
 #[derive(Clone)]
 struct Line {
     ink: Ink,
@@ -125,12 +130,12 @@ impl Line {
         self.runs.extend(other.runs.into_iter().map(moved));
     }
 
-    /// Lower and upper edge.
+    /// Returns the lower and upper edge of the ink.
     fn vertical_ink(&self) -> (f64, f64) {
         if self.ink.any() { (self.ink.min[1], self.ink.max[1]) } else { (0.0, 0.0) }
     }
 
-    /// How far the ink of a slanted letter leans out over its advance.
+    /// Returns the distance by which the ink of a slanted letter extends beyond its advance.
     fn overhang(&self) -> f64 {
         (self.ink.max[0] - self.advance).max(0.0)
     }
@@ -154,7 +159,7 @@ impl Setter<'_> {
                 Role::Punctuation | Role::Function if i + 1 < row.len() => THIN_SPACE,
                 Role::Ordinary | Role::Binary | Role::Relation | Role::Punctuation | Role::Function => side,
             };
-            // A lone sign, as between the columns of an equation's table, keeps no space around it.
+            // A single sign, as between the columns of an equation's table, has no space around it.
             let (side, after) = if row.len() == 1 { (0.0, 0.0) } else { (side, after) };
             line.advance += side;
             let atom = self.atom(node);
@@ -174,7 +179,8 @@ impl Setter<'_> {
         let lean = line.overhang();
         let mut upper = base + lean;
         if node.primes > 0 {
-            // Full size, above the subscript: the glyph ′ of a text-size mathematical font already stands raised.
+            // Full size, above the subscript: the glyph ′ of a text-size mathematical font is
+            // already raised.
             let primes = self.characters(&"′".repeat(node.primes), Slant::Symbol);
             let wide = primes.advance;
             line.append(primes, 1.0, upper, 0.0);
@@ -206,7 +212,7 @@ impl Setter<'_> {
         line
     }
 
-    /// Characters in a row, each from the first font that has it, shaped in runs of one font.
+    /// Sets characters in a row, each in the first font that has it, shaped in runs of one font.
     fn characters(&mut self, text: &str, slant: Slant) -> Line {
         let mut line = Line::empty();
         let mut run = String::new();
@@ -250,7 +256,7 @@ mod tests {
 
     #[test]
     fn measures_of_plain_letters() {
-        // Tinos: advance of 0 is 1024/2048, of B italic 1251/2048.
+        // Tinos: the advance of 0 is 1024/2048, that of italic B 1251/2048.
         let zero = set(&Label::math("0"));
         assert!(close(zero.width_em, 0.5) && close(zero.ascent_em, 0.665) && zero.descent_em < 0.02, "{zero:?}");
         let b = set(&Label::math("B"));
@@ -264,7 +270,7 @@ mod tests {
         let vb = set(&Label::math("v_B"));
         assert!(close(vb.width_em, v.width_em + 0.611 * SCRIPT_SCALE + AFTER_SCRIPT), "{}", vb.width_em);
         assert!((0.0..0.01).contains(&(vb.descent_em - SUB_DOWN)), "{}", vb.descent_em);
-        // Both scripts stand one above the other, with the gap between them.
+        // The scripts are one above the other, separated by the gap.
         let both = Setter { fonts: &Fonts::default(), missing: Vec::new() }.atom(&Label::math("a_3^2").row()[0].clone());
         let ink = |r: &Run| r.face.shaped(&r.text).ink.placed(r.size_em, r.x_em, r.y_em);
         let (sup, sub) = (ink(&both.runs[1]), ink(&both.runs[2]));
@@ -285,9 +291,9 @@ mod tests {
     fn runs_are_the_label_in_characters() {
         let set = set(&Label::text("速 office ").then(Label::math(r"a^n_{CB} = 2\omega_3 v'_B")));
         let text: String = set.runs.iter().map(|r| r.text.as_str()).collect();
-        // A superscript is written before its subscript, the primes before both.
+        // A superscript comes before its subscript, and primes before both.
         assert_eq!(text, "速 office anCB=2ω3v′B");
-        // Glyph by glyph they fill the box that the label says it takes.
+        // The glyphs fill the box that the label reports.
         let mut ink = Ink::NONE;
         for r in &set.runs {
             let mut pen = r.x_em;

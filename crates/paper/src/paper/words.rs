@@ -1,4 +1,4 @@
-//! All words on figures, in both languages: one table.
+//! The table of all words on figures, in both languages.
 
 use hodograph_base::diagram::DiagramKind;
 use hodograph_base::lang::Lang;
@@ -16,7 +16,7 @@ pub struct Words {
     pub curvature: &'static str,
     /// Caption of the paths of a pole.
     pub centrodes: &'static str,
-    /// What their lines are, in the fixed and in the moving plane.
+    /// Legend of the lines of the centrodes, in the fixed and in the moving plane.
     pub fixed_moving: &'static str,
     /// Caption of the parts of an acceleration at the moving point.
     pub composite_acceleration: &'static str,
@@ -32,75 +32,81 @@ pub struct Words {
     pub magnitude: &'static str,
     /// Row of directions.
     pub direction: &'static str,
-    /// Sense of a positive turning.
+    /// Sense of a positive rotation.
     pub counter_clockwise: &'static str,
-    /// Sense of a negative turning.
+    /// Sense of a negative rotation.
     pub clockwise: &'static str,
-    /// Before a similarity.
+    /// Word before a similarity.
     pub image: &'static str,
-    /// After a vector taken over; `{}` is the link.
+    /// Note after a vector of a translating link; `{}` is the link.
     pub no_turning: &'static str,
-    /// Beside a point that two trials give.
+    /// Note beside a point that two trials determine.
     pub trials: &'static str,
-    /// What the special point `{S}` of a triad is; `{1}`, `{2}` are its lines, `{}` the link.
+    /// Legend of the special point `{S}` of a triad; `{1}`, `{2}` are its lines, `{}` the link.
     pub special_point: &'static str,
-    /// The mate of a point in a trial: `{X}` is its letter, `{}` the bar that is left out, `{1}` the point.
+    /// Legend of a point's mate in a trial: `{X}` is its letter, `{}` the bar that is left out,
+    /// `{1}` the point.
     pub mate: &'static str,
-    /// A point with one velocity on two links; as `special_point`, `{3}` is the other link.
+    /// Legend of a common point of two links; placeholders as in `special_point`, `{3}` is the
+    /// other link.
     pub common_point: &'static str,
-    /// A line square to a guide; `{}` is the point.
+    /// A line perpendicular to a guide; `{}` is the point.
     pub square_to_guide: &'static str,
-    /// The constraint line of a leg that rolls; `{}` is the place of contact.
+    /// The constraint line of a rolling leg; `{}` is the point of contact.
     pub tangent_at: &'static str,
-    /// To how many digits drawing and analysis agree; `{}` is the number.
+    /// Number of digits to which drawing and analysis agree; `{}` is the number.
     pub agreement: &'static str,
-    /// What a pencil makes of the results; `{}` is its error in mm, `{1}` the largest tolerance in %, `{symbol}` the result that has it.
+    /// Effect of the pencil error on the results; `{}` is the error in mm, `{1}` the largest
+    /// tolerance in %, `{symbol}` the result that has it.
     pub pencil: &'static str,
-    /// Results that a pencil's error hides; `{1}` are they.
+    /// Results that the pencil error makes unreadable; `{1}` lists them.
     pub pencil_lost: &'static str,
-    /// An answer of which not all digits are certain; `{}` is the symbol, `{why}` the reason.
+    /// An answer with uncertain digits; `{}` is the symbol, `{why}` the reason.
     pub uncertain: &'static str,
-    /// What the tolerances are; `{}` is the pencil error in mm.
+    /// Legend of the tolerances; `{}` is the pencil error in mm.
     pub by_hand: &'static str,
-    /// A crossing under a bad angle; `{}` is the point, `{1}` the angle, `{2}` the pencil error in mm and `{3}` how far that moves it.
+    /// An intersection at too small an angle; `{}` is the point, `{1}` the angle, `{2}` the pencil
+    /// error in mm, `{3}` the displacement of the point.
     pub bad_angle: &'static str,
-    /// How far; `{}` in mm.
+    /// The displacement; `{}` in mm.
     pub by_mm: &'static str,
-    /// How far, where no paper holds it.
+    /// The displacement if the point falls off the paper.
     pub off_paper: &'static str,
-    /// Helps: a larger scale; `{}` is the factor.
+    /// Advice: a larger scale; `{}` is the factor.
     pub bad_larger: &'static str,
-    /// Helps: another special point; as `special_point`, `{3}` is the angle.
+    /// Advice: another special point; placeholders as in `special_point`, `{3}` is the angle.
     pub bad_special: &'static str,
-    /// Helps: another pose; `{driver}` is the driver's symbol, `{}` its angle, `{1}` that of the crossing.
+    /// Advice: another pose; `{driver}` is the driver's symbol, `{}` its angle, `{1}` the angle of
+    /// the intersection.
     pub bad_pose: &'static str,
-    /// The same where the driver's angle has no name; `{}` is by how much it is turned.
+    /// Advice: another pose if the driver's angle has no name; `{}` is the angle by which it turns.
     pub bad_turn: &'static str,
-    /// Instead of a measurement: a result that is not drawn.
+    /// Replaces a measurement for a result that is not drawn.
     pub computed: &'static str,
-    /// The same where only longer numbers tell the pose from a singular one.
+    /// Replaces a measurement if only a longer floating-point format distinguishes the pose from a
+    /// singular one.
     pub longer: &'static str,
     /// A change point; `{}` are its links.
     pub change_point: &'static str,
-    /// A driver that turns back; `{}` are the links in line.
+    /// A driver at its limit position; `{}` are the collinear links.
     pub driver_at_limit: &'static str,
     /// A dead centre with all drivers at rest; `{}` are its links.
     pub at_rest: &'static str,
-    /// The answers on the motion that was not taken; `{}` are they.
+    /// The answers for the motion that was not chosen; `{}` lists them.
     pub other_motion: &'static str,
-    /// Instead of the scale of a polygon without vectors.
+    /// Replaces the scale of a polygon without vectors.
     pub no_vectors: &'static str,
-    /// What only repeats what others fix; `{}` is it, `{why}` the reason.
+    /// A virtual (redundant) constraint; `{}` is the part that repeats it, `{why}` the reason.
     pub repeats: &'static str,
-    /// The same of a pair that is not drawn dashed: a mesh, a second pin in one place.
+    /// A virtual constraint of a pair that is not drawn dashed: a mesh, a second coincident pin.
     pub repeats_alike: &'static str,
-    /// A condition of velocities; `{v}` is the vector, `{}` the line, `{mm}` by how much it is missed.
+    /// A condition on velocities; `{v}` is the vector, `{}` the line, `{mm}` the deviation.
     pub along_velocity: &'static str,
-    /// The same of accelerations; `{a}` is the normal one, `{w}` the velocity.
+    /// A condition on accelerations; `{a}` is the normal acceleration, `{w}` the velocity.
     pub along_acceleration: &'static str,
-    /// Between statements on one line.
+    /// Separator of statements on one line.
     pub semicolon: &'static str,
-    /// Between the members of a list.
+    /// Separator of list members.
     pub comma: &'static str,
 }
 
@@ -206,7 +212,7 @@ const ZH: Words = Words {
     comma: "、",
 };
 
-/// The words of a language.
+/// Returns the words of a language.
 pub const fn words(lang: Lang) -> &'static Words {
     match lang {
         Lang::En => &EN,
@@ -215,12 +221,12 @@ pub const fn words(lang: Lang) -> &'static Words {
 }
 
 impl Words {
-    /// The language.
+    /// Returns the language of the words.
     pub fn lang(&self) -> Lang {
         if self.tag == EN.tag { Lang::En } else { Lang::Zh }
     }
 
-    /// The sense of a turning; nothing for zero.
+    /// Returns the sense of a rotation; empty for zero.
     pub fn sense(&self, value: f64) -> &'static str {
         if value > 0.0 {
             self.counter_clockwise
@@ -231,7 +237,7 @@ impl Words {
         }
     }
 
-    /// Heading of the equations of a diagram; the plane has none of its own.
+    /// Returns the heading of the equations of a diagram; the plane has no heading of its own.
     pub fn equations(&self, on: DiagramKind) -> &'static str {
         match on {
             DiagramKind::Acceleration => self.accelerations,

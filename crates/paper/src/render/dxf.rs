@@ -1,6 +1,8 @@
-//! Drawing exchange files for machines that cut: DXF of release 12 (AC1009), which every program reads. Millimetres, y up.
+//! Writes drawing exchange files for cutting machines: DXF of release 12 (AC1009), which every
+//! program reads. Millimetres, y up.
 //!
-//! Decided here: groups of code and value, as Autodesk's *DXF Reference* for release 12 lists them. Arcs stay arcs; what is no arc is a polyline.
+//! The groups of code and value follow Autodesk's *DXF Reference* for release 12. Arcs stay arcs;
+//! other curves become polylines.
 
 use hodograph_base::geom::Vec2;
 
@@ -10,13 +12,13 @@ use hodograph_base::geom::Vec2;
 pub enum Entity {
     /// From one point to another.
     Line([Vec2; 2]),
-    /// A piece of a circle, counter-clockwise from one angle to the other (degrees).
+    /// An arc of a circle, counter-clockwise from one angle to the other (degrees).
     Arc {
         /// Centre.
         centre: Vec2,
         /// Radius.
         radius: f64,
-        /// Angles of its ends.
+        /// Angles of the ends.
         degrees: [f64; 2],
     },
     /// A whole circle.
@@ -30,7 +32,7 @@ pub enum Entity {
     Closed(Vec<Vec2>),
 }
 
-/// The file, each line of the drawing on the layer beside it.
+/// Returns the file, with each entity on the layer given with it.
 pub fn dxf(entities: &[(&str, Entity)]) -> String {
     let mut out = Out(String::new());
     out.text(0, "SECTION").text(2, "HEADER").text(9, "$ACADVER").text(1, "AC1009").text(0, "ENDSEC");
@@ -69,12 +71,13 @@ impl Out {
     }
 
     fn number(&mut self, code: u16, value: f64) -> &mut Out {
-        // A nanometre is less than any machine cuts; no minus before a zero.
+        // A nanometre is below the precision of any machine; there is no minus before a zero.
         let value = (value * 1e6).round() / 1e6 + 0.0;
         self.text(code, &format!("{value:.6}"))
     }
 
-    /// Coordinates of the first point have the codes 10, 20, of the second 11, 21; the plane lies at z = 0.
+    /// Coordinates of the first point have the codes 10, 20, those of the second 11, 21; the plane
+    /// is at z = 0.
     fn point(&mut self, which: u16, p: Vec2) -> &mut Out {
         self.number(10 + which, p.x).number(20 + which, p.y).number(30 + which, 0.0)
     }

@@ -1,7 +1,7 @@
-//! Figures of one size one after the other as a GIF that goes on for ever, with the same bytes every time.
+//! Writes figures of one size as an endless GIF animation, with the same bytes on every run.
 //!
-//! Decided here: the colours. Greys, and few colours, are kept as they are in one palette for all frames; a figure with more than 256
-//! has a palette for each frame (NeuQuant).
+//! Greys, and small numbers of colours, are kept exactly in one palette for all frames; if there
+//! are more than 256 colours, each frame has its own palette (NeuQuant).
 
 use std::collections::BTreeMap;
 
@@ -11,21 +11,21 @@ use hodograph_base::diag::{Diagnostic, both};
 
 use super::png;
 
-/// Colours of a palette.
+/// Number of colours in a palette.
 const COLOURS: usize = 256;
-/// How carefully NeuQuant looks for colours: every so many pixels are looked at.
+/// Sampling step of NeuQuant: it examines every tenth pixel.
 const SPEED: i32 = 10;
-/// All frames lie in memory until their colours are known: no more than this.
+/// Largest memory for the frames in bytes: all are kept until their colours are known.
 const BYTES_MAX: usize = 1 << 30;
-/// Hundredths of a second: the unit of a GIF.
+/// The time unit of a GIF: hundredths of a second.
 const TICKS: f64 = 100.0;
-/// Shorter, and viewers wait a tenth of a second instead.
+/// Shortest duration of a frame: for shorter ones, viewers wait a tenth of a second instead.
 const SHORTEST_TICKS: f64 = 2.0;
 
-/// The documents (from [`super::svg::write`]) as the frames of one period of so many seconds.
+/// Writes documents (from [`super::svg::write`]) as the frames of one period of `seconds` seconds.
 ///
 /// # Errors
-/// As [`png::render`]; `gif-size` when a side is above 65 535 pixels or the frames are not of one size.
+/// As [`png::render`]; `gif-size` if a side is above 65 535 pixels or the frames differ in size.
 pub fn write(frames: &[String], dpi: f64, seconds: f64) -> Result<Vec<u8>, Diagnostic> {
     let mut pictures = Vec::with_capacity(frames.len());
     let mut size = None;
@@ -84,7 +84,7 @@ fn encode(pictures: &[Vec<[u8; 3]>], [w, h]: [u16; 2], delay: u16) -> Result<Vec
     Ok(bytes)
 }
 
-/// All colours with their places, where they are few.
+/// Returns all colours with their palette indices if they fit into one palette.
 fn palette(pictures: &[Vec<[u8; 3]>]) -> Option<BTreeMap<[u8; 3], u8>> {
     let mut all = BTreeMap::new();
     for picture in pictures {

@@ -1,4 +1,4 @@
-//! Ink: numbers, SVG, PNG, PDF; moving pictures as GIF and SVG.
+//! Output of figures: numbers, SVG, PNG, PDF; animations as GIF and SVG.
 
 use hodograph_base::diag::{Both, Diagnostic};
 
@@ -16,12 +16,12 @@ pub mod pdf;
 pub mod png;
 pub mod svg;
 
-/// A figure that cannot be written, because a number of it is none.
+/// Returns the error for a figure that cannot be written because one of its numbers is not finite.
 pub fn not_finite(message: Both) -> Diagnostic {
     Diagnostic::error("not-finite", message)
 }
 
-/// A text as it stands in markup.
+/// Escapes a text for markup.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,7 +1,8 @@
-//! Figures of one size one after the other as one SVG that moves by itself (SMIL), in browsers and wherever they are embedded.
+//! Writes figures of one size as one animated SVG (SMIL), for browsers and programs that embed
+//! them.
 //!
-//! Decided here: what is alike in all frames, and lies in the same order, is written once. Each other element is shown while its frames last; a program without
-//! animation shows the first frame.
+//! Elements that are equal in all frames, in the same order, are written once. Each other element
+//! is shown during its frames; a program without animation shows the first frame.
 
 use std::collections::HashMap;
 
@@ -12,10 +13,11 @@ use super::number::mm;
 use super::svg::Elements;
 use super::{escaped, not_finite};
 
-/// The figures as the frames of one period of so many seconds; size, title and language are those of the first.
+/// Writes figures as the frames of one period of `seconds` seconds; size, title and language are
+/// those of the first.
 ///
 /// # Errors
-/// `not-finite` for a number that is none, or where there is no figure.
+/// `not-finite` for a number that is not finite, or if there is no figure.
 pub fn write(frames: &[&Figure], seconds: f64) -> Result<String, Faults> {
     let Some(first) = frames.first().filter(|_| seconds.is_finite() && seconds > 0.0) else {
         return Err(not_finite(both!("there is no frame, or no time to show it", "没有帧，或没有时间")).into());
@@ -23,7 +25,7 @@ pub fn write(frames: &[&Figure], seconds: f64) -> Result<String, Faults> {
     let mut elements = Elements::new(first.height_mm);
     let mut shown: Vec<Vec<String>> = Vec::new();
     for figure in frames {
-        // Names are of one frame, and say nothing in a picture of all.
+        // Names belong to one frame and have no meaning in a picture of all.
         let items: Vec<_> = figure.items.iter().map(|i| i.clone().with_id("")).collect();
         shown.push(elements.of(&items)?);
     }
@@ -42,7 +44,7 @@ pub fn write(frames: &[&Figure], seconds: f64) -> Result<String, Faults> {
     }
     out.push_str(&Elements::letters([&elements]));
     out.push('\n');
-    // Where each frame has come to.
+    // The current position in each frame.
     let mut at = vec![0; shown.len()];
     for anchor in anchors(&shown) {
         between(&shown, &at, &anchor, seconds, &mut out);
@@ -56,7 +58,8 @@ pub fn write(frames: &[&Figure], seconds: f64) -> Result<String, Faults> {
     Ok(out)
 }
 
-/// The elements that are alike in all frames, in the order in which they lie over one another: for each its place in every frame.
+/// Returns the elements that are equal in all frames, in stacking order: for each its index in
+/// every frame.
 fn anchors(shown: &[Vec<String>]) -> Vec<Vec<usize>> {
     let places: Vec<HashMap<&str, Vec<usize>>> = shown
         .iter()
@@ -80,7 +83,7 @@ fn anchors(shown: &[Vec<String>]) -> Vec<Vec<usize>> {
     out
 }
 
-/// What each frame has from one place to another, shown in its time.
+/// Writes the elements of each frame from one index to another, shown during the frame's time.
 fn between(shown: &[Vec<String>], from: &[usize], to: &[usize], seconds: f64, out: &mut String) {
     let count = shown.len();
     for (k, frame) in shown.iter().enumerate().filter(|(k, _)| from[*k] < to[*k]) {
@@ -134,7 +137,7 @@ mod tests {
             (svg.matches("x2=\"9\"").count(), svg.matches("<animate").count(), svg.matches("display=\"inline\"").count()),
             (1, 3, 1)
         );
-        // Between the two that stay, as in each frame.
+        // Between the two static elements, as in each frame.
         let place = |what: &str| svg.find(what).unwrap();
         assert!(place("x2=\"9\"") < place("x2=\"3\"") && place("x2=\"3\"") < place("x2=\"8\""));
         assert!(svg.contains("A &lt;turn&gt;") && svg.contains("dur=\"6s\"") && svg.contains("keyTimes=\"0;0.333;0.667\""), "{svg}");

@@ -1,18 +1,23 @@
-//! The one writer of numbers for files: millimetres to 0.001, in the shortest form.
+//! Writes numbers for all file formats: millimetres to 0.001, in the shortest form.
 
-/// A number of millimetres as the file carries it: rounded to 0.001 mm, without `-0`, `30.000000000000004` or `.5`.
+/// Returns a number of millimetres as it is written to files: rounded to 0.001 mm, without `-0`,
+/// `30.000000000000004` or `.5`.
 ///
-/// 0.001 mm is a two-hundredth of the thinnest line: rounding is never seen, and the text is the same on platforms
-/// whose last bits differ. The number must be finite; [`super::svg::write`] refuses others before they come here.
+/// 0.001 mm is a two-hundredth of the thinnest line: rounding is invisible, and the text is the
+/// same on platforms that differ in the last bits. The number must be finite; [`super::svg::write`]
+/// rejects others beforehand.
 pub fn mm(value: f64) -> String {
-    // `+ 0.0` turns −0 into 0; Rust's shortest form does the rest, as k / 1000 is the double nearest to it.
+    // `+ 0.0` turns −0 into 0; Rust's shortest form does the rest, because k / 1000 is the double
+    // nearest to it.
     ((value * 1000.0).round() / 1000.0 + 0.0).to_string()
 }
 
-/// Significant digits of a value in SI units: as many as no drawing has, and few enough to be the same on all platforms.
+/// Significant digits of a value in SI units: more than any drawing provides, and few enough to be
+/// the same on all platforms.
 const SI_DIGITS: usize = 6;
 
-/// A value in SI units as the file carries it: six significant digits in the shortest form, without exponent and without `-0`.
+/// Returns a value in SI units as it is written to files: six significant digits in the shortest
+/// form, without exponent and without `-0`.
 ///
 /// ```
 /// use hodograph_paper::render::number::si;

@@ -1,44 +1,44 @@
-//! Pages of a document: items in mm of paper, with what they are for a reader that follows its structure. Not decided here: how a
-//! format writes them (`pdf`), where anything stands (the worksheet's pages).
+//! Pages of a document: items in mm of paper, with their structural role. The format (`pdf`) and
+//! the layout (the worksheet's pages) are decided elsewhere.
 
 use crate::paper::item::Item;
 
-/// What a run of items is, for readers that follow a document's structure.
+/// The role of a run of items, for readers that follow a document's structure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
-    /// A heading, from 1 down; it is also a bookmark.
+    /// A heading, from level 1 down; it is also a bookmark.
     Heading {
-        /// 1 for the title.
+        /// Level, 1 for the title.
         level: u16,
-        /// Its words.
+        /// Text of the heading.
         title: String,
     },
     /// Running text.
     Paragraph,
-    /// Members of a list, which may go on in the part that follows.
+    /// Members of a list, which may continue in the next part.
     List {
-        /// Whether its marks are numbers.
+        /// True if the list is numbered.
         numbered: bool,
-        /// Which member of its list each item belongs to, from 0.
+        /// The list member of each item, from 0.
         members: Vec<usize>,
     },
-    /// A table of values: row and column of each item, from 0, row by row. The first row and the first column are heads; items after
-    /// those are rules.
+    /// A table of values: row and column of each item, from 0, row by row. The first row and the
+    /// first column are headers; items after those are rules.
     Table(Vec<[usize; 2]>),
-    /// A formula or the table of an equation, with its reading.
+    /// A formula or the table of an equation, with its text for screen readers.
     Formula(String),
-    /// A picture, with what it shows in words.
+    /// A picture, with its description.
     Figure(String),
-    /// No part of the text: page numbers, rules.
+    /// Not part of the text: page numbers, rules.
     Artifact,
 }
 
 /// A run of items of a page.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// What it is.
+    /// Role of the items.
     pub kind: Kind,
-    /// Its items.
+    /// The items.
     pub items: Vec<Item>,
 }
 
@@ -49,6 +49,6 @@ pub struct Page {
     pub width_mm: f64,
     /// Height of the paper.
     pub height_mm: f64,
-    /// What stands on it, in the order of reading; drawn in this order too.
+    /// The parts of the page, in reading order, which is also the drawing order.
     pub parts: Vec<Part>,
 }

@@ -1,8 +1,10 @@
-//! Figures as a PDF: one page each, lines as vectors, letters as text of embedded subsets of the figures' own fonts.
+//! Writes figures as a PDF: one page each, lines as vectors, letters as text in embedded subsets of
+//! the figures' fonts.
 //!
-//! Decided here: what a page of the display list is in PDF, and that the file is the same bytes every time (it carries no
-//! date and no random name). Letters keep their characters, so mathematics and Chinese can be searched and copied; a page
-//! says to screen readers what its parts are ([`Kind`]), as PDF/UA-1 (ISO 14289-1) has it. Not decided here: where anything stands.
+//! The file has the same bytes on every run (it contains no date and no random name). Letters keep
+//! their characters, so that mathematics and Chinese can be searched and copied; a page tells
+//! screen readers the roles of its parts ([`Kind`]), as PDF/UA-1 (ISO 14289-1) requires. Positions
+//! are decided elsewhere.
 
 mod structure;
 
@@ -33,16 +35,17 @@ use crate::paper::text;
 use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_base::geom::{Point, Vec2};
 
-/// Points of a millimetre: PDF measures in 1/72 inch.
+/// Points per millimetre: PDF measures in 1/72 inch.
 const POINTS_PER_MM: f32 = 72.0 / 25.4;
-/// PDF 1.7, annex C.2: no side of a page may be longer than 14 400 points.
+/// Largest side of a page: 14 400 points (PDF 1.7, annex C.2).
 const SIDE_MAX_MM: f64 = 14_400.0 / 72.0 * 25.4;
-/// The limit at which SVG cuts a mitred corner: the same picture in both.
+/// The mitre limit of SVG, for the same picture in both formats.
 const MITRE: f32 = 4.0;
 
-/// Writes figures, one a page, each page as large as its figure. Title and language are those of the first.
+/// Writes figures, one per page, each page as large as its figure. Title and language are those of
+/// the first.
 ///
-/// Warnings and errors as [`document`].
+/// Warnings and errors are those of [`document`].
 ///
 /// ```
 /// use hodograph_paper::paper::item::{Colour, Figure, Item, Shape, Stroke};
@@ -60,7 +63,7 @@ pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
     let page = |f: &Figure| {
         let words = if f.desc.is_empty() { &f.title } else { &f.desc };
         let mut parts = vec![Part { kind: Kind::Figure(words.clone()), items: f.items.clone() }];
-        // White is the paper itself.
+        // White is the colour of the paper itself.
         if f.paper != Colour::WHITE {
             let corners = [(0.0, 0.0), (f.width_mm, 0.0), (f.width_mm, f.height_mm), (0.0, f.height_mm)];
             let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
@@ -78,12 +81,13 @@ pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
 
 /// Writes a document; `lang` is a language tag such as `en` or `zh`.
 ///
-/// Warnings: `missing-glyph` for a character that no embedded font has; `pdf-ua` where the file does not meet PDF/UA-1 for it or for
-/// want of a title or of words for a picture.
+/// Warnings: `missing-glyph` for a character that no font has; `pdf-ua` if the file does not meet
+/// PDF/UA-1 because of such a character, a missing title or a picture without a description.
 ///
 /// # Errors
-/// `page-size` for a page without size or above 5080 mm, `not-finite` for an item with a coordinate that is not a number,
-/// `label-syntax` for a label that cannot be read, `pdf` when the file cannot be made (a limit of PDF).
+/// `page-size` for a page without size or above 5080 mm, `not-finite` for an item with a coordinate
+/// that is not finite, `label-syntax` for a label that cannot be read, `pdf` if the file cannot be
+/// made (a limit of PDF).
 pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8>>, Faults> {
     let mut faults = Faults::default();
     let mut faces = BTreeMap::new();
@@ -147,8 +151,9 @@ fn written(pages: &[Page], title: &str, lang: &str, fonts: &BTreeMap<FaceKey, Fo
     file.finish().map(without_suspects)
 }
 
-/// Takes the catalog's `/Suspects false` out, which says what its absence says (PDF 1.7, table 321): Poppler accepts no `false` there
-/// and reports a syntax error. Blanks keep the offsets of the cross-reference table.
+/// Removes the catalog's `/Suspects false`, which is the default value (PDF 1.7, table 321):
+/// Poppler accepts no `false` there and reports a syntax error. Blanks preserve the offsets of the
+/// cross-reference table.
 fn without_suspects(mut file: Vec<u8>) -> Vec<u8> {
     const ENTRY: &[u8] = b"/Suspects false";
     // The catalog is among the last objects.
@@ -159,7 +164,7 @@ fn without_suspects(mut file: Vec<u8>) -> Vec<u8> {
 }
 
 struct Writer<'a> {
-    /// Those of all labels.
+    /// The fonts of all labels.
     fonts: &'a BTreeMap<FaceKey, Font>,
     tags: Vec<Node>,
     list: Option<List>,
@@ -211,7 +216,7 @@ impl Writer<'_> {
         sheet.finish();
     }
 
-    /// Draws items as one content, for a tag to hold.
+    /// Draws items as one content for a tag.
     fn content(&self, surface: &mut Surface, paper: Paper, items: &[Item]) -> Identifier {
         let identifier = surface.start_tagged(ContentTag::Other);
         items.iter().for_each(|i| self.item(surface, paper, i));
@@ -273,7 +278,7 @@ impl Writer<'_> {
             }
             Shape::Turned { at, angle_rad, label, size_mm, colour } => {
                 let centre = paper.down(*at);
-                // Down the page angles go the other way.
+                // With y down, angles have the opposite sign.
                 surface.push_transform(&Transform::from_rotate_at(-angle_rad.to_degrees() as f32, centre.x, centre.y));
                 let left = at.x - text::set(label).width_em * size_mm / 2.0;
                 self.label(surface, paper, Point::new(left, at.y), label, *size_mm, *colour);
@@ -301,14 +306,15 @@ impl Writer<'_> {
     }
 }
 
-/// The paper of a page: the door between y up and y down.
+/// The paper of a page; converts from y up to y down.
 #[derive(Clone, Copy)]
 struct Paper {
     height_mm: f64,
 }
 
 impl Paper {
-    /// A place in the file, to 0.001 mm as in SVG: the same text on platforms whose last bits differ.
+    /// Returns a position in the file, to 0.001 mm as in SVG: the same text on platforms that
+    /// differ in the last bits.
     fn down(self, p: Point) -> At {
         let milli = |v: f64| ((v * 1000.0).round() / 1000.0 + 0.0) as f32;
         At::from_xy(milli(p.x), milli(self.height_mm - p.y))
@@ -321,7 +327,7 @@ impl Paper {
     }
 }
 
-/// A path in the making.
+/// A path under construction.
 struct Trace {
     paper: Paper,
     builder: PathBuilder,
@@ -352,7 +358,8 @@ impl Trace {
         self.arc_to(centre, radius_mm, from_rad, to_rad);
     }
 
-    /// An arc in cubics of at most a quarter turn, which are off the circle by 0.03 % of its radius at most.
+    /// Adds an arc as cubic curves of at most a quarter turn, which deviate from the circle by at
+    /// most 0.03 % of its radius.
     ///
     /// # Source
     /// The handle of a piece of angle θ is 4/3 · tan(θ/4) long: M. Goldapp, *Approximation of circular arcs by cubic
@@ -371,7 +378,8 @@ impl Trace {
         }
     }
 
-    /// Draws the path; one without extent, such as the shaft of a vector of no length, leaves no ink.
+    /// Draws the path; a path without extent, such as the shaft of a vector of length zero, leaves
+    /// no ink.
     fn ink(self, surface: &mut Surface, stroke: Option<&Stroke>, area: Option<Colour>) {
         let Some(path) = self.builder.finish() else { return };
         if stroke.is_none() && area.is_none() {
@@ -404,7 +412,7 @@ fn pen(s: &Stroke) -> Pen {
     }
 }
 
-/// Grey as grey, so that a printer sets it with black ink alone.
+/// Returns a grey in the grey colour space, so that a printer uses black ink alone.
 fn paint(c: Colour) -> Paint {
     if c.r == c.g && c.g == c.b { luma::Color::new(c.r).into() } else { rgb::Color::new(c.r, c.g, c.b).into() }
 }

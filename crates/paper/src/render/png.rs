@@ -1,30 +1,31 @@
-//! SVG to PNG, on white paper, with the same bytes every time.
+//! Converts SVG to PNG, on white paper, with the same bytes on every run.
 
 use resvg::{tiny_skia, usvg};
 
 use hodograph_base::diag::{Diagnostic, both};
 
-/// Millimetres of an inch.
+/// Millimetres per inch.
 const INCH_MM: f64 = 25.4;
-/// CSS pixels of an inch: the unit in which usvg measures a document.
+/// CSS pixels per inch: the unit of a document in usvg.
 const CSS_DPI: f64 = 96.0;
-/// No side may be longer than this: an A4 sheet at 1200 dpi has 14 031 pixels. At 4 bytes each, 16 384² is 1 GiB.
+/// Largest side in pixels: an A4 sheet at 1200 dpi has 14 031. At 4 bytes each, 16 384² is 1 GiB.
 const SIDE_MAX: f64 = 16384.0;
 
 /// Draws an SVG document (from [`super::svg::write`]) at `dpi` pixels per inch.
 ///
-/// 8-bit grey when every pixel is grey, 8-bit RGB otherwise; the resolution is recorded in the file, so that a
-/// printed page has its millimetres.
+/// The PNG has 8-bit grey if every pixel is grey, 8-bit RGB otherwise; it records the resolution,
+/// so that a printed page has its size in millimetres.
 ///
 /// # Errors
 ///
-/// `png-size` when `dpi` makes no picture or one with a side above 16 384 pixels, `png-svg` when the document cannot be read.
+/// `png-size` if `dpi` gives no picture or one with a side above 16 384 pixels, `png-svg` if the
+/// document cannot be read.
 pub fn render(svg: &str, dpi: f64) -> Result<Vec<u8>, Diagnostic> {
     let pixmap = pixels(svg, dpi)?;
     encode(&pixmap, dpi).map_err(|e| Diagnostic::error("png-size", both!("the picture cannot be encoded: {e}", "图像不能编码：{e}")))
 }
 
-/// The pixels of a document on white paper, none of them transparent.
+/// Returns the pixels of a document on white paper, all of them opaque.
 pub(super) fn pixels(svg: &str, dpi: f64) -> Result<tiny_skia::Pixmap, Diagnostic> {
     let tree = usvg::Tree::from_str(svg, &usvg::Options::default())
         .map_err(|e| Diagnostic::error("png-svg", both!("the SVG document cannot be read: {e}", "不能读取 SVG：{e}")))?;
@@ -51,7 +52,8 @@ pub(super) fn pixels(svg: &str, dpi: f64) -> Result<tiny_skia::Pixmap, Diagnosti
 }
 
 pub(super) fn encode(pixmap: &tiny_skia::Pixmap, dpi: f64) -> Result<Vec<u8>, png::EncodingError> {
-    // Nothing is transparent: the paper is white and covers all, so the premultiplied components are the colours.
+    // All pixels are opaque because the white paper covers everything, so the premultiplied
+    // components are the colours.
     let grey = pixmap.data().chunks_exact(4).all(|p| p[0] == p[1] && p[1] == p[2]);
     let channels = if grey { 1 } else { 3 };
     let samples: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|p| &p[..channels]).copied().collect();

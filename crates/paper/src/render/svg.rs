@@ -1,12 +1,14 @@
-//! A figure as SVG: millimetres, letters as outlines. The one place where y is turned over.
+//! Writes figures as SVG: millimetres, letters as outlines, y turned over.
 //!
-//! No `<text>`, no `<marker>`, no `<style>`: what is left is drawn alike by every program. A letter's outline stands once, in
-//! `<defs>`, and wherever it is written it is used (by `xlink:href`, which older programs know as well). Its name tells its
-//! font, number and size, so that several figures can be put into one page: the same name is the same outline. Attributes
-//! come out sorted by name (the `svg` crate does that), elements in the order of the items: the same figure gives the same
-//! bytes.
+//! There is no `<text>`, no `<marker>` and no `<style>`: all programs draw the remaining elements
+//! alike. A letter's outline is defined once, in `<defs>`, and used wherever the letter occurs (by
+//! `xlink:href`, which older programs also know). Its name contains its font, number and size, so
+//! that several figures can be combined in one page: the same name is the same outline. Attributes
+//! are sorted by name (by the `svg` crate), elements are in the order of the items: the same figure
+//! gives the same bytes.
 //!
-//! Ids, classes and the attributes `data-name`, `data-mm` and `data-si` are a contract with a version ([`CONTRACT`]), told in docs/svg.md.
+//! Ids, classes and the attributes `data-name`, `data-mm` and `data-si` are a versioned contract
+//! ([`CONTRACT`]), described in docs/svg.md.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -32,17 +34,18 @@ mod prefix;
 
 pub use prefix::IdPrefix;
 
-/// The version of the contract of ids, classes and data attributes, as the root element carries it in `data-hodograph`.
+/// The version of the contract of ids, classes and data attributes, which the root element states
+/// in `data-hodograph`.
 pub const CONTRACT: &str = "svg/1";
 
 /// Writes a figure.
 ///
-/// Warnings: `missing-glyph` for a character that no embedded font has.
+/// Warnings: `missing-glyph` for a character that no font has.
 ///
 /// # Errors
 ///
-/// `label-syntax` for a label that cannot be read, `not-finite` for an item with a coordinate that is not a number,
-/// all of them in the order of the items.
+/// `label-syntax` for a label that cannot be read, `not-finite` for an item with a coordinate that
+/// is not finite, all of them in the order of the items.
 ///
 /// ```
 /// use hodograph_paper::paper::item::{Colour, Figure, Item, Shape, Stroke};
@@ -59,8 +62,8 @@ pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
     document(figure, Writing::Used)
 }
 
-/// The same with labels as text, which drawing programs can change; what it looks like depends on the fonts of the machine
-/// that shows it.
+/// Writes a figure with labels as text, which drawing programs can edit; its appearance depends on
+/// the fonts of the viewer's machine.
 ///
 /// # Errors
 /// As [`write()`].
@@ -107,19 +110,19 @@ fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults>
     Ok(Warned { value, notes: writer.faults.list.into_iter().chain(figure.remarks()).collect() })
 }
 
-/// Items as elements, one string each, for pages that put documents together by themselves; without data attributes, as what moves has other numbers
-/// in each frame.
+/// Items as elements, one string each, for pages that assemble documents themselves. They have no
+/// data attributes, because the numbers of moving items differ between frames.
 pub struct Elements {
     writer: Writer,
 }
 
 impl Elements {
-    /// For documents of this height.
+    /// Returns a writer for documents of this height.
     pub fn new(height_mm: f64) -> Elements {
         Elements { writer: Writer::new(height_mm) }
     }
 
-    /// The elements of these items, one for each.
+    /// Returns the elements of these items, one for each.
     ///
     /// # Errors
     /// As [`write()`].
@@ -128,19 +131,19 @@ impl Elements {
         if self.writer.faults.has_errors() { Err(std::mem::take(&mut self.writer.faults)) } else { Ok(list) }
     }
 
-    /// The outlines that all these elements use.
+    /// Returns the outlines that all these elements use.
     pub fn letters<'a>(all: impl IntoIterator<Item = &'a Elements>) -> String {
         let letters = all.into_iter().flat_map(|e| &e.writer.letters).map(|(key, kept)| (*key, kept.clone())).collect();
         Writer { letters, ..Writer::new(0.0) }.definitions().to_string()
     }
 }
 
-/// How the letters of a label get into a document.
+/// The form of letters in a document.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Writing {
-    /// Each by its name; their outlines stand in `<defs>`.
+    /// By reference; the outlines are in `<defs>`.
     Used,
-    /// As text, in whatever fonts the reader has.
+    /// Text in the fonts of the viewer.
     Text,
 }
 
@@ -149,7 +152,7 @@ struct Writer {
     writing: Writing,
     /// True if vectors and marks have data attributes.
     data: bool,
-    /// The letters used, each with the name that its uses call it by.
+    /// The letters used, each with its name in the definitions.
     letters: BTreeMap<LetterKey, (Letter, String)>,
     faults: Faults,
 }
@@ -159,7 +162,7 @@ impl Writer {
         Writer { height_mm, writing: Writing::Used, data: false, letters: BTreeMap::new(), faults: Faults::default() }
     }
 
-    /// The door between y up and y down.
+    /// Converts a y coordinate from y up to y down.
     fn y(&self, y: f64) -> String {
         mm(self.height_mm - y)
     }
@@ -168,7 +171,8 @@ impl Writer {
         format!("{} {}", mm(p.x), self.y(p.y))
     }
 
-    /// The item's element; a point that is not finite would make the whole path disappear in every viewer, without a word.
+    /// Returns the item's element; a number that is not finite is an error, because every viewer
+    /// would silently drop the whole path.
     fn finite(&mut self, item: &Item) -> Option<Box<dyn Node>> {
         if item.is_finite() {
             return Some(self.item(item));
@@ -243,7 +247,8 @@ impl Writer {
         }
     }
 
-    /// A label whose line begins in the origin of a place; down the page angles go the other way.
+    /// Returns a label whose line starts at the origin of `place`; with y down, angles have the
+    /// opposite sign.
     fn lettering(&mut self, item: &Item, place: &str, label: &Label, set: &Typeset, size_mm: f64, colour: Colour) -> Box<dyn Node> {
         let (transform, content) = match self.writing {
             Writing::Used => (format!("{place}scale({})", scale(size_mm)), self.used(set)),
@@ -259,7 +264,7 @@ impl Writer {
         node.into()
     }
 
-    /// The letters of a label, each used from the definitions.
+    /// Returns the letters of a label, each used from the definitions.
     fn used(&mut self, set: &Typeset) -> String {
         let mut out = String::new();
         for (letter, [x, y]) in letters(set) {
@@ -278,7 +283,7 @@ impl Writer {
         out
     }
 
-    /// The outlines of all letters used.
+    /// Returns the outlines of all letters used.
     fn definitions(&self) -> Definitions {
         let mut out = String::new();
         for (letter, name) in self.letters.values() {
@@ -337,8 +342,9 @@ impl Writer {
         format!("M{}{}", self.xy(on_circle(centre, radius_mm, from_rad)), self.arc_to(centre, radius_mm, from_rad, to_rad))
     }
 
-    /// An arc in pieces of at most a third of a turn: the large-arc flag is never needed, full circles close, and the rounding of the
-    /// ends cannot move the centre (that of half a turn by its root: 0.2 mm for a radius of 30 mm).
+    /// Adds an arc in pieces of at most a third of a turn: the large-arc flag is never needed, full
+    /// circles close, and the rounding of the ends cannot move the centre (with half a turn it
+    /// moves by the square root of the rounding: 0.2 mm for a radius of 30 mm).
     fn arc_to(&self, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> String {
         let sweep = to_rad - from_rad;
         let pieces = (sweep.abs() / (std::f64::consts::TAU / 3.0)).ceil().max(1.0) as usize;
@@ -372,7 +378,7 @@ fn painted(node: &mut impl Node, stroke: Option<&Stroke>, fill: Option<Colour>) 
     }
 }
 
-/// A colour as markup has it: `#1a2b3c`.
+/// Returns a colour as in markup: `#1a2b3c`.
 pub fn hex(c: Colour) -> String {
     format!("#{:02x}{:02x}{:02x}", c.r, c.g, c.b)
 }

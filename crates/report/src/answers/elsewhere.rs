@@ -1,4 +1,5 @@
-//! What figures of their own draw of the answers: centres by two lines, and what belongs to a pole by the ruler.
+//! Answers drawn on separate figures: instantaneous centres by two lines, and quantities of a pole
+//! by ruler construction.
 
 use hodograph_mechanism::answer::Value;
 use hodograph_methods::centres::{Centres, Origin, Place, centres};
@@ -10,7 +11,8 @@ use hodograph_scene::{Asked, LinkId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 use std::cell::OnceCell;
 
-/// Of each question the value on a figure of centres or of curvature; `None` where neither draws it.
+/// Returns for each question the value on a figure of centres or of curvature; `None` if neither
+/// draws it.
 pub fn drawn(scene: &Scene, worked: &Worked) -> Vec<Option<Value>> {
     let figures = Figures { scene, worked, centres: OnceCell::new() };
     scene.find.iter().map(|f| figures.value(&f.what)).collect()
@@ -65,7 +67,7 @@ impl Figures<'_> {
         }
     }
 
-    /// A centre that the ruler finds: by its pair, or by two lines.
+    /// Returns a centre by ruler construction: from its pair, or by two lines.
     fn centre(&self, q: &InstantCentre) -> Option<hodograph_base::geom::Point> {
         let found = self.centres.get_or_init(|| centres(self.scene).ok().map(|found| found.value)).as_ref()?;
         let c = found.of(q.links[0].0, q.links[1].0)?;
@@ -81,7 +83,7 @@ impl Figures<'_> {
     }
 }
 
-/// What belongs to a pole, by the ruler.
+/// Returns a quantity of a pole by ruler construction.
 fn pole(of_link: &OfLink, of: OfPole) -> Option<Value> {
     let drawn = of_link.drawn()?;
     match of {
@@ -89,7 +91,7 @@ fn pole(of_link: &OfLink, of: OfPole) -> Option<Value> {
         OfPole::Diameter => Some(Value::Scalar(drawn.normal.norm())),
         OfPole::AccelerationPole => drawn.acceleration_pole.map(Value::Point),
         OfPole::PoleVelocity => drawn.pole_velocity.map(Value::Vector),
-        // In the axes of a link that turns nothing is drawn.
+        // Nothing is drawn in the axes of a rotating link.
         _ => None,
     }
 }

@@ -5,7 +5,7 @@ use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Lang, Scene};
 use hodograph_worked::worked::{NoAnswer, Unanswered};
 
-/// The words printed instead of a missing answer.
+/// Returns the words printed instead of a missing answer.
 pub fn verdict(u: &Unanswered, lang: Lang) -> &'static str {
     match &u.why {
         NoAnswer::NoValue(_) => tr(lang, "not defined", "无定义"),
@@ -18,7 +18,7 @@ pub fn verdict(u: &Unanswered, lang: Lang) -> &'static str {
     }
 }
 
-/// Why a question has no answer, with the links.
+/// Returns the reason why a question has no answer, with the links.
 pub fn reason(scene: &Scene, u: &Unanswered, lang: Lang) -> String {
     let Refused { why, named, words, .. } = match &u.why {
         NoAnswer::NoMotion(refused) => &**refused,

@@ -1,4 +1,4 @@
-//! How a place in the plane is told.
+//! Tests of positions in the plane as text.
 
 use super::*;
 use crate::amount::amount;
@@ -9,7 +9,7 @@ use hodograph_worked::accuracy::Rung;
 use hodograph_worked::certified::ladder::parts;
 use hodograph_worked::certified::printed::with_printed;
 
-/// A crank whose answers are in this unit.
+/// Returns a crank with its answers in this unit.
 fn asking(units: &str) -> Scene {
     let text = format!(
         r#"{{"links": {{"1": ["A", "B"], "2": ["A"]}}, "ground": "2", "lengths": {{"AB": "100 mm"}},
@@ -18,7 +18,7 @@ fn asking(units: &str) -> Scene {
     read(text).unwrap_or_else(|f| panic!("{f}")).value
 }
 
-/// A place, as certified to six digits.
+/// Returns a position, certified to six digits.
 fn certified(scene: &Scene, place: Point) -> Certified {
     let ball = |x: f64| Ball::new(x, 1e-15);
     let value = Value::Point(Point::new(ball(place.x), ball(place.y)));

@@ -1,4 +1,4 @@
-//! The numbers of a cam as they are printed: enclosed, and told to as many digits as are certain.
+//! Certified numbers of a cam: enclosed, and printed to as many digits as are certain.
 
 use super::{DIGITS, Report};
 use hodograph_base::cam::{Exact, Follower, Mark, Motion, Touch, Way, whole_turns};
@@ -9,84 +9,85 @@ use hodograph_scene::{Kind, Scene, Turning};
 use hodograph_worked::accuracy::{Climb, Rung};
 use serde_json::{Value as Json, json};
 
-/// Which number of a cam is told.
+/// A number of a cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Which {
-    /// The base circle.
+    /// Radius of the base circle.
     Base,
-    /// The radius of a round end.
+    /// Radius of a round end.
     End,
-    /// The offset of a guide.
+    /// Offset of a guide.
     Offset,
-    /// The distance of the pivots.
+    /// Distance of the pivots.
     Distance,
-    /// The arm of a swinging follower.
+    /// Length of the arm of an oscillating follower.
     Arm,
-    /// The greatest lift.
+    /// Largest lift.
     Stroke,
-    /// The angles of all phases of a kind: the sense in which the follower moves, whether it rests outside.
+    /// Total angle of all phases of a kind: direction of the follower's motion, and true for an
+    /// outer dwell.
     Phase(i8, bool),
-    /// The angle at which a stage of the law begins.
+    /// Angle at the start of a stage of the law.
     Start(usize),
-    /// The rise or return of a stage of the law.
+    /// Rise or return of a stage of the law.
     Gain(usize),
-    /// The angle of an extreme.
+    /// Angle of an extreme.
     At(Mark),
-    /// The value of an extreme, rates by the time; a pressure angle without its sign.
+    /// Value of an extreme, rates by time; a pressure angle without its sign.
     Most(Mark),
-    /// The value of an extreme, rates by the angle of the cam.
+    /// Value of an extreme, rates by the cam angle.
     ByPhi(Mark),
-    /// The angle of a shock.
+    /// Angle of a shock.
     JumpAt(usize),
-    /// The rate before (0) or after (1) a shock, by the time.
+    /// Rate before (0) or after (1) a shock, by time.
     Jump(usize, usize),
-    /// [`Which::Jump`] by the angle of the cam.
+    /// [`Which::Jump`] by the cam angle.
     JumpByPhi(usize, usize),
-    /// The radius of the sharpest hollow, without its sign.
+    /// Smallest radius of curvature of a concave part, without its sign.
     Hollow,
-    /// The angle at which the hollow is touched first.
+    /// Cam angle of the first contact with that concave part.
     HollowAt,
-    /// The least base circle without an undercut.
+    /// Smallest base circle without undercut.
     LeastBase,
-    /// At the instant.
+    /// A number at the instant.
     Now(Now),
 }
 
 /// A number at the instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Now {
-    /// The angle of the cam.
+    /// Cam angle.
     Phi,
-    /// The lift, or its first or second derivative by the time.
+    /// Lift, or its first or second time derivative.
     Lift(usize),
-    /// The pressure angle.
+    /// Pressure angle.
     Pressure,
-    /// The radius of curvature of the profile.
+    /// Radius of curvature of the profile.
     Rho,
-    /// The radius of curvature of the pitch curve.
+    /// Radius of curvature of the pitch curve.
     Pitch,
 }
 
-/// In which unit a number is told.
+/// Unit of a printed number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
-    /// SI.
+    /// SI unit.
     Si,
-    /// A length.
+    /// Unit of lengths.
     Length,
     /// Degrees.
     Degrees,
-    /// The follower's coordinate (0), its rate (1) or the rate of that (2).
+    /// Unit of the follower's coordinate (0), of its rate (1) or of its second derivative (2).
     Lift(usize),
 }
 
-/// An angle in the turn from 0 on.
+/// Returns an angle reduced to one turn from 0.
 fn in_turn<N: Real>(angle: N) -> N {
     angle - whole_turns(libm::floor(angle.approx() / std::f64::consts::TAU + 1e-13))
 }
 
 impl Which {
-    /// The number in SI; angles of the cam in its turn.
+    /// Returns the number in SI; cam angles are reduced to one turn.
     pub fn of<N: Real>(self, scene: &Scene, turning: &Turning) -> Option<N> {
         let (cam, phi) = turning.exact::<N>(scene)?;
         let [w, a] = turning.rates_in::<N>(scene);
@@ -160,7 +161,7 @@ fn at_the_instant<N: Real>(now: Now, cam: &Exact<N>, (turning, phi): (&Turning, 
     })
 }
 
-/// One number in numbers of any kind, in its unit.
+/// A number of a report, to be evaluated in any number format, in its unit.
 struct Look<'a, 'b> {
     report: &'b Report<'a>,
     which: Which,
@@ -176,14 +177,14 @@ impl Climb for Look<'_, '_> {
     }
 }
 
-/// Beside the size of a cam nothing is less than this and not zero.
+/// Largest magnitude that counts as zero relative to the size of a cam.
 const NOTHING: f64 = 1e-25;
 
-/// The longest numbers that are taken: six digits of an extreme need no more.
+/// The number formats tried, up to the longest: six digits of an extreme need no more.
 const RUNGS: [Rung; 3] = [Rung::Double, Rung::DoubleDouble, Rung::Long(384)];
 
 impl Report<'_> {
-    /// A number in the unit in which it is printed.
+    /// Returns a number in the unit in which it is printed.
     fn in_unit<N: Real>(&self, unit: Unit, si: N) -> N {
         let book = &self.scene.book;
         match unit {
@@ -198,7 +199,8 @@ impl Report<'_> {
         }
     }
 
-    /// An interval around a number that is as narrow as `digits` digits need; `None` where it has none.
+    /// Returns an interval around a number, narrow enough for `digits` digits if possible; `None`
+    /// if there is no such number.
     pub fn enclosed(&self, which: Which, unit: Unit, digits: usize) -> Option<Enclosure> {
         let mut last = None;
         for rung in RUNGS {
@@ -210,23 +212,26 @@ impl Report<'_> {
         last
     }
 
-    /// A number to at most `digits` digits, all of them true; `None` where not one is certain.
+    /// Returns a number to at most `digits` digits, all of them correct; `None` if no digit is
+    /// certain.
     pub fn told(&self, which: Which, unit: Unit, digits: usize) -> Option<String> {
         let e = self.enclosed(which, unit, digits)?;
         if e.contains_zero() {
             return (e.largest() <= NOTHING).then(|| "0".to_owned());
         }
-        // An exact tie is none with a digit more.
+        // An exact tie at one digit is resolved with one digit more.
         let all = [digits, digits + 1, digits + 2].into_iter().chain((1..digits).rev());
         all.into_iter().find_map(|k| e.rounded(k)).map(|text| hodograph_base::digits::plain(&text))
     }
 
-    /// [`Report::told`] to the digits of the report; about the number of double precision where nothing is certain.
+    /// Returns [`Report::told`] to the digits of the report; if nothing is certain, the approximate
+    /// value from double precision.
     pub(super) fn digits(&self, which: Which, unit: Unit, rough_si: f64) -> String {
         self.told(which, unit, DIGITS).unwrap_or_else(|| format!("≈ {}", significant(self.in_unit(unit, rough_si), 2)))
     }
 
-    /// The nearest double of a number in SI, for programs; that of double precision where nothing encloses it.
+    /// Returns the nearest double of a number in SI, as JSON; the value of double precision if it
+    /// is not enclosed.
     pub(super) fn nearest(&self, which: Which, rough: f64) -> Json {
         let told = self.enclosed(which, Unit::Si, 17).filter(|e| e.radius <= 1e-15 * e.approx.abs().max(NOTHING));
         let value = told.map_or(rough, |e| if e.contains_zero() { 0.0 } else { e.approx });

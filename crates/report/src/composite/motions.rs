@@ -8,7 +8,9 @@ use hodograph_scene::quantity::Frame;
 use hodograph_scene::{Guide, GuidePath, Lang, LinkId, PointId};
 
 impl Words<'_> {
-    /// The three motions by name: `Absolute motion: a circle about A. Relative motion: ... Transport motion: link 2 turns about C.`
+    /// Returns the three motions by name:
+    /// `Absolute motion: a circle about A. Relative motion: ... Transport motion: link 2 turns
+    /// about C.`
     pub(super) fn three_motions(&self, c: &Choice) -> Phrase {
         let (scene, lang) = (self.scene, self.lang);
         let ground = &scene.links[scene.ground.0].points;

@@ -1,4 +1,5 @@
-//! The checks of the force polygons in words: the equilibrium of all links together, and Zhukovsky's lever.
+//! Checks of the force polygons in words: the equilibrium of all links together, and Zhukovsky's
+//! lever.
 
 use super::{ForceWriter, NO_ARM_MM, Sum};
 use hodograph_base::digits::{direction_degrees, inked, significant};
@@ -11,14 +12,15 @@ use hodograph_scene::quantity::ROUNDING;
 use hodograph_scene::{Kind, Lang};
 
 impl ForceWriter<'_> {
-    /// The checks as plain text.
+    /// Returns the checks as plain text.
     pub fn checks_text(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> String {
         let Some((heading, sentences)) = self.checks(at, lever) else { return String::new() };
         let lines = sentences.iter().enumerate().map(|(k, sentence)| format!("  {:>3}. {}\n", k + 1, sentence.plain()));
         format!("  {heading}\n") + &lines.collect::<String>()
     }
 
-    /// The checks under their heading: the forces on all links together, and the lever with the letter of its pole.
+    /// Returns the checks with their heading: the forces on all links together, and the lever with
+    /// the letter of its pole.
     pub fn checks(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> Option<(&'static str, Vec<Phrase>)> {
         let whole = Whole::of(self.scene, at, self.of).map(|whole| self.whole(&whole));
         let by_lever = lever.map(|(lever, pole)| self.lever(lever, pole)).unwrap_or_default();
@@ -31,7 +33,7 @@ impl ForceWriter<'_> {
         (!all.is_empty()).then_some((heading, all))
     }
 
-    /// The sum of the loads beside that of the reactions of the ground.
+    /// Returns the sum of the loads beside that of the ground reactions.
     fn whole(&self, whole: &Whole) -> Phrase {
         let largest = self.of.forces.largest;
         let sum = |v: Vec2| match v.unit().filter(|_| v.norm() > ROUNDING * largest) {
@@ -49,7 +51,8 @@ impl ForceWriter<'_> {
         })
     }
 
-    /// The moments of all loads about the pole, with arms as measured, and what they give. `pole` is the letter of the pole.
+    /// Returns the moments of all loads about the pole, with arms as measured, and the result.
+    /// `pole` is the letter of the pole.
     pub fn lever(&self, lever: &Lever, pole: &str) -> Vec<Phrase> {
         let mut sum = Sum::default();
         for force in lever.forces.iter().filter(|f| f.arm_mm > NO_ARM_MM) {
@@ -66,7 +69,7 @@ impl ForceWriter<'_> {
             Lang::En => format!("Moments of all loads about ${pole}$: {equation}."),
             Lang::Zh => format!("各载荷对 ${pole}$ 取矩：{equation}。"),
         };
-        // A balancing force at a point has an arm of its own on the lever.
+        // A balancing force at a point has its own arm on the lever.
         let balance = self.scene.loads.balance.as_ref();
         let by_lever = lever.balance(self.scene).filter(|_| balance.is_none_or(|b| b.force.is_none()));
         let (relation, beside) = match by_lever {

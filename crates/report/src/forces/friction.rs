@@ -1,4 +1,4 @@
-//! Friction in words.
+//! Friction on the links of a group, in words.
 
 use super::{DIGITS, ForceWriter};
 use hodograph_base::digits::{inked, significant};
@@ -10,7 +10,8 @@ use hodograph_scene::quantity::{Contact, contacts};
 use hodograph_scene::{Kind, Lang, LinkId, Rub};
 
 impl ForceWriter<'_> {
-    /// The part of a reaction: of a guide that rubs the polygon has the normal force.
+    /// Returns the part of a reaction that the polygon contains: for a guide with friction the
+    /// normal force.
     pub(super) fn part(&self, of: Party, on: LinkId, part: Part) -> Part {
         let rubs = |by: LinkId| {
             self.scene.loads.friction.iter().any(|f| match f.at {
@@ -24,7 +25,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// Friction on the links of a group, from the reactions of the polygon before.
+    /// Returns the friction on the links of a group, from the reactions of the previous polygon.
     pub(super) fn friction(&self, group: &GroupForces) -> Option<String> {
         let mut seen = Vec::new();
         let mut all = Vec::new();

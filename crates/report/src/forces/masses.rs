@@ -1,8 +1,10 @@
-//! Rods as two masses: a reading aid.
+//! Dynamically equivalent two-mass systems of rods, given as a reading aid.
 //!
-//! Two masses m₁ and m₂ at distances l₁ and l₂ from the centre of mass, on both sides, move as a rod of mass m and radius of gyration k if m₁ + m₂ = m, m₁ l₁ = m₂ l₂ and
-//! l₁ l₂ = k². With one mass in a pin the other lies in the centre of percussion; masses in both pins, l₁ and l₃ away, need the couple m (l₁ l₃ − k²) α besides. The solver
-//! takes mass and moment of inertia as they are.
+//! Two masses m₁ and m₂ at distances l₁ and l₂ from the centre of mass, on opposite sides, are
+//! equivalent to a rod of mass m and radius of gyration k if m₁ + m₂ = m, m₁ l₁ = m₂ l₂ and l₁ l₂ =
+//! k². With one mass in a pin the other is at the centre of percussion; masses in both pins, at
+//! distances l₁ and l₃, additionally need the couple m (l₁ l₃ − k²) α. The solver uses mass and
+//! moment of inertia directly.
 //!
 //! # Source
 //! R. S. Khurmi, J. K. Gupta, *Theory of Machines*, ch. 15; 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4 (质量代换法).
@@ -15,11 +17,13 @@ use hodograph_mechanism::force::Cause;
 use hodograph_scene::quantity::parties;
 use hodograph_scene::{Kind, Lang, Mass, PointId};
 
-/// A centre of mass farther from the line of the pins than this part of the rod lies beside it.
+/// Largest distance of a centre of mass from the line of the pins, as a fraction of the rod, at
+/// which it counts as on the line.
 const BESIDE: f64 = 1e-9;
 
 impl ForceWriter<'_> {
-    /// A sentence for each rod between two moving pins with its centre of mass on the line between them.
+    /// Returns a sentence for each rod between two moving pins with its centre of mass on the line
+    /// between them.
     pub(super) fn two_masses(&self) -> Vec<String> {
         self.scene.loads.masses.iter().filter_map(|mass| self.as_two(mass)).collect()
     }
@@ -60,7 +64,7 @@ impl ForceWriter<'_> {
         })
     }
 
-    /// A point of the mechanism (m).
+    /// Returns a point of the mechanism (m).
     fn place(&self, p: PointId) -> Option<Point> {
         let mark = self.of.drawn.marks[self.of.places[p.0]?.index()]?;
         Some((mark.to_vec2() * self.of.scales.get(Kind::Length)?).to_point())

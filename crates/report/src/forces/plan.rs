@@ -1,4 +1,4 @@
-//! The plan of forces: the groups in the reverse of the solving order, each with its moments and its equation.
+//! The plan of forces: the groups in reverse solving order, each with its moments and its equation.
 
 use super::ForceWriter;
 use crate::plan::table;
@@ -10,7 +10,8 @@ use hodograph_scene::{Lang, LinkId};
 use serde_json::{Value as Json, json};
 
 impl ForceWriter<'_> {
-    /// The plan as lines of text, after the `before` equations of velocities and accelerations.
+    /// Returns the plan as lines of text, after the `before` equations of velocities and
+    /// accelerations.
     pub fn plan(&self, before: usize) -> String {
         let mut out = format!("{}\n", tr(self.lang, "forces", "力"));
         let mut number = before;
@@ -30,7 +31,7 @@ impl ForceWriter<'_> {
         out + &self.undrawn()
     }
 
-    /// The plan for programs.
+    /// Returns the plan as JSON.
     pub fn plan_json(&self) -> Json {
         let names = |links: &[LinkId]| links.iter().map(|l| self.scene.link_name(*l)).collect::<Vec<_>>();
         let both = |tex: &str| json!({"text": formula(tex), "tex": tex});
@@ -72,7 +73,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// The point about which moments are taken, in the label language.
+    /// Returns the point about which moments are taken, in the label language.
     pub(super) fn about(&self, about: About) -> String {
         match about {
             About::Point(p) => point_label(self.scene.point_name(p)),
@@ -80,7 +81,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// The result of moments, in the label language.
+    /// Returns the unknown that moments determine, in the label language.
     fn given(&self, m: &Moments) -> String {
         match m.gives {
             Gives::Force(term, _) | Gives::Trial { force: term, .. } => self.symbol(term),

@@ -8,14 +8,15 @@ use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang};
 
 impl ForceWriter<'_> {
-    /// The sentence of each step of a group, in the order of [`hodograph_board::equilibrium::Equilibrium::acts`].
+    /// Returns the sentence of each step of a group, in the order of
+    /// [`hodograph_board::equilibrium::Equilibrium::acts`].
     pub fn steps(&self, group: &GroupForces) -> Vec<Phrase> {
         let acts = self.of.acts(group);
         let mut begun = false;
         acts.iter().map(|act| Phrase::new(&self.step(group, act, &mut begun))).collect()
     }
 
-    /// The sentence of a step; `begun` is true once a force is laid off.
+    /// Returns the sentence of a step; `begun` is set once a force is drawn.
     fn step(&self, group: &GroupForces, act: &Act, begun: &mut bool) -> String {
         match act {
             Act::Free => self.freed(group),
@@ -33,7 +34,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// The letters of a vector's ends: `ab`.
+    /// Returns the letters of a vector's ends: `ab`.
     pub(super) fn between(&self, group: &GroupForces, side: &Side) -> String {
         let v = &self.of.construction.vectors[side.vector.index()];
         self.vertex(group, v.from) + &self.vertex(group, v.to)
@@ -43,7 +44,7 @@ impl ForceWriter<'_> {
         self.letters(group).into_iter().find(|(m, _)| *m == mark).map_or_else(String::new, |(_, letter)| letter)
     }
 
-    /// The loads on the links that are drawn apart, and the reactions to be found.
+    /// Returns the loads on the free-body diagrams of the links, and the reactions to be found.
     fn freed(&self, group: &GroupForces) -> String {
         let mut known: Vec<String> = Vec::new();
         let mut add = |symbol: String| {
@@ -59,7 +60,7 @@ impl ForceWriter<'_> {
                 add(self.couple(Term::Load(k)));
             }
         }
-        // Reactions of groups that are drawn before.
+        // Reactions from groups that are drawn before.
         let inside = |of: Party| matches!(of, Party::Link(l) if group.links.contains(&l));
         let whole = |s: &Side| match s.term {
             Term::Reaction { of, on, .. } if !inside(of) => Some(self.symbol(Term::Reaction { of, on, part: Part::Whole })),

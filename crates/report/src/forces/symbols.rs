@@ -8,7 +8,7 @@ use hodograph_mechanism::force::Cause;
 use hodograph_scene::{DiagramKind, GuideId, LinkId, PointId, Rub, Size};
 
 impl ForceWriter<'_> {
-    /// The symbol of a force, in the label language: `F^{t}_{12}`, `G_{2}`, `F_{I2}`.
+    /// Returns the symbol of a force, in the label language: `F^{t}_{12}`, `G_{2}`, `F_{I2}`.
     pub fn symbol(&self, term: Term) -> String {
         match self.marks(term) {
             (letter, "", sub) => format!("{letter}_{{{sub}}}"),
@@ -16,7 +16,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// The letter of a force, its superscript and its subscript.
+    /// Returns the letter of a force, its superscript and its subscript.
     fn marks(&self, term: Term) -> (char, &str, String) {
         let (of, on, part) = match term {
             Term::Load(k) => {
@@ -43,7 +43,8 @@ impl ForceWriter<'_> {
         ('F', sup, format!("{}{sub}", self.notation.reaction))
     }
 
-    /// The letter and the subscript of a load; of a load that is a couple alone those of its couple.
+    /// Returns the letter and the subscript of a load; for a load that is only a couple, those of
+    /// the couple.
     fn load(&self, k: usize) -> (char, String) {
         let load = &self.of.loads[k];
         let link = name_label(self.scene.link_name(load.link));
@@ -72,7 +73,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// A force as `find` writes it: `F_12`, `Fn_12`.
+    /// Returns a force as `find` writes it: `F_12`, `Fn_12`.
     pub fn plain(&self, term: Term) -> String {
         match term {
             Term::Load(_) => self.symbol(term).replace(['{', '}', '\\'], ""),
@@ -96,19 +97,19 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// The symbol of a load's couple.
+    /// Returns the symbol of a load's couple.
     pub fn couple_of(&self, load: usize) -> String {
         self.couple(Term::Load(load))
     }
 
-    /// The name of the arm of a force: `h_{G2}`.
+    /// Returns the name of the arm of a force: `h_{G2}`.
     pub fn arm_name(&self, term: Term) -> String {
         let (letter, sup, sub) = self.marks(term);
         let letter = if letter == 'F' { String::new() } else { letter.to_string() };
         format!("h_{{{letter}{sup}{sub}}}")
     }
 
-    /// The symbol of the couple of a load or of what presses on a link.
+    /// Returns the symbol of the couple of a load or of a reaction on a link.
     pub(super) fn couple(&self, term: Term) -> String {
         match term {
             Term::Load(k) => match self.of.loads[k].cause {
@@ -121,7 +122,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// The letter of a crossing of lines of action.
+    /// Returns the letter of an intersection of lines of action.
     pub fn crossing(&self, at: MarkId) -> String {
         let letter = crossing_letter(self.scene);
         let c = &self.of.construction;
@@ -134,18 +135,18 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// The links that a guide joins, as a subscript.
+    /// Returns the links that a guide joins, as a subscript.
     pub(super) fn pair(&self, guide: GuideId) -> String {
         let g = &self.scene.guides[guide.0];
         g.slider.map_or_else(String::new, |s| format!("{}{}", self.scene.link_name(g.on), self.scene.link_name(s)))
     }
 
-    /// The balancing moment of a driver.
+    /// Returns the symbol of a driver's balancing moment.
     pub fn balance(&self, driver: usize) -> String {
         format!("M_{{{}}}", self.balanced(driver))
     }
 
-    /// The subscript of a driver's balancing force or moment, as questions have it: b, b2.
+    /// Returns the subscript of a driver's balancing force or moment, as in questions: b, b2.
     fn balanced(&self, driver: usize) -> String {
         if driver > 0 { format!("b{}", driver + 1) } else { "b".into() }
     }

@@ -1,10 +1,10 @@
-//! Belts and chains among what is given.
+//! Belts and chains in the given data.
 
 use super::Givens;
 use hodograph_scene::{Contours, Lang, Rolling};
 
 impl Givens<'_> {
-    /// Round which two wheels a strand runs.
+    /// Returns the two wheels of a strand in words.
     pub(super) fn belt(&self, pair: &Rolling) -> String {
         let [a, b] = pair.links.map(|l| self.link(l));
         match (pair.kind.is_toothed(), self.lang()) {
@@ -15,7 +15,8 @@ impl Givens<'_> {
         }
     }
 
-    /// Whether the belt is open or crossed; nothing of other pairs, and of a chain only where it runs on its back.
+    /// Returns whether a belt is open or crossed; `None` for other pairs, and for a chain unless it
+    /// runs on its back.
     pub(super) fn crossing(&self, pair: &Rolling) -> Option<String> {
         let Contours::Belt { crossed, .. } = pair.contours else { return None };
         let words = match (crossed, pair.kind.is_toothed()) {

@@ -1,5 +1,5 @@
-//! Cams as given things: the profile or the law, and with what the follower touches. The pairs and drivers that stand for a contact are part of the
-//! solution, and are not told among what is given.
+//! Cams in the given data: the profile or the law, and the form of the follower's end. The pairs
+//! and drivers that represent a contact belong to the solution and are not listed.
 
 use super::super::cam::dwell;
 use super::Givens;
@@ -7,17 +7,18 @@ use hodograph_base::cam::{Law, Motion, Segment, Way};
 use hodograph_scene::{Cam, Follows, GuideId, Lang, PointId};
 
 impl Givens<'_> {
-    /// Whether a guide stands for the contact of a cam.
+    /// Returns true if a guide represents the contact of a cam.
     pub(super) fn is_contact(&self, g: usize) -> bool {
         self.scene.cams.iter().any(|c| c.contact == Some(GuideId(g)))
     }
 
-    /// Whether a point came with a cam, as the mark that tells its angle, and stands in no list of the file.
+    /// Returns true if a point belongs to a cam, as the mark of its angle, and is not listed in the
+    /// file.
     pub(super) fn is_of_cam(&self, p: PointId) -> bool {
         self.scene.cams.iter().any(|c| c.span == self.scene.points[p.0].span)
     }
 
-    /// A cam with its follower, in words.
+    /// Returns a cam with its follower, in words.
     pub(super) fn cam(&self, c: &Cam) -> String {
         let (cam, follower) = (self.link(c.cam), self.link(c.follower));
         let length = |m: f64| self.scene.length_words(m);
@@ -69,7 +70,7 @@ impl Givens<'_> {
 }
 
 impl Givens<'_> {
-    /// The pieces of a profile.
+    /// Returns the pieces of a profile.
     fn pieces(&self, segments: &[Segment]) -> String {
         let one = |s: &Segment| match s {
             Segment::Line { .. } => self.tr("line", "直线").to_owned(),

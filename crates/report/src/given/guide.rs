@@ -1,26 +1,28 @@
-//! Guides in words, as books give them: what slides on which link, and how the line lies ("in a horizontal guide", 水平导路).
+//! Guides in words, as in textbooks: the sliding part, the link with the guide, and the direction
+//! of the line ("in a horizontal guide", 水平导路).
 
 use super::Givens;
 use hodograph_board::plan::text::point_label;
 use hodograph_scene::{Angle, Direction, Guide, GuidePath, Lang, Through};
 
-/// A direction counts as level or upright within this many degrees: it may have been computed.
+/// Tolerance in degrees for a horizontal or vertical direction, which may be computed.
 const NEAR_DEG: f64 = 1e-9;
 
-/// How a guide or a track lies, as parts of a sentence.
+/// The position of a guide or a track, as parts of a sentence.
 #[derive(Default)]
 pub(super) struct Lay {
-    /// Before the noun: "horizontal ", 水平.
+    /// Attribute before the noun: "horizontal ", 水平.
     pub attribute: &'static str,
-    /// English: after the noun, with a blank before it. Chinese: before the noun, with 的 at its end.
+    /// English: phrase after the noun, with a space before it. Chinese: phrase before the noun,
+    /// with 的 at its end.
     pub course: String,
     /// Chinese: the line's name after the noun.
     pub name: String,
-    /// How far a guide stands off what it would go through, at the end of the sentence.
+    /// Offset of a guide from the point that it would pass through, at the end of the sentence.
     pub offset: String,
 }
 
-/// A level or an upright direction.
+/// Returns the attribute of a horizontal or vertical direction.
 fn attribute(angle: Angle, lang: Lang) -> Option<&'static str> {
     let quarters = angle.degrees() / 90.0;
     let nearest = quarters.round();
@@ -35,7 +37,7 @@ fn attribute(angle: Angle, lang: Lang) -> Option<&'static str> {
 }
 
 impl Givens<'_> {
-    /// What runs in the guide, and where the guide lies.
+    /// Returns the sliding part of a guide, and its position.
     pub(super) fn guide(&self, g: &Guide) -> String {
         let on = self.link(g.on);
         let runner = match (g.pin, g.slider, self.lang()) {
@@ -68,7 +70,7 @@ impl Givens<'_> {
         }
     }
 
-    /// How the line of a guide lies; nothing of an arc.
+    /// Returns the position of a guide's line; empty for an arc.
     pub(super) fn lay(&self, path: &GuidePath) -> Lay {
         let GuidePath::Line { through, direction, offset } = path else { return Lay::default() };
         let mut lay = Lay::default();

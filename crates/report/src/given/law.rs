@@ -1,4 +1,5 @@
-//! Laws of time: as a problem gives them, and what they give at the instant, as a solution begins.
+//! Laws of time: as given in a problem, and their values at the instant, as at the start of a
+//! solution.
 
 use super::Givens;
 use hodograph_board::plan::names::name_label;
@@ -6,13 +7,13 @@ use hodograph_paper::paper::label::greek;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_scene::{Kind, Position, TimeLaw};
 
-/// An expression as it is printed: `2*omega*t` is `2·ω·t`, `60 deg` is `60°`.
+/// Returns an expression as it is printed: `2*omega*t` is `2·ω·t`, `60 deg` is `60°`.
 pub fn printed(text: &str) -> String {
     let plain = text.replace("^2", "²").replace("^3", "³").replace('*', "·").replace('-', "−");
     let mut out = String::new();
     let mut rest = plain.as_str();
     while let Some(c) = rest.chars().next() {
-        // A name begins with a letter and goes on with letters, digits and underscores.
+        // A name starts with a letter and continues with letters, digits and underscores.
         let name = |c: char| c.is_alphanumeric() || c == '_';
         let end = if c.is_alphabetic() { rest.find(|c| !name(c)).unwrap_or(rest.len()) } else { c.len_utf8() };
         let (word, behind) = rest.split_at(end);
@@ -33,20 +34,23 @@ pub fn printed(text: &str) -> String {
     out
 }
 
-/// Symbols of a driver in the label language. The rates of a length have none: v and a are those of points.
+/// Symbols of a driver in the label language. The rates of a length have none, because v and a are
+/// those of points.
 struct Symbols {
     position: String,
     rates: Option<[String; 2]>,
 }
 
 impl Givens<'_> {
-    /// What the laws of time give at the instant, a line each; none where the scene has no laws.
+    /// Returns the values of the laws of time at the instant, one line each; empty if the scene has
+    /// no laws.
     pub fn laws(&self) -> Vec<Phrase> {
         let drivers = (0..self.scene.drivers.len()).filter(|d| self.scene.drivers[*d].law.is_some() && !self.scene.is_led(*d));
         drivers.map(|d| Phrase::new(&self.differentiated(d))).collect()
     }
 
-    /// The law of a driver with the values of its parameters, in place of its position and rates.
+    /// Returns the law of a driver with the values of its parameters, in place of its position and
+    /// rates.
     pub(super) fn by_law(&self, d: usize, law: &TimeLaw) -> String {
         let position = self.symbols(d).position;
         let comma = self.tr(", ", "，");

@@ -1,11 +1,11 @@
-//! Masses, forces, springs.
+//! Masses, forces and springs in the given data.
 
 use super::{Givens, as_written, inked};
 use hodograph_board::plan::names::name_label;
 use hodograph_scene::{Abscissa, Along, Course, Given, Lang, Mass, Rub, Size};
 
 impl Givens<'_> {
-    /// Given masses, loads and springs, a line for each.
+    /// Returns the given masses, loads and springs, one line each.
     pub(super) fn loads(&self) -> Vec<String> {
         let loads = &self.scene.loads;
         let mut all = Vec::new();
@@ -118,7 +118,7 @@ impl Givens<'_> {
         }
     }
 
-    /// The part of the motion over which a load acts, with its amounts there.
+    /// Returns the part of the motion over which a load acts, with its amounts there.
     fn course(&self, course: &Course, couple: bool) -> String {
         let place = |x: &Abscissa| match x {
             Abscissa::Part(x) => format!("${}$", inked(x.value)),
@@ -163,7 +163,7 @@ impl Givens<'_> {
         parts.join(self.tr(", ", "，"))
     }
 
-    /// An amount as it is written where that is a number with its unit, else in SI units.
+    /// Returns an amount as it is written if it is a number with its unit, else in SI units.
     fn amount(&self, given: &Given, si: &str) -> String {
         let text = given.text.trim();
         let end = text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-'))).unwrap_or(text.len());

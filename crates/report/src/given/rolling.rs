@@ -1,11 +1,12 @@
-//! Gears, racks and wheels among what is given.
+//! Gears, racks and wheels in the given data.
 
 use super::Givens;
 use super::guide::Lay;
 use hodograph_scene::{Contours, Direction, Flanks, GuidePath, Lang, Rolling, RollingKind, Sizes};
 
 impl Givens<'_> {
-    /// A rolling pair in one sentence: `gears 2 and 4: $z_{2} = 20$, $z_{4} = 40$, pitch point $K$`.
+    /// Returns a rolling pair in one sentence:
+    /// `gears 2 and 4: $z_{2} = 20$, $z_{4} = 40$, pitch point $K$`.
     pub(super) fn rolling(&self, pair: &Rolling) -> String {
         let mut parts: Vec<String> = self.sizes(pair).into_iter().collect();
         parts.extend(self.crossing(pair));
@@ -32,7 +33,7 @@ impl Givens<'_> {
         format!("{}{}", self.pair(pair), parts.join(self.words().comma))
     }
 
-    /// Which two links, and how they lie to one another.
+    /// Returns the two links and their arrangement.
     fn pair(&self, pair: &Rolling) -> String {
         let [a, b] = pair.links.map(|l| self.link(l));
         let (en, fixed) = (self.lang() == Lang::En, pair.links[0] == self.scene.ground);
@@ -59,7 +60,8 @@ impl Givens<'_> {
                 if en { format!("gear {inner} in the ring gear {ring}: ") } else { format!("齿轮 {inner} 与内齿轮 {ring}：") }
             }
             (Contours::Track { .. }, toothed) => {
-                // The guide of the wheel's centre stands off the track by its radius, which is told as such.
+                // The offset of the wheel centre's guide from the track is the radius, which is
+                // stated separately.
                 let Lay { attribute, course, name, .. } = self.track(pair);
                 match (toothed, en) {
                     (true, true) => format!("gear {b} on the {attribute}rack of {on}{course}: "),
@@ -80,7 +82,7 @@ impl Givens<'_> {
         }
     }
 
-    /// How a straight track lies.
+    /// Returns the position of a straight track.
     fn track(&self, pair: &Rolling) -> Lay {
         let path = pair.guide().map(|g| &self.scene.guides[g.0].path);
         match path {
@@ -91,7 +93,7 @@ impl Givens<'_> {
         }
     }
 
-    /// Numbers of teeth, module, radii.
+    /// Returns numbers of teeth, module and radii.
     fn sizes(&self, pair: &Rolling) -> Vec<String> {
         let [a, b] = pair.links.map(|l| hodograph_board::plan::names::name_label(self.link(l)));
         let radius = |of: &str, r| format!("$r_{{{of}}} = {}$", self.length(r));

@@ -1,4 +1,4 @@
-//! Mean balancing moment, surplus of energy and flywheel.
+//! Mean balancing moment, surplus energy and flywheel.
 
 use super::Words;
 use hodograph_base::digits::significant;
@@ -8,10 +8,11 @@ use hodograph_sweep::energy::Energy;
 use hodograph_sweep::extreme::Limits;
 use serde_json::{Value as Json, json};
 
-/// Energy of a period, with the driver's mean speed (rad/s) and the coefficient of speed fluctuation that is asked for.
+/// Energy of a period, with the driver's mean speed (rad/s) and the requested coefficient of speed
+/// fluctuation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Balanced {
-    /// Mean moment and surplus.
+    /// Mean moment and surplus energy.
     pub energy: Energy,
     /// Mean speed (rad/s).
     pub rate: f64,
@@ -20,7 +21,7 @@ pub struct Balanced {
 }
 
 impl Balanced {
-    /// The lines of text.
+    /// Returns the lines of text.
     pub fn text(&self, scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String {
         let w = Words::new(scene, driver, limits, lang);
         let of = |kind: Kind, x: f64| scene.book.text(kind, &significant(scene.book.value(kind, x), 6));
@@ -44,7 +45,7 @@ impl Balanced {
         out
     }
 
-    /// The numbers, in SI units.
+    /// Returns the numbers as JSON, in SI units.
     pub fn json(&self) -> Json {
         let e = &self.energy;
         json!({

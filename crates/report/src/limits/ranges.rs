@@ -1,4 +1,4 @@
-//! The ranges of a four-bar's lengths for each of Grashof's types, for people and programs.
+//! The ranges of a four-bar linkage's lengths for each of Grashof's types, as text and JSON.
 
 use super::{grashof_words, tr};
 use hodograph_base::diag::{Diagnostic, both};
@@ -10,10 +10,10 @@ use serde_json::{Value as Json, json};
 /// A length, its value (m), and its ranges.
 pub type OfLength = (Length, f64, Vec<Range>);
 
-/// The ranges of all four lengths.
+/// Returns the ranges of all four lengths.
 ///
 /// # Errors
-/// The mechanism is no four-bar of four pins that a crank drives.
+/// The mechanism is not a four-bar linkage with four pins and a driving crank.
 pub fn of(limits: &Limits) -> Result<Vec<OfLength>, Diagnostic> {
     let Some((_, lengths)) = limits.grashof else {
         let d = Diagnostic::error(
@@ -37,7 +37,7 @@ fn named(which: Length, lang: Lang) -> &'static str {
     }
 }
 
-/// A table for each length.
+/// Returns a table for each length.
 pub fn text(scene: &Scene, all: &[OfLength], lang: Lang) -> String {
     let mut out = String::new();
     let words = |m: f64| scene.length_words(m);
@@ -54,7 +54,7 @@ pub fn text(scene: &Scene, all: &[OfLength], lang: Lang) -> String {
     out
 }
 
-/// In SI.
+/// Returns the ranges as JSON, in SI.
 pub fn json(all: &[OfLength]) -> Json {
     let range =
         |r: &Range| json!({"type": grashof_words(r.kind, Lang::En), "from": r.from, "to": r.to, "change_point_at_the_end": r.change_point});

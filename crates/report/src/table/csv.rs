@@ -1,24 +1,25 @@
-//! Comma-separated values (RFC 4180): notes are lines that begin with `#`, then the labels, then a line for each row. Numbers are the
-//! shortest that read back to the same `f64`; what is none, infinite ones among it, is an empty field.
+//! Comma-separated values (RFC 4180): notes are lines that start with `#`, then the labels, then a
+//! line for each row. Numbers have the shortest form that reads back to the same `f64`; values that
+//! are not finite are empty fields.
 
 use super::{Format, Head, Piece, Standing};
 use hodograph_base::diag::Diagnostic;
 use rayon::prelude::*;
 use std::io;
 
-/// CSV with a head.
+/// The CSV format with a head.
 pub struct Csv {
     head: Head,
 }
 
-/// Rows that one thread writes at a time: some hundred kilobytes of text.
+/// Number of rows that one thread writes at a time: some hundred kilobytes of text.
 const ROWS: usize = 2048;
 
-/// About as many characters have a number and its comma.
+/// Typical number of characters of a number and its comma.
 const WIDTH: usize = 20;
 
 impl Csv {
-    /// A table with this head.
+    /// Returns the format for a table with this head.
     pub fn new(head: Head) -> Csv {
         Csv { head }
     }
@@ -28,7 +29,8 @@ impl Csv {
         let (mut real, mut whole) = (zmij::Buffer::new(), itoa::Buffer::new());
         for i in rows {
             for (column, heading) in columns.iter().zip(&self.head.columns) {
-                // A whole number of f64 is below 2^53. What is no number, such as the radius of a straight line, has an empty field.
+                // A whole number of f64 is below 2^53. A value that is not finite, such as the
+                // radius of a straight line, is an empty field.
                 let number = match (heading.whole, column[i].is_finite()) {
                     (true, _) => whole.format(column[i] as i64),
                     (false, true) => real.format_finite(column[i]),

@@ -24,7 +24,7 @@ struct Column<'a, I: Iterator<Item = io::Result<Vec<f64>>>> {
     values: Values<I>,
 }
 
-/// The numbers of a column, which come in pieces and once.
+/// The numbers of a column, which come in pieces and only once.
 struct Values<I>(RefCell<I>);
 
 impl<I: Iterator<Item = io::Result<Vec<f64>>>> Serialize for Values<I> {
@@ -45,15 +45,16 @@ pub(super) struct Note<'a> {
     message: &'a str,
 }
 
-/// Notes by code and message.
+/// Returns the notes by code and message.
 pub(super) fn notes(notes: &[Diagnostic]) -> Vec<Note<'_>> {
     notes.iter().map(|n| Note { code: n.code, message: &n.message.en }).collect()
 }
 
-/// Writes a table as JSON, number by number: no text of it is kept. `values` gives the numbers of each column, in pieces of any size.
+/// Writes a table as JSON, number by number, without keeping the text in memory. `values` yields
+/// the numbers of each column, in pieces of any size.
 ///
 /// # Errors
-/// Those of `out` and of `values`.
+/// The errors of `out` and of `values`.
 pub fn json<I: Iterator<Item = io::Result<Vec<f64>>>>(
     head: &Head,
     values: impl Fn(usize) -> I,

@@ -1,37 +1,39 @@
-//! NumPy's `.npy`: one structured array, a field for each column, named by its label; `numpy.load(f)["v_C.x [m/s]"]` is a column and
-//! `pandas.DataFrame(numpy.load(f))` the table. The format has no place for a title or for notes.
+//! NumPy's `.npy`: one structured array with a field for each column, named by its label;
+//! `numpy.load(f)["v_C.x [m/s]"]` is a column and `pandas.DataFrame(numpy.load(f))` the table. The
+//! format has no place for a title or notes.
 //!
 //! # Source
-//! NumPy Enhancement Proposal 1 and `numpy.lib.format`: magic, version, length of the header, a Python literal padded with spaces to
-//! a multiple of 64 bytes, then the records without gaps.
+//! NumPy Enhancement Proposal 1 and `numpy.lib.format`: magic, version, length of the header, a
+//! Python literal padded with spaces to a multiple of 64 bytes, then the records without gaps.
 
 use super::{Format, Head, Piece, Standing};
 use hodograph_base::diag::Diagnostic;
 use rayon::prelude::*;
 use std::io;
 
-/// `.npy` with a head.
+/// The `.npy` format with a head.
 pub struct Npy {
     head: Head,
 }
 
-/// The beginning of the file is a multiple of this, so that the records are aligned when the file is mapped into memory.
+/// Alignment of the records, so that they are aligned when the file is mapped into memory: the
+/// length of the header is a multiple of it.
 const ALIGN: usize = 64;
 
-/// Magic bytes, version and, in version 2, the length of the header.
+/// Length of magic bytes, version and, in version 2, the length of the header.
 const BEFORE_HEADER: usize = 12;
 
-/// Records that one thread writes at a time.
+/// Number of records that one thread writes at a time.
 const ROWS: usize = 4096;
 
 impl Npy {
-    /// A table with this head.
+    /// Returns the format for a table with this head.
     pub fn new(head: Head) -> Npy {
         Npy { head }
     }
 }
 
-/// A string as a Python literal of plain ASCII.
+/// Returns a string as a Python literal in plain ASCII.
 fn literal(text: &str) -> String {
     let mut out = String::from("'");
     for c in text.chars() {
@@ -50,7 +52,8 @@ impl Format for Npy {
     fn begin(&self, rows: u64, _notes: &[Diagnostic]) -> Vec<u8> {
         let field = |h: &super::Heading| format!("({}, '{}'), ", literal(&h.label()), if h.whole { "<i8" } else { "<f8" });
         let fields: String = self.head.columns.iter().map(field).collect();
-        // Twenty places hold every number of rows: the header is as long for all of them.
+        // The header has the same length for all numbers of rows, because twenty places hold each
+        // of them.
         let count = rows.to_string();
         let header = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({count},), }}{:w$}", "", w = 20 - count.len());
         let whole = (BEFORE_HEADER + header.len() + 1).next_multiple_of(ALIGN);
@@ -64,7 +67,7 @@ impl Format for Npy {
 
     fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece> {
         let rows = columns.first().map_or(0, |c| c.len());
-        // With its old bytes: all are written over.
+        // The old bytes are kept: all are overwritten.
         let mut parts = used.parts;
         parts.resize_with(1, Vec::new);
         let bytes = &mut parts[0];

@@ -1,9 +1,10 @@
-//! Apache Parquet: a row group for each piece, plain doubles, each number of a repeating column once (dictionary). Title, units and
-//! notes are key-value metadata of the file.
+//! Apache Parquet: a row group for each piece, plain doubles, each number of a repeating column
+//! once (dictionary). Title, units and notes are key-value metadata of the file.
 //!
-//! The footer of a Parquet file lists where every column of every row group stands. A piece is made without knowing where it will
-//! stand: its index is such a list counted from its own first byte, and the end of the file moves all lists to their places. So
-//! nothing is encoded twice, and a file that was left half-way is carried on without reading it.
+//! The footer of a Parquet file lists the position of every column of every row group. A piece is
+//! made before its position is known: its index is such a list relative to its own first byte, and
+//! the end of the file shifts all lists to their positions. Nothing is encoded twice, and an
+//! incomplete file is continued without reading it.
 
 use super::{Format, GENERATOR, Head, Heading, Piece, Standing};
 use hodograph_base::diag::Diagnostic;
@@ -21,27 +22,28 @@ use std::collections::BTreeMap;
 use std::io;
 use std::sync::Arc;
 
-/// Parquet with a head.
+/// The Parquet format with a head.
 pub struct Parquet {
     head: Head,
     schema: SchemaDescPtr,
     properties: WriterPropertiesPtr,
 }
 
-/// The four bytes a Parquet file begins and ends with.
+/// The four bytes at the beginning and the end of a Parquet file.
 const MAGIC: &[u8; 4] = b"PAR1";
 
-/// Length of the footer and magic, behind the footer itself.
+/// Length of the footer length and magic after the footer.
 const AFTER_FOOTER: usize = 8;
 
-/// Rows of a page at most: a page of doubles, 128 KiB, is copied from a cache to the file's bytes.
+/// Largest number of rows per page: a page of doubles, 128 KiB, is copied from a cache to the
+/// file's bytes.
 const PAGE: usize = 1 << 14;
 
 impl Parquet {
-    /// A table with this head.
+    /// Returns the format for a table with this head.
     ///
     /// # Errors
-    /// None that a head could cause.
+    /// None that a head can cause.
     pub fn new(head: Head) -> io::Result<Parquet> {
         let fields = head.columns.iter().map(|h| {
             let kind = if h.whole { Physical::INT64 } else { Physical::DOUBLE };
@@ -49,8 +51,9 @@ impl Parquet {
         });
         let fields = fields.collect::<ParquetResult<Vec<_>>>()?;
         let root = Type::group_type_builder("schema").with_fields(fields).build()?;
-        // Answers hardly repeat: a dictionary would cost more than it saves. Nor do column statistics help a reader to skip pages:
-        // of the mechanisms in a row group some are always fast and some slow.
+        // Answers rarely repeat: a dictionary would cost more than it saves. Column statistics
+        // would not help a reader to skip pages: each row group contains both fast and slow
+        // mechanisms.
         let mut properties = WriterProperties::builder()
             .set_dictionary_enabled(false)
             .set_encoding(Encoding::PLAIN)
@@ -67,7 +70,8 @@ impl Parquet {
         Ok(Parquet { head, schema: Arc::new(SchemaDescriptor::new(Arc::new(root))), properties: Arc::new(properties.build()) })
     }
 
-    /// The bytes of one column of a row group, and its metadata counted from their first.
+    /// Returns the bytes of one column of a row group, and its metadata relative to the first of
+    /// them.
     fn column(&self, i: usize, heading: &Heading, values: &[f64], mut used: Vec<u8>) -> ParquetResult<(Vec<u8>, ColumnChunkMetaData)> {
         used.reserve(if heading.repeats { 0 } else { values.len() * 8 + 4096 });
         let mut sink = TrackedWrite::new(used);
@@ -96,7 +100,7 @@ impl Parquet {
         Ok(out)
     }
 
-    /// A row group's metadata, moved to where it stands.
+    /// Returns a row group's metadata, shifted to its position.
     fn group(&self, standing: &Standing, ordinal: usize) -> ParquetResult<RowGroupMetaData> {
         let there = ParquetMetaDataReader::decode_metadata(&standing.index)?;
         let group = there.row_groups().first().ok_or_else(|| parquet::errors::ParquetError::General("an index without rows".into()))?;
@@ -115,7 +119,7 @@ fn created_by() -> String {
     GENERATOR.replacen(' ', " version ", 1)
 }
 
-/// A column's metadata with its places `by` farther on.
+/// Returns a column's metadata with its positions shifted by `by`.
 fn moved(column: &ColumnChunkMetaData, by: i64) -> ParquetResult<ColumnChunkMetaData> {
     let dictionary = column.dictionary_page_offset().map(|o| o + by);
     column.clone().into_builder().set_data_page_offset(column.data_page_offset() + by).set_dictionary_page_offset(dictionary).build()

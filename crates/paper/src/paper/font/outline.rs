@@ -1,4 +1,4 @@
-//! What a glyph looks like: its contours and the box around them.
+//! Outlines of glyphs: contours and their bounding boxes.
 
 use skrifa::outline::{DrawSettings, OutlinePen};
 use skrifa::prelude::{LocationRef, Size};
@@ -6,55 +6,56 @@ use skrifa::{FontRef, GlyphId, MetadataProvider};
 
 use super::MOST_EM;
 
-/// A damaged font may tell outlines without end: no letter has so many pieces.
+/// Largest number of segments of a glyph; a damaged font may describe endless outlines.
 const MOST_SEGMENTS: usize = 20_000;
 
 /// The contours of a glyph.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
-    /// In em, y up, its origin at 0. Filled by the non-zero rule.
+    /// Segments in em, y up, with the glyph's origin at 0; filled by the non-zero rule.
     pub segments: Vec<Segment<f64>>,
-    /// The box around them.
+    /// The box around the segments.
     pub ink: Ink,
 }
 
-/// A box around ink, in em: that of the control points, which the curves of the fonts at hand touch at their extremes.
+/// A box around ink, in em: the box of the control points, which the curves of the embedded fonts
+/// touch at their extremes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ink {
     /// Left and lower edge.
     pub min: [f64; 2],
-    /// Right and upper edge; smaller than `min` where there is no ink.
+    /// Right and upper edge; smaller than `min` if there is no ink.
     pub max: [f64; 2],
 }
 
 impl Ink {
-    /// No ink.
+    /// The empty box.
     pub const NONE: Ink = Ink { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
 
-    /// Whether there is any.
+    /// Returns true if there is ink.
     pub fn any(&self) -> bool {
         self.min[0] <= self.max[0]
     }
 
-    /// The box around both.
+    /// Returns the box around both.
     pub fn union(self, other: Ink) -> Ink {
         let each = |a: [f64; 2], b: [f64; 2], f: fn(f64, f64) -> f64| [f(a[0], b[0]), f(a[1], b[1])];
         Ink { min: each(self.min, other.min, f64::min), max: each(self.max, other.max, f64::max) }
     }
 
-    /// The same scaled, then moved.
+    /// Returns the box scaled, then moved.
     pub fn placed(self, scale: f64, dx: f64, dy: f64) -> Ink {
         let at = |[x, y]: [f64; 2]| [dx + x * scale, dy + y * scale];
         Ink { min: at(self.min), max: at(self.max) }
     }
 }
 
-/// One piece of a glyph's outline, in em, y up.
+/// A segment of a glyph's outline, in em, y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Segment<T> {
     /// Starts a contour.
     Move([T; 2]),
-    /// A straight line.
+    /// A straight line to a point.
     Line([T; 2]),
     /// A quadratic curve: control point, end.
     Quad([T; 2], [T; 2]),
@@ -65,7 +66,7 @@ pub enum Segment<T> {
 }
 
 impl<T: Copy> Segment<T> {
-    /// The same segment with each of its points mapped.
+    /// Returns the segment with each of its points mapped.
     pub fn map<U>(self, mut f: impl FnMut([T; 2]) -> [U; 2]) -> Segment<U> {
         match self {
             Segment::Move(a) => Segment::Move(f(a)),
@@ -78,7 +79,7 @@ impl<T: Copy> Segment<T> {
 }
 
 impl Outline {
-    /// That of a glyph in a font of so many units an em; `None` where it is damaged.
+    /// Returns the outline of a glyph in a font of `em` units per em; `None` if it is damaged.
     pub(super) fn of(font: &FontRef, glyph: GlyphId, em: f64) -> Option<Outline> {
         let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em };
         if let Some(outline) = font.outline_glyphs().get(glyph) {

@@ -1,8 +1,10 @@
-//! Fonts of the author's own, asked before the embedded ones.
+//! The author's own fonts, which take precedence over the embedded ones.
 //!
-//! Decided here: what is accepted (a font whose letters can be drawn), and that a character that a font does not have, or draws
-//! in a damaged way, comes from the embedded fonts; [`Fonts::lacking`] says which. They are a part of a style; a label carries
-//! those it is set in ([`Label::in_fonts`](crate::paper::label::Label::in_fonts)), since it is measured and drawn where no style is known.
+//! A font is accepted if its letters can be drawn. A character that the font does not have, or
+//! draws in a damaged way, comes from the embedded fonts; [`Fonts::lacking`] lists these
+//! characters. The fonts are part of a style; a label carries its own copy
+//! ([`Label::in_fonts`](crate::paper::label::Label::in_fonts)), because it is measured and drawn
+//! where no style is available.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -15,12 +17,12 @@ use skrifa::string::StringId;
 use super::{Bytes, Cut, Face, Loaded, Slant};
 use hodograph_base::diag::{Both, Diagnostic, both};
 
-/// The largest font file that is read: whole Chinese fonts are smaller.
+/// Largest size of a font file in bytes: complete Chinese fonts are smaller.
 pub const LARGEST: usize = 64 << 20;
-/// Characters named in [`Fonts::lacking`]'s note.
+/// Largest number of characters listed in the note of [`Fonts::lacking`].
 const NAMED_MAX: usize = 12;
 
-/// A font of the author's; the same file is the same font.
+/// A font of the author; two fonts are equal if their files are equal.
 #[derive(Clone)]
 pub struct Own(Arc<File>);
 
@@ -33,10 +35,10 @@ struct File {
 }
 
 impl Own {
-    /// The font in a file.
+    /// Reads a font file.
     ///
     /// # Errors
-    /// `font` for a file that is none or whose letters cannot be drawn.
+    /// `font` for a file that is not a font or whose letters cannot be drawn.
     fn read(name: &str, bytes: Vec<u8>) -> Result<Own, Diagnostic> {
         let fault = |what: Both| Diagnostic::error("font", what);
         if bytes.len() > LARGEST {
@@ -58,24 +60,26 @@ impl Own {
             return Err(fault(both!("{name} has no letter and no digit that can be drawn", "{name} 没有可绘制的字母和数字"))
                 .help(both!("give a text font", "请用文字字体")));
         }
-        // A name goes into files as it is: nothing in it may end an attribute.
+        // The name is written to files unescaped: only characters that cannot end an attribute are
+        // kept.
         let named = loaded.font().localized_strings(StringId::FAMILY_NAME).english_or_first();
         let letters = named.iter().flat_map(|n| n.chars().take(64)).filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-'));
         let family = letters.collect::<String>();
         Ok(Own(Arc::new(File { cut, loaded, bytes, family, key })))
     }
 
-    /// Whether it is upright or slanted.
+    /// Returns the cut of the font: upright or slanted.
     pub fn cut(&self) -> Cut {
         self.0.cut
     }
 
-    /// The family's name, for text that stays text; empty where the font does not tell.
+    /// Returns the name of the font family, for text that is written as text; empty if the font has
+    /// none.
     pub fn family(&self) -> &str {
         &self.0.family
     }
 
-    /// A number that stands for the file: the same on every machine.
+    /// Returns a hash of the file, equal on every machine.
     pub fn key(&self) -> u64 {
         self.0.key
     }
@@ -89,7 +93,8 @@ impl Own {
     }
 }
 
-/// FNV-1a in 64 bits (Fowler, Noll, Vo): tells the few fonts of a program apart.
+/// Returns the FNV-1a hash in 64 bits (Fowler, Noll, Vo), which distinguishes the few fonts of a
+/// program.
 fn fingerprint(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, b| (hash ^ u64::from(*b)).wrapping_mul(0x0000_0100_0000_01b3))
 }
@@ -108,16 +113,16 @@ impl PartialEq for Own {
 
 impl Eq for Own {}
 
-/// The author's fonts: an upright one for digits, words and upright letters, a slanted one for the letters of quantities and
-/// points, both or none. Copies share them.
+/// The author's fonts: an upright font for digits, words and upright letters, and a slanted one for
+/// the letters of quantities and points; either or both may be absent. Copies share the fonts.
 #[derive(Clone, Default)]
 pub struct Fonts(Option<Arc<Chosen>>);
 
 #[derive(Default)]
 struct Chosen {
-    /// Upright and slanted.
+    /// The upright and the slanted font.
     cuts: [Option<Own>; 2],
-    /// Characters that were wanted of them in vain.
+    /// Characters that were requested but are missing in these fonts.
     lacking: Mutex<BTreeSet<char>>,
 }
 
@@ -143,15 +148,16 @@ impl Fonts {
         Fonts(any.then(|| Arc::new(Chosen { cuts, ..Chosen::default() })))
     }
 
-    /// Whether there are none: everything is set in the embedded fonts.
+    /// Returns true if there are no such fonts, so that all text uses the embedded ones.
     pub fn is_empty(&self) -> bool {
         self.0.is_none()
     }
 
-    /// These and the font in a file of that name.
+    /// Returns these fonts with the font of a file added.
     ///
     /// # Errors
-    /// `font` for a file that is none or whose letters cannot be drawn, and for a second one of a cut.
+    /// `font` for a file that is not a font or whose letters cannot be drawn, and for a second font
+    /// of the same cut.
     pub fn with(&self, name: &str, bytes: Vec<u8>) -> Result<Fonts, Diagnostic> {
         let own = Own::read(name, bytes)?;
         let cut = own.cut();
@@ -163,7 +169,7 @@ impl Fonts {
         Ok(Fonts::of(cuts))
     }
 
-    /// These, and those of others for the cuts that these do not have.
+    /// Returns these fonts, with the missing cuts taken from `others`.
     pub fn over(&self, others: &Fonts) -> Fonts {
         let [mut upright, mut slanted] = self.cuts();
         let [other_upright, other_slanted] = others.cuts();
@@ -172,13 +178,13 @@ impl Fonts {
         Fonts::of([upright.cloned(), slanted.cloned()])
     }
 
-    /// The author's font that writes a character of a slant.
+    /// Returns the author's font for a character of a slant; `None` if it cannot draw it.
     pub(super) fn face_of(&self, c: char, slant: Slant) -> Option<Face> {
         let chosen = self.0.as_ref()?;
         let cut = match slant {
             // Signs share the axis and weight of the mathematical font.
             Slant::Symbol => return None,
-            // A text font has no bold of the same design in its file.
+            // A text font file contains no bold of the same design.
             Slant::Bold => return None,
             // Chinese letters are never slanted.
             Slant::Italic if c as u32 >= 0x2E80 => Cut::Upright,
@@ -195,7 +201,8 @@ impl Fonts {
         None
     }
 
-    /// What these fonts did not have of all that has been set in them so far; `None` where they had everything.
+    /// Returns a note that lists the characters missing in these fonts in the text set so far;
+    /// `None` if none is missing.
     pub fn lacking(&self) -> Option<Diagnostic> {
         let lacking = self.0.as_ref()?.lacking.lock().unwrap_or_else(PoisonError::into_inner);
         let named: Vec<String> = lacking.iter().take(NAMED_MAX).map(char::to_string).collect();
@@ -245,7 +252,7 @@ mod tests {
 
     #[test]
     fn a_damaged_font_is_refused_or_drawn_in_bounds() {
-        // A linear congruential generator (Knuth, MMIX): the same damage every time.
+        // A linear congruential generator (Knuth, MMIX): the same damage on every run.
         let mut state: u64 = 1;
         let mut random = |n: usize| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

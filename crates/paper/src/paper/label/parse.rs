@@ -7,15 +7,16 @@ use super::{Node, Role};
 
 /// A thin space, TeX's `\,`: 3/18 em.
 const THIN_EM: f64 = 0.167;
-/// Whether a node can be the end of a number: upright, without scripts, or a power of ten.
+/// Returns true if a number can end with the node: upright, without scripts, or a power of ten.
 fn ends_a_number(n: &Node) -> bool {
     n.slant == Slant::Upright && n.sub.is_empty() && (n.sup.is_empty() || n.text == "10")
 }
 
-/// An interword space of Times: 1/4 em. Stands between a number and its unit, and beside Chinese.
+/// An interword space of Times: 1/4 em. It separates a number from its unit, and letters from
+/// Chinese.
 const WORD_EM: f64 = 0.25;
 
-/// Reads a formula; what cannot be read is reported and, where it has characters, kept upright.
+/// Parses a formula; unreadable characters are reported and kept upright.
 pub fn formula(source: &str) -> (Vec<Node>, Vec<Diagnostic>) {
     let mut p = Parser { source, chars: source.chars().collect(), at: 0, faults: Vec::new() };
     let row = p.row(false);
@@ -50,7 +51,7 @@ impl Parser<'_> {
         self.chars[start..self.at].iter().collect()
     }
 
-    /// A row up to the end, or up to the brace that closes it.
+    /// Parses a row up to the end of the input, or up to the closing brace.
     fn row(&mut self, braced: bool) -> Vec<Node> {
         let mut row: Vec<Node> = Vec::new();
         while let Some(c) = self.peek() {
@@ -76,7 +77,7 @@ impl Parser<'_> {
                 c if c.is_whitespace() => self.space(&mut row),
                 '\\' => self.command(&mut row),
                 c if c.is_ascii_digit() => {
-                    // A dot belongs to the number when a digit follows it.
+                    // A dot belongs to the number if a digit follows it.
                     let mut text = self.take_while(|c| c.is_ascii_digit());
                     while self.peek() == Some('.') && self.chars.get(self.at + 1).is_some_and(char::is_ascii_digit) {
                         self.at += 1;
@@ -105,14 +106,15 @@ impl Parser<'_> {
         row
     }
 
-    /// The atom that a script or prime belongs to: the last letter of a run of letters, or a new empty one.
+    /// Returns the atom of a script or prime: the last letter of a run of letters, or a new empty
+    /// atom.
     fn host<'r>(&mut self, row: &'r mut Vec<Node>, mark: &str) -> &'r mut Node {
         match row.last_mut() {
             None => {
                 self.fault(both!("{mark} stands on nothing", "{mark} 前面没有内容"));
                 row.push(Node::new("", Slant::Upright, Role::Ordinary));
             }
-            // A script stands on one letter: in `AB_1` on B.
+            // A script belongs to one letter: in `AB_1` to B.
             Some(last) if last.slant == Slant::Italic && last.sub.is_empty() && last.sup.is_empty() && last.primes == 0 => {
                 if let Some((i, c)) = last.text.char_indices().next_back().filter(|&(i, _)| i > 0) {
                     last.text.truncate(i);
@@ -150,7 +152,7 @@ impl Parser<'_> {
                 return;
             }
         };
-        // Signs in a script are not spaced, as in TeX's script style.
+        // Signs in a script have no space around them, as in TeX's script style.
         for n in &mut inner {
             n.role = Role::Ordinary;
         }
@@ -163,7 +165,8 @@ impl Parser<'_> {
         }
     }
 
-    /// A space means something beside Chinese, and after a number when letters follow: those are then its unit.
+    /// Reads a space. It is significant beside Chinese, and after a number followed by letters,
+    /// which are then its unit.
     fn space(&mut self, row: &mut Vec<Node>) {
         self.take_while(char::is_whitespace);
         let Some(last) = row.last().and_then(|n| n.text.chars().last()) else { return };
@@ -249,7 +252,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The characters between the braces after a command, as they stand.
+    /// Returns the characters between the braces after a command, unchanged.
     fn argument(&mut self) -> String {
         if self.peek() != Some('{') {
             self.fault(both!("a command that needs {{…}}", "该命令需要 {{…}}"));
@@ -273,7 +276,8 @@ fn is_cjk(c: char) -> bool {
     matches!(c, '\u{3000}'..='\u{303F}' | '\u{3400}'..='\u{9FFF}' | '\u{F900}'..='\u{FAFF}' | '\u{FF00}'..='\u{FFEF}')
 }
 
-/// A sign as an atom; a sign of an operation with nothing before it is a sign of a number and gets no space.
+/// Returns a sign as an atom; an operator with no operand before it is the sign of a number and
+/// gets no space.
 fn symbol(c: char, before: &[Node]) -> Node {
     let opens = |n: &Node| matches!(n.role, Role::Binary | Role::Relation | Role::Punctuation) || n.text.ends_with(['(', '∠']);
     let starts = before.last().is_none_or(opens);
@@ -299,7 +303,7 @@ enum Kind {
     Sign,
 }
 
-/// The Greek letter of a name: `omega`, `Phi`.
+/// Returns the Greek letter of a name: `omega`, `Phi`.
 pub fn greek(name: &str) -> Option<char> {
     named(name).filter(|(_, kind)| !matches!(kind, Kind::Sign)).map(|(letter, _)| letter)
 }

@@ -1,4 +1,4 @@
-//! The places that a label may take.
+//! Candidate places of a label.
 
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::LazyLock;
@@ -8,32 +8,32 @@ use hodograph_base::geom::{Point, Vec2};
 
 use super::{Reads, Target, Wanted};
 
-/// One place.
+/// A candidate place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Candidate {
-    /// Box of the label's ink there.
+    /// Box of the label's ink at this place.
     pub rect: Rect,
-    /// Leader line from the label to its thing.
+    /// Leader line from the label to its target.
     pub leader: Option<(Point, Point)>,
-    /// Box of both.
+    /// Box around label and leader line.
     pub reach: Rect,
-    /// What the place costs before anything is covered.
+    /// Cost of the place before anything is covered.
     pub base: f64,
-    /// What the label would be read as beside another one.
+    /// The role of the label beside another one on the same line.
     pub reads: Reads,
 }
 
-/// Two letters' widths: a number farther off is no factor.
+/// Width of two letters: a number farther off is not read as a factor.
 pub(super) const FACTOR_MM: f64 = 4.0;
 
 impl Candidate {
-    /// A place.
+    /// Returns a place.
     pub fn new(rect: Rect, leader: Option<(Point, Point)>, base: f64) -> Candidate {
         let reach = leader.map_or(rect, |(a, b)| rect.union(Rect::new(a, b)));
         Candidate { rect, leader, reach, base, reads: Reads::Alone }
     }
 
-    /// The same for a label that is read with what stands behind it.
+    /// Returns the place with the role of its label beside another one.
     pub fn read_as(mut self, reads: Reads) -> Candidate {
         self.reads = reads;
         if reads == Reads::Quantity {
@@ -43,43 +43,49 @@ impl Candidate {
     }
 }
 
-/// Directions around a point.
+/// Number of directions around a point.
 const DIRECTIONS: usize = 16;
-/// Air between a point's symbol and its label, and what the farther places cost.
+/// Gaps between a point's symbol and its label, and the cost of each.
 const POINT_GAPS: [(f64, f64); 3] = [(0.6, 0.0), (1.3, 1.0), (2.4, 2.6)];
-/// Stations along a line. The ends are left to the labels of the points.
+/// Positions along a line, as fractions of its length. The ends are left to the labels of the
+/// points.
 const STATIONS: [f64; 7] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74];
-/// Air between a line and its label.
+/// Gaps between a line and its label, and the cost of each.
 const LINE_GAPS: [(f64, f64); 2] = [(0.9, 0.0), (1.7, 0.9)];
-/// Cost of a station at the line's end against its middle: less than a place farther off.
+/// Cost per unit of the distance of a position from the line's middle, as a fraction of the length:
+/// cheaper than the next larger gap.
 const STATION_COST: f64 = 3.0;
 /// Cost of the inside of an arc, where the lines of an angle are.
 const INSIDE_COST: f64 = 1.2;
-/// Cost of the direction opposite to the preferred one, where one was asked for.
+/// Cost of the direction opposite to a requested one.
 const PREFER_COST: f64 = 2.4;
-/// The same where none was: enough to decide between equals, too little to go farther off.
+/// Cost of the direction opposite to the default one: enough to decide between equal places, too
+/// little to choose a place farther off.
 const DEFAULT_COST: f64 = 0.5;
-/// Lengths of a leader line, and what it costs: more than any nearness, less than covering a line's width.
+/// Lengths of leader lines and their costs: more than any cost of nearness, less than covering a
+/// line's width.
 const LEADERS: [(f64, f64); 3] = [(5.0, 3.5), (8.0, 4.2), (12.0, 5.0)];
-/// The same where none of these ends at a clear place.
+/// Lengths and costs of leader lines used if none of [`LEADERS`] ends at a clear place.
 const LONG_LEADERS: [(f64, f64); 2] = [(17.0, 5.8), (22.0, 6.6)];
 
-/// The same for lines between those directions.
+/// Lengths and costs of leader lines in the directions between those of [`DIRECTIONS`].
 const BETWEEN: [(f64, f64); 6] = [(3.5, 3.6), (6.5, 4.0), (10.0, 4.7), (14.0, 5.4), (19.0, 6.1), (26.0, 7.2)];
 
-/// The same for a label that still covers something: as close together as tells one place from the next, and as far as a sheet has room.
+/// Lengths and costs of leader lines for a label that still covers something: spaced as closely as
+/// places are distinguishable, and as long as a sheet allows.
 const ANYWHERE: [(f64, f64); 8] = [(4.5, 5.0), (7.0, 5.4), (10.5, 5.8), (14.0, 6.2), (18.0, 6.6), (22.0, 7.0), (27.0, 7.5), (33.0, 7.9)];
-/// Of how many directions, and where on a line or an arc they end.
+/// Number of directions for [`ANYWHERE`], and the positions of these leader lines' ends on a line
+/// or an arc.
 const MANY_DIRECTIONS: usize = 32;
 const ALL_ALONG: [f64; 5] = [0.5, 0.3, 0.7, 0.1, 0.9];
 
-/// Where else on a line or an arc they end than in its middle.
+/// Further positions of the ends of leader lines on a line or an arc, beside its middle.
 const ASIDE: [f64; 2] = [0.3, 0.7];
 
-/// The cosine of the least angle between such a leader line and its own vector: 30°.
+/// Cosine of the smallest angle between such a leader line and its own vector: 30°.
 const ACROSS: f64 = 0.866;
 
-/// 48 places around a point, 28 along a segment or an arc.
+/// Returns the places near the target: 48 around a point, 28 along a segment or an arc.
 pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
     match wanted.target {
         Target::Point { at, clear_mm } => {
@@ -93,7 +99,7 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
             all
         }
         Target::Segment { from, to, clear_mm } => {
-            // A segment of no length has no sides; above is as good as any.
+            // A segment of length zero has no sides; the label goes above or below it.
             let along = (to - from).unit().unwrap_or(Vec2::new(1.0, 0.0));
             let normal = along.perp();
             let half = normal.x.abs() * wanted.half_width_mm + normal.y.abs() * wanted.half_height_mm;
@@ -115,7 +121,8 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
                 for t in STATIONS {
                     let u = Vec2::from_angle(from_rad + (to_rad - from_rad) * t);
                     let outside = reach(u, wanted, radius_mm + clear_mm + gap);
-                    // Inside, the box's farthest corner must stay in the circle: the half diagonal always does.
+                    // Inside, the farthest corner of the box must stay in the circle; half the
+                    // diagonal as distance guarantees this.
                     let inside = radius_mm - clear_mm - gap - libm::hypot(wanted.half_width_mm, wanted.half_height_mm);
                     for (t_mm, side, off) in [(outside, u, 0.0), (inside, -u, INSIDE_COST)] {
                         let rect = wanted.rect(centre + u * t_mm);
@@ -130,17 +137,17 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
     }
 }
 
-/// Places farther off, with a leader line.
+/// Returns places farther off, with a leader line.
 pub(super) fn far(wanted: &Wanted) -> Vec<Candidate> {
     led(wanted, &LEADERS, directions())
 }
 
-/// Places so far off that one has to look for the end of the leader line.
+/// Returns places so far off that the reader must follow the leader line to find its end.
 pub(super) fn farthest(wanted: &Wanted) -> Vec<Candidate> {
     led(wanted, &LONG_LEADERS, directions())
 }
 
-/// Places with a leader line in the directions between those of the others, for a label that found none.
+/// Returns places with a leader line in intermediate directions, for a label without a clear place.
 pub(super) fn between(wanted: &Wanted) -> Vec<Candidate> {
     static ALL: LazyLock<[Vec2; DIRECTIONS]> =
         LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle((k as f64 + 0.5) * TAU / DIRECTIONS as f64)));
@@ -163,7 +170,8 @@ pub(super) fn between(wanted: &Wanted) -> Vec<Candidate> {
     }
 }
 
-/// Places with a leader line to any part of the thing, for a label that would lie on something thick, or its leader line cross what it must not.
+/// Returns places with a leader line to any part of the target, for a label that would cover a
+/// thick line or have a barred leader line.
 pub(super) fn anywhere(wanted: &Wanted) -> Vec<Candidate> {
     static ALL: LazyLock<[Vec2; MANY_DIRECTIONS]> =
         LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle((k as f64 + 0.5) * TAU / MANY_DIRECTIONS as f64)));
@@ -181,7 +189,7 @@ pub(super) fn anywhere(wanted: &Wanted) -> Vec<Candidate> {
     }
 }
 
-/// The directions that are not along a line: there a leader line is not seen.
+/// Returns the directions at an angle to a line: a leader line along it would be invisible.
 fn across(line: Vec2, directions: &[Vec2]) -> Vec<Vec2> {
     directions.iter().copied().filter(|u| u.dot(line).abs() < ACROSS).collect()
 }
@@ -198,7 +206,7 @@ fn led(wanted: &Wanted, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<Cand
     led_from(at, clear_mm, wanted, leaders, directions)
 }
 
-/// Places with leader lines that end `clear_mm` off a point.
+/// Returns places with leader lines that end `clear_mm` from a point.
 fn led_from(at: Point, clear_mm: f64, wanted: &Wanted, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<Candidate> {
     let mut all = Vec::with_capacity(DIRECTIONS * leaders.len());
     for &(length, base) in leaders {
@@ -207,7 +215,7 @@ fn led_from(at: Point, clear_mm: f64, wanted: &Wanted, leaders: &[(f64, f64)], d
             let rect = wanted.rect(at + u * t);
             let near = nearest(rect, at);
             let Some(back) = (near - at).unit() else { continue };
-            // Air at the letters, none at the thing.
+            // A gap at the letters, none at the target.
             let leader = (near - back * 0.5, at + back * clear_mm);
             all.push(Candidate::new(rect, Some(leader), base + side_cost(u, wanted)));
         }
@@ -221,17 +229,18 @@ fn directions() -> &'static [Vec2; DIRECTIONS] {
     &ALL
 }
 
-/// How far along `u` a box's middle must go for the box to stand `clear_mm` off the origin.
+/// Returns the distance along `u` from the origin to the centre of a box at which the box is
+/// `clear_mm` from the origin.
 fn reach(u: Vec2, wanted: &Wanted, clear_mm: f64) -> f64 {
     let (ux, uy, hw, hh) = (u.x.abs(), u.y.abs(), wanted.half_width_mm, wanted.half_height_mm);
-    // The box faces the origin with a side, …
+    // A side of the box faces the origin, …
     if ux * (hh + clear_mm) <= uy * hw {
         return (hh + clear_mm) / uy;
     }
     if uy * (hw + clear_mm) <= ux * hh {
         return (hw + clear_mm) / ux;
     }
-    // … or with a corner.
+    // … or a corner.
     let b = ux * hw + uy * hh;
     b + (b * b - hw * hw - hh * hh + clear_mm * clear_mm).max(0.0).sqrt()
 }
@@ -241,7 +250,7 @@ fn side_cost(u: Vec2, wanted: &Wanted) -> f64 {
     cost * (1.0 - u.dot(side)) / 2.0
 }
 
-/// The point of a box nearest to `p`.
+/// Returns the point of a box nearest to `p`.
 pub(super) fn nearest(rect: Rect, p: Point) -> Point {
     Point::new(p.x.max(rect.min.x).min(rect.max.x), p.y.max(rect.min.y).min(rect.max.y))
 }

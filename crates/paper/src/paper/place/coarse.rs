@@ -1,12 +1,15 @@
-//! Places for more labels than a search can weigh against one another: one after the other, each where the paper is still empty.
+//! Places more labels than the search can compare: one after the other, each where the paper is
+//! still free.
 //!
-//! The paper is divided into small cells; ink and labels fill them, and a place costs what its cells hold. What a label costs in time
-//! does not depend on how many others there are, nor on how much is drawn, so that the whole grows with the number of labels. In a
-//! crowd the result is coarser than that of [`super::search`]: an early label never makes room for a late one.
+//! The paper is divided into small cells; ink and labels fill them, and a place costs what its
+//! cells contain. The time per label is independent of the number of labels and of the amount of
+//! ink, so the total time is linear in the number of labels. In a crowd the result is coarser than
+//! that of [`super::search`]: an early label never moves to make space for a late one.
 //!
 //! # Source
-//! Greedy placement on a bitmap of what is occupied: I. Mote, *Fast point-feature label placement for dynamic visualizations*,
-//! Information Visualization 6 (2007), with a raster instead of his trellis.
+//! Greedy placement on a bitmap of occupied space: I. Mote, *Fast point-feature label placement for
+//! dynamic visualizations*, Information Visualization 6 (2007), with a raster instead of the
+//! trellis.
 
 use crate::paper::extent::Rect;
 use hodograph_base::budget::spend;
@@ -17,15 +20,16 @@ use super::raster::{HEAVY, LINE, Raster};
 use super::search::LEAVE;
 use super::{Found, Habit, LabelRequest, Placement, Wanted, cost};
 
-/// More labels than this in one drawing are placed one after the other. The busiest textbook figure has some sixty.
+/// Largest number of labels in a drawing that are placed by search; more are placed one after the
+/// other. The busiest textbook figure has about sixty.
 pub(super) const MANY: usize = 100;
 
-/// A label on something heavy against one on a line.
+/// Cost factor of a label on something heavy relative to one on a line.
 const HEAVIER: f64 = 3.0;
-/// Each square millimetre of what a label covers.
+/// Cost per square millimetre that a label covers.
 const PER_MM2: f64 = 2.0;
 
-/// What a place costs before anything is weighed against others.
+/// Returns the cost of a place on the raster.
 fn cost_of(raster: &mut Raster, place: &Candidate, paper: Rect) -> f64 {
     let (lines, heavy) = raster.covered(place.rect);
     let area = raster.cell_mm() * raster.cell_mm();
@@ -33,8 +37,8 @@ fn cost_of(raster: &mut Raster, place: &Candidate, paper: Rect) -> f64 {
     place.base + covered(lines) + HEAVIER * covered(heavy) + cost::outside(place.rect, paper)
 }
 
-/// A place for each label, `None` for optional ones without a clear one, as [`super::place_or_leave`]; and how many cells were looked
-/// at for it.
+/// Returns a place for each label, `None` for optional ones without a clear place as in
+/// [`super::place_or_leave`], and the number of raster cells examined.
 pub(super) fn place(
     requests: &[LabelRequest],
     obstacles: &Obstacles,
@@ -43,7 +47,7 @@ pub(super) fn place(
 ) -> (Vec<Option<Placement>>, usize) {
     let mut raster = Raster::of(obstacles, paper);
     let mut out = vec![None; requests.len()];
-    // Names that may be left out take what the others leave.
+    // Optional names take the space that the others leave.
     let (last, first): (Vec<usize>, Vec<usize>) = (0..requests.len()).partition(|i| requests[*i].optional);
     for i in first.into_iter().chain(last) {
         spend();
@@ -65,7 +69,8 @@ pub(super) fn place(
     (out, raster.touched())
 }
 
-/// The cheapest of a label's places, the first of equals; those far off only where all near ones cover something.
+/// Returns the cheapest place of a label, the first among equals; far places are considered only if
+/// all near ones cover something.
 fn best(raster: &mut Raster, wanted: &Wanted, paper: Rect, stood: Option<usize>, near_only: bool) -> Found {
     let near = candidate::near(wanted);
     let count = near.len();
@@ -99,7 +104,7 @@ mod tests {
     use crate::paper::label::Label;
     use hodograph_base::geom::{Point, Vec2};
 
-    /// Points on a spiral, as densely as they come, with a line from each to the next.
+    /// Points on a spiral at the closest spacing, with a line from each to the next.
     fn crowd(n: usize, side_mm: f64) -> (Vec<LabelRequest>, Obstacles, Rect) {
         let at = |k: usize| Point::ORIGIN + Vec2::from_angle(2.4 * k as f64) * (0.5 * side_mm * (k as f64 / n as f64).sqrt());
         let mut obstacles = Obstacles::default();
@@ -112,7 +117,7 @@ mod tests {
         (requests, obstacles, Rect::new(at(0), at(0)).grown(0.5 * side_mm + 20.0))
     }
 
-    /// Whether they stand loosely or on one another, twice as many labels are twice the work.
+    /// Checks that twice as many labels take twice the work, spread out or crowded.
     #[test]
     fn work_grows_with_the_number_of_labels() {
         for spacing in [2.0, 12.0] {

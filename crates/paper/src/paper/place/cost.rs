@@ -1,4 +1,4 @@
-//! What a place costs, in millimetres of foreign line covered.
+//! Costs of places, in millimetres of foreign line covered.
 
 use crate::paper::extent::Rect;
 use hodograph_base::geom::{Point, Vec2};
@@ -7,63 +7,75 @@ use super::candidate::{Candidate, FACTOR_MM, nearest};
 use super::obstacle::{Bar, Disc, Obstacles};
 use super::{Reads, Target, Wanted};
 
-/// The first touch of anything: more than the farthest place near the thing (6.4) can cost, so that touching is
-/// never the better bargain.
+/// Cost of first touching an object: more than the costliest place near the target (6.4), so that
+/// touching is never preferred.
 pub(super) const TOUCH: f64 = 8.0;
-/// Air that a label keeps around its ink, so that a line beside it is seen as beside.
+/// Margin of a label around its ink, so that a line beside it is visibly beside it.
 const AIR_MM: f64 = 0.5;
-/// Each millimetre of a line under a label.
+/// Cost per millimetre of a line under a label.
 const PER_MM: f64 = 1.0;
-/// A bar or a vector under a label is worse than a thin line: a leader line across two lines is better still.
+/// Factor of a bar or a vector under a label: worse than a thin line, so that a leader line across
+/// two lines is preferred.
 pub(super) const THICK_FACTOR: f64 = 1.5;
-/// Half the width from which a line is one of those.
+/// Half the width from which a line counts as thick.
 const THICK_HALF_MM: f64 = 0.165;
-/// A thin line that stands back is better crossed than led across.
+/// Factor of a faint line: crossing it is preferred to a leader line.
 const FAINT_FACTOR: f64 = 0.5;
-/// An arrowhead is what the reader looks for: it counts as this many lines.
+/// Factor of an arrowhead, which the reader looks for.
 const HEAD_FACTOR: f64 = 2.0;
-/// The label's own thin line through its letters does not mislead, and is no easier to read.
+/// Factor of the label's own thin line through its letters: not misleading, but equally hard to
+/// read.
 const OWN_FACTOR: f64 = 0.9;
-/// Each millimetre of a disc's depth and each square millimetre of a box.
+/// Cost per millimetre of a disc's depth and per square millimetre of a box.
 const PER_DEPTH: f64 = 2.0;
-/// Leaving the paper: worse than anything on it.
+/// Cost of leaving the paper: more than any place on it.
 const OUTSIDE: f64 = 200.0;
-/// Each millimetre by which a foreign line is nearer than the label's own thing, plus a margin that tells them apart.
+/// Cost per millimetre by which a foreign line is nearer than the label's own target plus a margin.
 const NEARER_PER_MM: f64 = 1.8;
-/// Foreign lines must be this much farther off than the own thing before they stop being mistaken for it.
+/// Margin by which foreign lines must be farther off than the target so as not to be mistaken for
+/// it.
 const NEARER_MARGIN_MM: f64 = 0.8;
-/// Nearness never costs as much as touching.
+/// Upper bound of the nearness cost: less than touching.
 const NEARER_MAX: f64 = 4.0;
-/// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: more than the longest leader line with
-/// foreign lines beside its label, less than covering a thick line.
+/// Cost of a foreign mark nearer than the own one, or of a line as thick as the own one that is
+/// nearer: more than the longest leader line with foreign lines beside its label, less than
+/// covering a thick line.
 const STRAYS: f64 = 14.0;
-/// Of lines that lie over one another neither is nearer, whatever rounding says.
+/// Tolerance for lines that lie on top of each other: rounding must not make one of them the nearer
+/// one.
 const TIE_MM: f64 = 1e-6;
-/// Letters within this of one place are those of one mark.
+/// Letters within this distance of one point belong to one mark.
 const ONE_MARK_MM: f64 = 0.15;
-/// A leader line across a line, or across a label.
+/// Cost of a leader line that crosses a line, or another leader line.
 const LEADER_CROSSES: f64 = 2.5;
-/// A leader line through hatching or the arc of an angle: worse than anything but another label.
+/// Cost of a leader line through hatching or the arc of an angle: more than anything except another
+/// label.
 const BARRED: f64 = 20.0;
-/// Its dot may lie on such an arc, if it is that which is named.
+/// Length at the end of a leader line, for its dot, that may lie on such an arc if it is the named
+/// one.
 const DOT_MM: f64 = 0.6;
-/// Overlap of two labels, and each square millimetre of it.
+/// Cost of the overlap of two labels, and per square millimetre of it.
 const OVERLAP: f64 = 25.0;
 const OVERLAP_PER_MM2: f64 = 2.0;
-/// A number that would be read as the factor of a quantity: more than a leader line.
+/// Cost of a number that would be read as the factor of a quantity: more than a leader line.
 const FACTOR: f64 = 7.0;
-/// Names of two things in one line, so close that they are read as one name or as a product: decides between places about as good, no more.
+/// Cost of two names in one line, so close that they look like one name or a product: decides only
+/// between places of similar cost.
 const BESIDE: f64 = 1.2;
-/// How close that is, in parts of the lower one's height: somewhat more than a word space.
+/// Largest gap of such names, as a fraction of the lower one's height: somewhat more than a word
+/// space.
 const BESIDE_PART: f64 = 0.5;
-/// From this part of the lower one's height on two names stand in one line, though not on one.
+/// Smallest vertical overlap, as a fraction of the lower one's height, at which two names look like
+/// one line, even if their baselines differ.
 const BESIDE_LEVEL: f64 = 0.2;
-/// From this part of its height on a number stands on one line with a quantity: somewhat less than the eye allows.
+/// Smallest vertical overlap, as a fraction of the number's height, at which a number and a
+/// quantity are on one line: somewhat less than the eye tolerates.
 const LEVEL_PART: f64 = 0.4;
-/// Air between two labels, for each of them.
+/// Margin around each of two labels.
 const PAIR_AIR_MM: f64 = 0.3;
 
-/// What is drawn around a label's places: found once, so that each place is asked about little more than it may touch.
+/// The obstacles around a label's places, collected once, so that each place is compared with few
+/// that it does not touch.
 pub(super) struct Around<'a> {
     wanted: &'a Wanted,
     paper: Rect,
@@ -84,7 +96,7 @@ struct Line<'a> {
 }
 
 impl<'a> Around<'a> {
-    /// All that can make one of these places dearer.
+    /// Collects all obstacles that can make one of these places costlier.
     pub(super) fn new(places: &[Candidate], wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
         let looks = places.iter().map(|c| c.reach.union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
         let Some(reach) = looks.reduce(Rect::union).map(|r| r.grown(AIR_MM)) else {
@@ -109,7 +121,8 @@ impl<'a> Around<'a> {
         }
     }
 
-    /// Whether another mark is nearer than the label's own, or another line as thick.
+    /// Returns true if another mark, or another line as thick, is nearer than the label's own
+    /// target.
     fn strays(&self, rect: Rect) -> bool {
         let rect = self.wanted.ink(rect);
         match self.wanted.target {
@@ -127,14 +140,14 @@ impl<'a> Around<'a> {
         }
     }
 
-    /// The part of a place's cost that does not depend on other labels.
+    /// Returns the part of a place's cost that is independent of other labels.
     pub(super) fn fixed(&self, c: &Candidate) -> f64 {
         let mut cost = c.base;
         let look = own_distance(c.rect, self.wanted.target) + NEARER_MARGIN_MM;
         let mut nearer: f64 = 0.0;
         for Line { bar, bounds, own, meets } in &self.bars {
             let grown = c.rect.grown(bar.half_width_mm + AIR_MM);
-            // A line that is farther off than the nearest so far changes nothing.
+            // A line farther off than the nearest one so far changes nothing.
             if !touch(grown.grown(look - nearer), *bounds) {
                 continue;
             }
@@ -181,7 +194,7 @@ impl<'a> Around<'a> {
         cost + c.leader.map_or(0.0, |leader| self.across(leader))
     }
 
-    /// What a leader line costs by what it crosses, from its label to its thing.
+    /// Returns the cost of what a leader line crosses, from its label to its target.
     fn across(&self, (a, b): (Point, Point)) -> f64 {
         let reach = Rect::new(a, b);
         let near = self.bars.iter().filter(|l| !l.own && !l.meets && touch(reach, l.bounds));
@@ -192,13 +205,13 @@ impl<'a> Around<'a> {
     }
 }
 
-/// Whether a leader line, from its label to its thing, crosses what none may cross.
+/// Returns true if a leader line, from its label to its target, crosses a barred line.
 pub(super) fn is_barred((a, b): (Point, Point), bar: &Bar) -> bool {
     let before_dot = b + (a - b).unit().unwrap_or(Vec2::ZERO) * DOT_MM;
     crosses(a, before_dot, bar.from, bar.to)
 }
 
-/// The marked places that are not the label's own.
+/// Returns the marked points except the label's own.
 fn rivals(wanted: &Wanted, obstacles: &Obstacles) -> impl Iterator<Item = Point> {
     let own = match wanted.target {
         Target::Point { at, .. } => Some(at),
@@ -207,8 +220,9 @@ fn rivals(wanted: &Wanted, obstacles: &Obstacles) -> impl Iterator<Item = Point>
     obstacles.marks.iter().copied().filter(move |p| own.is_some_and(|at| at.distance(*p) > ONE_MARK_MM))
 }
 
-/// Whether a label there lies on something that it would make unreadable, or that would make it so: an arrowhead, a symbol, a
-/// foreign line as thick as the label's own. A thin line through it does neither.
+/// Returns true if a label at this place would make an object illegible, or be made so by it: an
+/// arrowhead, a symbol, another label, or a foreign line as thick as the label's own. A thin line
+/// through the label does neither.
 pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool {
     let own_half_mm = match wanted.target {
         Target::Segment { clear_mm, .. } | Target::Arc { clear_mm, .. } => clear_mm,
@@ -222,7 +236,8 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
         || obstacles.rects.iter().any(|r| r.overlap_mm2(rect) > 0.0)
 }
 
-/// Whether a label there would be read as the name of another line: one as thick as its own is nearer. A leader line tells.
+/// Returns true if a label at this place would be read as the name of another line, because one as
+/// thick as its own is nearer. False with a leader line, which makes the target clear.
 pub(super) fn strays(c: Rect, leader: bool, wanted: &Wanted, obstacles: &Obstacles) -> bool {
     let Target::Segment { clear_mm, .. } = wanted.target else { return false };
     let c = wanted.ink(c);
@@ -236,12 +251,12 @@ pub(super) fn strays(c: Rect, leader: bool, wanted: &Wanted, obstacles: &Obstacl
         && obstacles.bars.iter().any(|bar| rival(bar) && !meets(bar, wanted.target) && distance(c, bar) - bar.half_width_mm < own - TIE_MM)
 }
 
-/// What it costs to leave the paper.
+/// Returns the cost of leaving the paper.
 pub(super) fn outside(rect: Rect, paper: Rect) -> f64 {
     if rect.overlap_mm2(paper) < rect.width_mm() * rect.height_mm() - 1e-9 { OUTSIDE } else { 0.0 }
 }
 
-/// What two places cost beside one another.
+/// Returns the cost of two places beside each other.
 #[inline]
 pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
     if !close(a.reach, b.reach) {
@@ -258,7 +273,7 @@ pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
     if a.leader.is_none() && b.leader.is_none() { cost } else { cost + across([a, b], [ra, rb]) }
 }
 
-/// Whether a number stands on one line with a quantity and close behind it.
+/// Returns true if a number is on one line with a quantity and close behind it.
 fn is_factor(quantity: &Candidate, number: &Candidate) -> bool {
     let (q, n) = (quantity.rect, number.rect);
     let level = q.max.y.min(n.max.y) - q.min.y.max(n.min.y) > LEVEL_PART * n.height_mm();
@@ -266,14 +281,14 @@ fn is_factor(quantity: &Candidate, number: &Candidate) -> bool {
     quantity.reads == Reads::Quantity && number.reads == Reads::Number && level && behind
 }
 
-/// Whether two names stand on one line and are read as one.
+/// Returns true if two names are on one line and are read as one.
 pub(super) fn is_beside(a: Rect, b: Rect) -> bool {
     let least = a.height_mm().min(b.height_mm());
     let level = a.max.y.min(b.max.y) - a.min.y.max(b.min.y) > BESIDE_LEVEL * least;
     level && (b.min.x - a.max.x).max(a.min.x - b.max.x) < BESIDE_PART * least
 }
 
-/// What it costs that leader lines run across the labels and one another.
+/// Returns the cost of leader lines that cross the labels or each other.
 fn across([a, b]: [&Candidate; 2], [ra, rb]: [Rect; 2]) -> f64 {
     let mut cost = 0.0;
     for (leader, rect) in [(a.leader, rb), (b.leader, ra)] {
@@ -289,17 +304,18 @@ fn across([a, b]: [&Candidate; 2], [ra, rb]: [Rect; 2]) -> f64 {
     cost
 }
 
-/// Whether places within two boxes can meet, or stand beside each other.
+/// Returns true if places within two boxes can touch, or be beside each other on a line.
 pub(super) fn close(a: Rect, b: Rect) -> bool {
     let air = (BESIDE_PART * a.height_mm().min(b.height_mm())).max(2.0 * PAIR_AIR_MM);
     touch(a.grown(air), b)
 }
 
-/// Whether a line ends or passes at the target: then to stand near it is to stand near the own point.
+/// Returns true if a line ends at or passes the target: a label near it is then near its own
+/// target.
 fn meets(bar: &Bar, target: Target) -> bool {
     match target {
         Target::Point { at, clear_mm } => to_segment(at, bar.from, bar.to) <= clear_mm + bar.half_width_mm,
-        // Another line between the same two points, such as the one under a vector.
+        // Another line between the same points, such as the one under a vector.
         Target::Segment { from, to, clear_mm } => {
             let slack = clear_mm + bar.half_width_mm;
             to_segment(bar.from, from, to) <= slack && to_segment(bar.to, from, to) <= slack
@@ -316,7 +332,8 @@ fn own_distance(rect: Rect, target: Target) -> f64 {
         }
         Target::Arc { centre, radius_mm, clear_mm, .. } => {
             let (near, mid) = (nearest(rect, centre).distance(centre), rect.centre().distance(centre));
-            // Outside the circle the near side counts, inside the far one, which lies half a diagonal beyond the middle.
+            // Outside the circle the near side counts; inside, the far side, which is half a
+            // diagonal beyond the centre of the box.
             let far = mid + rect.min.distance(rect.max) / 2.0;
             ((near - radius_mm).max(radius_mm - far) - clear_mm).max(0.0)
         }
@@ -331,23 +348,24 @@ fn touch(a: Rect, b: Rect) -> bool {
     a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y
 }
 
-/// Length of the segment inside the box.
+/// Returns the length of the segment inside the box.
 pub(super) fn clipped_mm(a: Point, b: Point, rect: Rect) -> f64 {
     inside(a, b, rect).map_or(0.0, |[t0, t1]| (t1 - t0) * (b - a).norm())
 }
 
-/// The part of a segment inside the box; one of no length has none.
+/// Returns the part of a segment inside the box; `None` for a segment of length zero.
 pub(super) fn clipped(a: Point, b: Point, rect: Rect) -> Option<(Point, Point)> {
     inside(a, b, rect).map(|[t0, t1]| (a + (b - a) * t0, a + (b - a) * t1))
 }
 
-/// From which part of a segment to which it is inside the box (Liang and Barsky's clipping).
+/// Returns the parameter interval of a segment inside the box (Liang–Barsky clipping).
 #[inline]
 fn inside(a: Point, b: Point, rect: Rect) -> Option<[f64; 2]> {
     let d = b - a;
     let (mut t0, mut t1) = (0.0_f64, 1.0_f64);
     for (p, lo, hi) in [(d.x, rect.min.x - a.x, rect.max.x - a.x), (d.y, rect.min.y - a.y, rect.max.y - a.y)] {
-        // Exactly parallel to the side: outside for good, or no bound from it; any other slope divides safely.
+        // Exactly parallel to the side: entirely outside, or not bounded by it. Any other slope
+        // divides safely.
         if p == 0.0 {
             if lo > 0.0 || hi < 0.0 {
                 return None;
@@ -361,7 +379,7 @@ fn inside(a: Point, b: Point, rect: Rect) -> Option<[f64; 2]> {
     (t1 > t0).then_some([t0, t1])
 }
 
-/// Distance from a box to a segment; 0 where they meet.
+/// Distance from a box to the axis of a bar; 0 if they meet.
 fn distance(rect: Rect, bar: &Bar) -> f64 {
     if clipped_mm(bar.from, bar.to, rect) > 0.0 {
         return 0.0;
@@ -371,7 +389,7 @@ fn distance(rect: Rect, bar: &Bar) -> f64 {
     corners.into_iter().fold(by_end, |least, c| least.min(to_segment2(c, bar.from, bar.to))).sqrt()
 }
 
-/// Distance of the edges of two bars; negative where one lies on the other, of bars that cross minus infinity.
+/// Distance between the edges of two bars; negative if they overlap, minus infinity if they cross.
 pub(super) fn bars_apart(a: &Bar, b: &Bar) -> f64 {
     if crosses(a.from, a.to, b.from, b.to) {
         return f64::NEG_INFINITY;
@@ -389,7 +407,7 @@ fn to_segment(p: Point, a: Point, b: Point) -> f64 {
     to_segment2(p, a, b).sqrt()
 }
 
-/// The square of the distance from a point to a segment (mm²).
+/// Squared distance from a point to a segment (mm²).
 fn to_segment2(p: Point, a: Point, b: Point) -> f64 {
     let d = b - a;
     let n2 = d.norm2();

@@ -1,12 +1,13 @@
-//! Where labels stand: at their point or along their line, clear of everything else.
+//! Placement of labels: at their point or along their line, clear of everything else.
 //!
-//! Every label has a fixed list of places (`candidate`), each with a static cost (`cost`: what it covers, how far
-//! it strays, whether it stands nearer to a foreign line than to its own); `search` picks one each so that the sum
-//! with the overlaps of pairs is small. A label whose best place is still poor is offered places farther off, with a
-//! leader line. Fixed order, no randomness: the same requests give the same places. More than a hundred labels are placed one after
-//! the other (`coarse`): weighing them against one another takes time that grows with the square of their number.
+//! Every label has a fixed list of places (`candidate`), each with a static cost (`cost`: covered
+//! ink, distance from the target, nearness to a foreign line); `search` chooses one place per label
+//! so that the sum including the overlaps of pairs is small. A label whose best place is still poor
+//! gets places farther off, with a leader line. The order is fixed and there is no randomness: the
+//! same requests give the same places. More than a hundred labels are placed one after the other
+//! (`coarse`), because comparing them takes time that grows with the square of their number.
 //!
-//! Costs are in millimetres of foreign line covered; the constants say what they are worth against each other.
+//! Costs are in millimetres of foreign line covered; the constants define their relative weights.
 
 mod candidate;
 mod coarse;
@@ -30,14 +31,14 @@ use super::text;
 use candidate::Candidate;
 use offer::Offer;
 
-/// What a label belongs to.
+/// The object that a label names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
     /// A point with a symbol around it.
     Point {
         /// The point.
         at: Point,
-        /// Radius of its symbol; the label keeps off it.
+        /// Radius of its symbol, which the label must not cover.
         clear_mm: f64,
     },
     /// A line.
@@ -49,54 +50,58 @@ pub enum Target {
         /// Half the width of the line.
         clear_mm: f64,
     },
-    /// A piece of a circle, such as an angle or the arrow of a rotation; outside is preferred.
+    /// An arc of a circle, such as an angle or the arrow of a rotation; a place outside it is
+    /// preferred.
     Arc {
         /// Centre.
         centre: Point,
         /// Radius.
         radius_mm: f64,
-        /// Angle of its beginning.
+        /// Angle at the start.
         from_rad: f64,
-        /// Angle of its end.
+        /// Angle at the end.
         to_rad: f64,
         /// Half the width of the line.
         clear_mm: f64,
     },
 }
 
-/// What a label would be read as beside another one on the same line.
+/// The role of a label beside another one on the same line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Reads {
-    /// As itself.
+    /// Read by itself.
     #[default]
     Alone,
-    /// As a quantity: a number close behind it would be its factor.
+    /// A quantity: a number close behind it would be read as its factor.
     Quantity,
-    /// As a number.
+    /// A number.
     Number,
 }
 
-/// A label that wants a place.
+/// A label to be placed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LabelRequest {
-    /// What is written.
+    /// The text.
     pub label: Label,
-    /// Size of the type.
+    /// Type size.
     pub size_mm: f64,
-    /// What it belongs to.
+    /// The object that the label names.
     pub target: Target,
-    /// The owner named by the obstacles that the label's own thing makes; they are neither foreign nor as costly.
+    /// The owner number of the obstacles that the target's own ink makes; they cost less than
+    /// foreign ones.
     pub owner: Option<u32>,
-    /// The side to prefer, such as away from a polygon's middle; `None` for the upper right, for an arc the outside.
+    /// The preferred side, such as away from a polygon's centre; `None` for the upper right, or the
+    /// outside of an arc.
     pub prefer: Option<Vec2>,
-    /// What it would be read as beside another label.
+    /// The role beside another label.
     pub reads: Reads,
-    /// Whether it may be left out where there is no clear place for it, as its thing is named otherwise too.
+    /// True if the label may be left out if there is no clear place for it, because its target is
+    /// named otherwise too.
     pub optional: bool,
 }
 
 impl LabelRequest {
-    /// A label at a point.
+    /// Returns the request of a label at a point.
     pub fn at_point(label: Label, size_mm: f64, at: Point, clear_mm: f64) -> LabelRequest {
         LabelRequest {
             label,
@@ -109,7 +114,7 @@ impl LabelRequest {
         }
     }
 
-    /// A label along a line.
+    /// Returns the request of a label along a line.
     pub fn along(label: Label, size_mm: f64, from: Point, to: Point, clear_mm: f64) -> LabelRequest {
         LabelRequest {
             label,
@@ -122,18 +127,18 @@ impl LabelRequest {
         }
     }
 
-    /// A label along a piece of a circle.
+    /// Returns the request of a label along an arc of a circle.
     pub fn along_arc(label: Label, size_mm: f64, centre: Point, radius_mm: f64, angles_rad: [f64; 2], clear_mm: f64) -> LabelRequest {
         let target = Target::Arc { centre, radius_mm, from_rad: angles_rad[0], to_rad: angles_rad[1], clear_mm };
         LabelRequest { label, size_mm, target, owner: None, prefer: None, reads: Reads::Alone, optional: false }
     }
 
-    /// How wide its ink is.
+    /// Width of the label.
     pub fn width_mm(&self) -> f64 {
         text::set(&self.label).width_em * self.size_mm
     }
 
-    /// The point that it names, if it names one.
+    /// Returns the point that the label names, if it names one.
     pub fn point(&self) -> Option<Point> {
         match self.target {
             Target::Point { at, .. } => Some(at),
@@ -141,47 +146,49 @@ impl LabelRequest {
         }
     }
 
-    /// The same with an owner.
+    /// Returns the request with an owner.
     pub fn owned(self, owner: u32) -> LabelRequest {
         LabelRequest { owner: Some(owner), ..self }
     }
 
-    /// The same for a label that is read with another one.
+    /// Returns the request with a role beside another label.
     pub fn read_as(self, reads: Reads) -> LabelRequest {
         LabelRequest { reads, ..self }
     }
 
-    /// The same for a label that may be left out.
+    /// Returns the request, marked as optional or required.
     pub fn optional(self, optional: bool) -> LabelRequest {
         LabelRequest { optional, ..self }
     }
 
-    /// The same with a side to prefer.
+    /// Returns the request with a preferred side.
     pub fn towards(self, side: Vec2) -> LabelRequest {
         LabelRequest { prefer: Some(side), ..self }
     }
 }
 
-/// Where a label stands.
+/// The position of a label.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    /// Start of its baseline.
+    /// Start of the baseline.
     pub at: Point,
-    /// Box of its ink.
+    /// Box of the ink.
     pub bounds: Rect,
-    /// A leader line from the label to its thing, where it stands far off.
+    /// A leader line from the label to its target, if the label is far off.
     pub leader: Option<(Point, Point)>,
-    /// What the place costs; above [`CROWDED`] it covers something.
+    /// Cost of the place; at or above [`CROWDED`] it covers something.
     pub cost: f64,
-    /// Which of the label's places it is, seen from its thing: the same in figures of a series.
+    /// Index of the place among the label's places, relative to its target: comparable between the
+    /// figures of a series.
     pub index: usize,
 }
 
-/// From this cost on a label touches a foreign thing or another label: any first touch costs more, any nearness less.
+/// Cost from which a label touches a foreign object or another label: any first touch costs at
+/// least this much, nearness alone less.
 pub const CROWDED: f64 = cost::TOUCH;
 
 impl Placement {
-    /// The label as an item, and its leader line before it where it has one.
+    /// Returns the label as an item, after the items of its leader line if it has one.
     pub fn items(&self, request: &LabelRequest, class: &str, leader: Stroke) -> Vec<Item> {
         let line = self.leader.map(|(from, to)| Item::new("leader", pointer(from, to, leader)));
         let label = Shape::Label {
@@ -195,15 +202,18 @@ impl Placement {
     }
 }
 
-/// How grey a leader line is: to be followed, and not to be taken for a line of the drawing.
+/// Grey level of a leader line: visible, but distinct from the lines of the drawing.
 const LEADER_GREY: u8 = 140;
-/// The dot at its end (ISO 128-22: on a surface or a line without an arrowhead).
+/// Radius of the dot at the end of a leader line (ISO 128-22: on a surface or a line without an
+/// arrowhead).
 const LEADER_DOT_MM: f64 = 0.45;
 
-/// A leader line: grey, with a dot at the thing that it names.
+/// A leader line: grey, with a dot at the object that it names.
 fn pointer(from: Point, to: Point, stroke: Stroke) -> Shape {
     let grey = Colour::grey(LEADER_GREY);
-    // Both begin where no direction plays a part: over the frames of a lesson all numbers of the dot change alike, and take no room.
+    // Both arcs of the dot start at an angle independent of the leader's direction: between the
+    // frames of a lesson all numbers of the dot then change alike, which takes no space in the
+    // file.
     let half = |from_rad| Piece::Arc { centre: to, radius_mm: LEADER_DOT_MM, from_rad, to_rad: from_rad + PI };
     Shape::Path {
         start: to + Vec2::new(LEADER_DOT_MM, 0.0),
@@ -216,14 +226,16 @@ fn pointer(from: Point, to: Point, stroke: Stroke) -> Shape {
 
 /// Finds a place for every label: one placement for each request, in their order.
 ///
-/// `obstacles` is all that is drawn, the labels' own things included; `bounds` is the paper that they may use.
-/// An empty label takes no room and stands at its target.
+/// `obstacles` contains all ink of the drawing, including the labels' own targets; `bounds` is the
+/// available paper. An empty label has no size and is placed at its target.
 pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect) -> Vec<Placement> {
     place_after(requests, obstacles, bounds, &[])
 }
 
-/// The same in a figure that follows another one of a series: a label with a [`Placement::index`] in `before` keeps that
-/// place beside its thing unless something has come in its way.
+/// Finds a place for every label of a figure in a series.
+///
+/// A label with a [`Placement::index`] in `before` keeps that place beside its target unless
+/// something obstructs it.
 pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<usize>]) -> Vec<Placement> {
     if is_coarse(requests.len()) {
         let none_left: Vec<LabelRequest> = requests.iter().map(|r| r.clone().optional(false)).collect();
@@ -236,11 +248,12 @@ pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rec
     search::run(&mut offers, &all, before, Leads::Short).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
 }
 
-/// So many free places, and a label that is placed before has not taken all of them.
+/// Number of free places that is enough for a label: labels placed before it do not take all of
+/// them.
 pub const ROOM: usize = 8;
 
-/// How many places, up to [`ROOM`], a label has beside its thing where it touches nothing that is drawn and is not taken for another
-/// thing's, on paper without end.
+/// Counts the places beside its target, up to [`ROOM`], at which a label touches no ink and is not
+/// read as the name of another object, on unbounded paper.
 pub fn free_places(request: &LabelRequest, obstacles: &Obstacles) -> usize {
     let wanted = Wanted::new(request);
     let places = candidate::near(&wanted);
@@ -249,7 +262,7 @@ pub fn free_places(request: &LabelRequest, obstacles: &Obstacles) -> usize {
     places.iter().filter(|c| around.fixed(c) < CROWDED).take(ROOM).count()
 }
 
-/// The first of these with [`ROOM`] free places, else the one with most of them.
+/// Returns the first element with [`ROOM`] free places, else the one with the most.
 pub fn roomiest<T: Clone>(all: impl IntoIterator<Item = T>, free: impl Fn(T) -> usize) -> Option<T> {
     let mut best: Option<(T, usize)> = None;
     for one in all {
@@ -264,32 +277,38 @@ pub fn roomiest<T: Clone>(all: impl IntoIterator<Item = T>, free: impl Fn(T) -> 
     best.map(|b| b.0)
 }
 
-/// Whether so many labels are too many to be weighed against one another: then each takes the best place that those before it left.
+/// Returns true if there are too many labels to compare with one another: each then takes the best
+/// place that those before it left.
 pub fn is_coarse(labels: usize) -> bool {
     labels > coarse::MANY
 }
 
-/// How far from its thing a label may stand where nothing nearer is clear.
+/// The largest distance of a label from its target if no nearer place is clear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Leads {
-    /// As far as a leader line of 12 mm goes: in a series of figures, in which a label far off keeps its place for long.
+    /// Leader lines of at most 12 mm: for a series of figures, in which a distant label keeps its
+    /// place for long.
     Short,
-    /// Twice as far: in a figure that stands alone.
+    /// Twice as long: for a single figure.
     Long,
 }
 
-/// What a label of a series did in the figure before.
+/// The state of a label in the previous figure of a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Habit {
-    /// It stood there ([`Placement::index`]).
+    /// Placed at this [`Placement::index`].
     At(usize),
-    /// There was no clear place for it.
+    /// Left out for want of a clear place.
     LeftOut,
 }
 
-/// Finds places as [`place_after`], and leaves out optional labels that would stand on another label, on a line as thick as
-/// their own, or nearer to one than to their own, or whose leader line would cross what none may cross; the others then have more room. `None` for those left out. One that was left out in the figure before comes back
-/// when there is a clear place beside all others, so that names do not come and go.
+/// Finds places as [`place_after`] does, and leaves out (`None`) optional labels without a clear
+/// place.
+///
+/// A place is not clear if the label is on another label or on a line as thick as its own, is
+/// nearer to such a line than to its own, or has a leader line across a barred line; leaving it out
+/// gives the others more space. A label that was left out in the previous figure returns only if
+/// there is a clear place beside all others, so that names do not appear and disappear.
 pub fn place_or_leave(
     requests: &[LabelRequest],
     obstacles: &Obstacles,
@@ -326,7 +345,7 @@ pub fn place_or_leave(
             kept.iter().zip(places).for_each(|(&i, place)| out[i] = Some(place));
             break;
         }
-        // The worst third at once: to go one by one would take as many searches as labels.
+        // The worst third at once: one at a time would take as many searches as there are labels.
         crowded.sort_by(|&a, &b| places[b].cost.total_cmp(&places[a].cost));
         crowded.truncate(crowded.len().div_ceil(3));
         let mut k = 0;
@@ -343,14 +362,14 @@ pub fn place_or_leave(
     out
 }
 
-/// A place that was picked, what it costs, and which of the label's places it is.
+/// A chosen place, its cost, and its index among the label's places.
 type Found = (Candidate, f64, usize);
 
 /// A request with its measures.
 struct Wanted {
     half_width_mm: f64,
     half_height_mm: f64,
-    /// From the sides of the box to the ink, which is what the eye compares distances by.
+    /// Distances from the sides of the box to the ink, by which the eye judges distances.
     bearing_mm: [f64; 2],
     descent_mm: f64,
     target: Target,
@@ -380,7 +399,7 @@ impl Wanted {
         Placement { at, bounds: candidate.rect, leader: candidate.leader, cost, index }
     }
 
-    /// The ink in a box of the label.
+    /// Returns the extent of the ink within a box of the label.
     fn ink(&self, rect: Rect) -> Rect {
         let [left, right] = self.bearing_mm;
         Rect { min: Point::new(rect.min.x + left, rect.min.y), max: Point::new(rect.max.x - right, rect.max.y) }

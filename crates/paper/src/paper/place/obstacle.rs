@@ -1,4 +1,4 @@
-//! What labels keep off: the ink of the items, as lines with a width, discs and boxes.
+//! Obstacles of labels: the ink of the items, as lines with a width, discs and boxes.
 
 use crate::paper::arrow;
 use crate::paper::extent::{Rect, on_circle, turned_corners};
@@ -12,46 +12,49 @@ pub struct Bar {
     pub from: Point,
     /// The other end.
     pub to: Point,
-    /// Half its width.
+    /// Half the width.
     pub half_width_mm: f64,
-    /// To whom it belongs.
+    /// The owner of the ink.
     pub owner: Option<u32>,
-    /// Whether it stands back behind all else, as construction lines do: a letter on it is read.
+    /// True if it is drawn in the background, as construction lines are: a letter on it stays
+    /// legible.
     pub faint: bool,
 }
 
 /// A round piece of ink.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disc {
-    /// Its centre.
+    /// Centre.
     pub centre: Point,
-    /// Its radius.
+    /// Radius.
     pub radius_mm: f64,
 }
 
-/// Everything that labels keep off.
+/// All obstacles of labels.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Obstacles {
     /// Lines.
     pub bars: Vec<Bar>,
-    /// Arrowheads, from back to tip: to cover one is worse than to cover a line.
+    /// Arrowheads, from back to tip: covering one is worse than covering a line.
     pub heads: Vec<Bar>,
-    /// The barbs of each of them.
+    /// The two barbs of each arrowhead.
     pub barbs: Vec<[Point; 2]>,
     /// Joints and dots.
     pub discs: Vec<Disc>,
     /// Boxes: labels with a fixed place, tables.
     pub rects: Vec<Rect>,
-    /// What no leader line crosses, of the lines: hatching, in which it is lost, and arcs of angles and rotations, of which it seems a part.
+    /// Lines that no leader line may cross: hatching, in which it is lost, and arcs of angles and
+    /// rotations, of which it looks like a part.
     pub barred: Vec<Bar>,
-    /// Places that have a letter or could have one: that of another one stands farther off.
+    /// Points that have a letter or could have one: letters of other points must be farther off.
     pub marks: Vec<Point>,
 }
 
-/// Arcs are taken as chords of at most this angle: at 20 mm radius a chord of 0.3 rad is off by 0.2 mm.
+/// Arcs are approximated by chords of at most this angle: at 20 mm radius a chord of 0.3 rad
+/// deviates by 0.2 mm.
 const CHORD_RAD: f64 = 0.3;
 
-/// What boxes are wider than they must be, so that rounding never parts what meets.
+/// Margin added to boxes, so that rounding never separates touching objects.
 const SLACK_MM: f64 = 1e-6;
 
 fn overlap(a: &Rect, b: &Rect) -> bool {
@@ -59,21 +62,22 @@ fn overlap(a: &Rect, b: &Rect) -> bool {
 }
 
 impl Obstacles {
-    /// The obstacles that these items make.
+    /// Returns the obstacles that these items make.
     pub fn of(items: &[Item]) -> Obstacles {
         let mut all = Obstacles::default();
         all.add(items, None);
         all
     }
 
-    /// That of a turned label whose box has these corners, from the beginning of its lower edge on.
+    /// Returns the obstacle of a turned label whose box has these corners, counter-clockwise from
+    /// the start of its lower edge.
     pub fn of_turned(corners: [Point; 4]) -> Obstacles {
         let mut all = Obstacles::default();
         all.turned(corners, None);
         all
     }
 
-    /// Adds the obstacles that these items make, all of one owner.
+    /// Adds the obstacles that these items make, all with one owner.
     pub fn add(&mut self, items: &[Item], owner: Option<u32>) {
         for item in items {
             let (bars, heads) = (self.bars.len(), self.heads.len());
@@ -82,9 +86,11 @@ impl Obstacles {
         }
     }
 
-    /// How many of these lines and discs others cross, or come nearer to than `air_mm`.
+    /// Counts the lines and discs in `self` that the others cross, or approach to less than
+    /// `air_mm`.
     pub fn met_by(&self, others: &Obstacles, air_mm: f64) -> usize {
-        // Most of a drawing is nowhere near: boxes tell it, of all the others together and of each.
+        // Most of a drawing is far away: boxes exclude it, first one box around all the others,
+        // then one for each.
         let boxes: Vec<Rect> =
             others.bars.iter().map(|o| Rect::new(o.from, o.to).grown(o.half_width_mm + air_mm.max(0.0) + SLACK_MM)).collect();
         let Some(all) = boxes.iter().copied().reduce(Rect::union) else { return 0 };
@@ -97,18 +103,20 @@ impl Obstacles {
         self.bars.iter().filter(met).count() + self.discs.iter().filter(disc).count()
     }
 
-    /// Keeps leader lines off the bars and heads from these on, which are those of an item of this class.
+    /// Bars leader lines from crossing the bars and heads from these indices on, which belong to an
+    /// item of this class.
     fn bar_leaders(&mut self, class: &str, [bars, heads]: [usize; 2]) {
         let is = |word| class.split(' ').any(|w| w == word);
         if is("rotation") || is("angle") && !is("reference") {
             self.barred.extend_from_slice(&self.bars[bars..]);
-            // Barbs reach back beyond the notch, from which the shaft is seen.
+            // The barbs extend back beyond the notch, where the shaft becomes visible.
             for (head, [left, right]) in self.heads[heads..].iter().zip(&self.barbs[heads..]) {
                 let edges = [(*left, head.to), (*right, head.to), (*left, *right)];
                 self.barred.extend(edges.map(|(from, to)| Bar { from, to, half_width_mm: 0.0, ..*head }));
             }
         } else if is("hatch") {
-            // From tip to tip: a line may pass between two strokes and is lost among them all the same.
+            // From tip to tip: a leader line between two strokes of hatching is lost among them as
+            // well.
             let next = |w: &&[Bar]| w[0].to.distance(w[1].to) < 2.0 * w[0].from.distance(w[0].to);
             let tips = self.bars[bars..].windows(2).filter(next).map(|w| Bar { from: w[0].to, to: w[1].to, ..w[0] });
             self.barred.extend(tips);
@@ -116,7 +124,7 @@ impl Obstacles {
         }
     }
 
-    /// Whether a place is in hatching or nearer to it, or to an arc, than `air_mm`.
+    /// Returns true if a point is in hatching, or nearer than `air_mm` to hatching or an arc.
     pub fn is_barred(&self, p: Point, air_mm: f64) -> bool {
         self.barred.iter().any(|bar| super::cost::to_bar(p, bar) < air_mm)
     }
@@ -175,7 +183,7 @@ impl Obstacles {
         }
     }
 
-    /// A bar as thick as the letters are high.
+    /// Adds a bar as thick as the letters are high.
     fn turned(&mut self, [a, b, c, d]: [Point; 4], owner: Option<u32>) {
         let middle = |p: Point, q: Point| p + (q - p) * 0.5;
         self.bar(middle(a, d), middle(b, c), a.distance(d) / 2.0, owner);
@@ -206,7 +214,7 @@ mod tests {
     use super::*;
     use crate::paper::place::cost::{bars_apart, to_bar};
 
-    /// What boxes leave out meets nothing: the same count as of all against all.
+    /// Checks that the boxes exclude nothing that meets: the count equals that of all against all.
     #[test]
     fn what_is_met_is_counted_as_without_boxes() {
         let mut state = 7_u64;
@@ -220,7 +228,7 @@ mod tests {
                 let mut all = Obstacles::default();
                 for k in 0..bars {
                     let from = Point::new(random(size), random(size));
-                    // DiagramKind and upright lines and such without length among them.
+                    // Includes vertical and horizontal lines, and lines of length zero.
                     let to = match k % 4 {
                         0 => Point::new(from.x, random(size)),
                         1 => Point::new(random(size), from.y),

@@ -1,4 +1,4 @@
-//! The places that a label may take, and what each costs by itself.
+//! The candidate places of a label with their individual costs.
 
 use super::Wanted;
 use super::candidate::{self, Candidate};
@@ -7,28 +7,28 @@ use super::obstacle::Obstacles;
 use crate::paper::extent::Rect;
 use hodograph_base::budget::spend;
 
-/// Places from near the thing to far off: without a leader line, with one, with a long one, with one in a direction between, with one to any part
-/// of the thing.
+/// Rings of places, from near to far: without a leader line, with one, with a long one, with one in
+/// an intermediate direction, with one to any part of the target.
 pub(super) const RINGS: [fn(&Wanted) -> Vec<Candidate>; 5] =
     [candidate::near, candidate::far, candidate::farthest, candidate::between, candidate::anywhere];
 
-/// The places that a label may take and what each costs by itself, found when first asked for: the same label is often searched
-/// for again without some of its neighbours, which changes nothing of this.
+/// The places of a label and their individual costs, computed on demand. They are reused when a
+/// label is searched again without some of its neighbours, which does not change these costs.
 pub(super) struct Offer<'a> {
     wanted: &'a Wanted,
     obstacles: &'a Obstacles,
     paper: Rect,
-    /// Those near its thing, from the first search that needs them on also those of a further ring.
+    /// The places near the target, followed by those of further rings once a search needs them.
     pub(super) places: Vec<Candidate>,
-    /// How many there are up to the end of each ring found so far.
+    /// Number of places up to the end of each ring found so far.
     ends: Vec<usize>,
     costs: Vec<Option<f64>>,
-    /// What is drawn around those of each ring.
+    /// The obstacles around the places of each ring.
     around: [Option<Around<'a>>; RINGS.len()],
 }
 
 impl<'a> Offer<'a> {
-    /// Of a label among all that is drawn.
+    /// Returns the places of a label among the obstacles.
     pub(super) fn new(wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Offer<'a> {
         spend();
         let around = std::array::from_fn(|_| None);
@@ -37,7 +37,7 @@ impl<'a> Offer<'a> {
         offer
     }
 
-    /// How many places there are up to the end of a ring.
+    /// Returns the number of places up to the end of a ring.
     pub(super) fn up_to(&mut self, ring: usize) -> usize {
         for further in &RINGS[self.ends.len().min(ring + 1)..=ring] {
             self.places.extend(further(self.wanted).into_iter().map(|c| c.read_as(self.wanted.reads)));
@@ -47,13 +47,14 @@ impl<'a> Offer<'a> {
         self.ends[ring]
     }
 
-    /// In which ring a place is, and the places of that ring.
+    /// Returns the ring of a place, and the range of that ring's places.
     fn ring(&self, k: usize) -> (usize, std::ops::Range<usize>) {
         let ring = self.ends.partition_point(|end| *end <= k);
         (ring, if ring == 0 { 0 } else { self.ends[ring - 1] }..self.ends[ring])
     }
 
-    /// The cost of a place, of which most others will be asked too.
+    /// Returns the cost of a place; efficient if the costs of most places of its ring are
+    /// requested.
     pub(super) fn cost(&mut self, k: usize) -> f64 {
         if let Some(cost) = self.costs[k] {
             return cost;
@@ -66,7 +67,7 @@ impl<'a> Offer<'a> {
         cost
     }
 
-    /// The cost of a place that is perhaps the only one.
+    /// Returns the cost of a place; efficient if few others are requested.
     pub(super) fn cost_alone(&mut self, k: usize) -> f64 {
         let here = &self.places[k];
         let found = || Around::new(std::slice::from_ref(here), self.wanted, self.obstacles, self.paper).fixed(here);

@@ -1,6 +1,7 @@
-//! Which parts of the paper are taken: small cells that ink, labels and areas fill.
+//! A raster of the paper: small cells that ink, labels and areas fill.
 //!
-//! What is asked of it takes time that goes with the cells in question, however much is drawn.
+//! The time of a query is proportional to the number of cells in question, independent of the
+//! amount of ink.
 
 use crate::paper::extent::Rect;
 use hodograph_base::geom::{Point, Vec2};
@@ -8,18 +9,19 @@ use hodograph_base::geom::{Point, Vec2};
 use super::cost;
 use super::obstacle::Obstacles;
 
-/// Side of a cell: a third of the smallest letter's height, a line's width and the air beside it.
+/// Side of a cell: a third of the smallest letter's height, or a line's width and the gap beside
+/// it.
 pub(super) const CELL_MM: f64 = 0.5;
-/// On a large paper cells grow, so that there are no more of them than this along a side.
+/// Largest number of cells along a side; on a large paper the cells are larger.
 const ACROSS: usize = 2000;
-/// A cell with a line in it.
+/// Flag of a cell with a line in it.
 pub(super) const LINE: u8 = 1;
-/// A cell with an arrowhead, a symbol or another label.
+/// Flag of a cell with an arrowhead, a symbol or another label.
 pub(super) const HEAVY: u8 = 2;
-/// A cell of a plate or a wheel, which lines may cross.
+/// Flag of a cell of a plate or a wheel, which lines may cross.
 const AREA: u8 = 4;
 
-/// Which cells of the paper hold what.
+/// The contents of the paper's cells.
 #[derive(Debug)]
 pub struct Raster {
     corner: Point,
@@ -27,7 +29,7 @@ pub struct Raster {
     columns: usize,
     rows: usize,
     cells: Vec<u8>,
-    /// Cells that were looked at or filled.
+    /// Number of cells examined or filled.
     touched: usize,
 }
 
@@ -40,14 +42,14 @@ impl Raster {
         Raster { corner: paper.min, cell_mm, columns, rows, cells: vec![0; columns * rows], touched: 0 }
     }
 
-    /// What these obstacles take of a paper.
+    /// Returns the raster of a paper with these obstacles.
     pub fn of(obstacles: &Obstacles, paper: Rect) -> Raster {
         let mut raster = Raster::new(paper);
         raster.add(obstacles);
         raster
     }
 
-    /// Takes what further obstacles cover.
+    /// Marks the cells that further obstacles cover.
     pub fn add(&mut self, obstacles: &Obstacles) {
         for bar in &obstacles.bars {
             self.fill_bar(bar.from, bar.to, bar.half_width_mm, LINE);
@@ -63,7 +65,7 @@ impl Raster {
         }
     }
 
-    /// Takes the inside of a convex outline.
+    /// Marks the inside of a convex outline.
     pub fn add_area(&mut self, corners: &[Point]) {
         for row in 0..self.rows {
             let y = self.corner.y + (row as f64 + 0.5) * self.cell_mm;
@@ -81,7 +83,7 @@ impl Raster {
         }
     }
 
-    /// Takes the inside of a circle.
+    /// Marks the inside of a circle.
     pub fn add_disc(&mut self, centre: Point, radius_mm: f64) {
         let [_, _, low, high] = self.range(Rect::new(centre, centre).grown(radius_mm));
         for row in low..high {
@@ -91,7 +93,7 @@ impl Raster {
         }
     }
 
-    /// Cells that were looked at or filled so far: what all this has cost.
+    /// Number of cells examined or filled so far, as a measure of work.
     pub fn touched(&self) -> usize {
         self.touched
     }
@@ -100,7 +102,7 @@ impl Raster {
         self.cell_mm
     }
 
-    /// How many cells of a box hold a line and nothing else, and how many something heavy.
+    /// Counts the cells of a box that contain only a line, and those that contain something heavy.
     pub(super) fn covered(&mut self, rect: Rect) -> (usize, usize) {
         let [from, to, low, high] = self.range(rect);
         let (mut lines, mut heavy) = (0usize, 0usize);
@@ -114,7 +116,7 @@ impl Raster {
         (lines, heavy)
     }
 
-    /// What the cell at a place holds; nothing beside the paper.
+    /// Returns the content of the cell at a point; empty off the paper.
     fn at(&mut self, p: Point) -> u8 {
         self.touched += 1;
         let d = p - self.corner;
@@ -123,7 +125,7 @@ impl Raster {
         if on_paper { self.cells[row as usize * self.columns + column as usize] } else { 0 }
     }
 
-    /// Whether nothing is in a box in any direction, given by its corners in order.
+    /// Returns true if a box in any direction, given by its corners in order, is empty.
     pub fn is_free(&mut self, [a, b, c, d]: [Point; 4]) -> bool {
         let steps = |p: Point, q: Point| (p.distance(q) / self.cell_mm).ceil().max(1.0);
         let (along, across) = (steps(a, b), steps(a, d));
@@ -134,7 +136,8 @@ impl Raster {
         })
     }
 
-    /// How often a line comes upon ink on its way, and whether it passes over an area.
+    /// Returns the number of times a line enters ink on its way, and whether it passes over an
+    /// area.
     pub fn met_on(&mut self, from: Point, to: Point) -> (usize, bool) {
         let Some((from, to)) = cost::clipped(from, to, self.paper()) else { return (0, false) };
         let steps = (from.distance(to) / self.cell_mm).ceil().max(1.0);
@@ -153,7 +156,7 @@ impl Raster {
         Rect { min: self.corner, max: self.corner + Vec2::new(self.columns as f64, self.rows as f64) * self.cell_mm }
     }
 
-    /// The cells of a box, as far as they are on the paper: columns and rows, end exclusive.
+    /// Returns the cells of a box that are on the paper: columns and rows, end exclusive.
     fn range(&self, rect: Rect) -> [usize; 4] {
         let index = |mm: f64, most: usize| (mm / self.cell_mm).floor().max(0.0).min(most as f64) as usize;
         let [a, b] = [rect.min, rect.max].map(|p| p - self.corner);

@@ -1,7 +1,8 @@
-//! Picks one place for each label: coordinate descent, then joint moves of labels in conflict.
+//! Chooses one place for each label: coordinate descent, then joint moves of labels in conflict.
 //!
-//! Decided here: that nothing is found twice. What a place costs by itself is kept in its [`Offer`]; what it costs beside a neighbour is
-//! kept until the neighbour moves ([`Beside`]); a pair that could not be bettered is not tried again before something around it has moved.
+//! Nothing is computed twice. The individual cost of a place is kept in its [`Offer`]; its cost
+//! beside a neighbour is kept until the neighbour moves ([`Beside`]); a pair that could not be
+//! improved is tried again only after something around it has moved.
 
 use crate::paper::extent::Rect;
 use hodograph_base::budget::spend;
@@ -12,53 +13,58 @@ use super::obstacle::Obstacles;
 use super::offer::{Offer, RINGS};
 use super::{CROWDED, Found, Leads, Placement, Wanted};
 
-/// Sweeps of the descent. Each lowers the total, so it ends by itself; on sheets of 200 labels after 6 at most.
+/// Largest number of sweeps of the descent. Each lowers the total, so it terminates by itself; on
+/// sheets of 200 labels after at most 6.
 const SWEEPS_MAX: usize = 24;
 /// Rounds of joint moves, each followed by a descent.
 const ROUNDS_MAX: usize = 8;
-/// From this cost on a leader line is worth a try: dearer than any place with nothing but a foreign line near by.
+/// Cost from which leader lines are tried: more than any place that only has a foreign line nearby.
 const POOR: f64 = 5.5;
-/// From this cost on it is tried in all directions: what covers something or stands nearer to something else costs more.
+/// Cost from which leader lines are tried in all directions: a place that covers something or is
+/// nearer to another object costs more.
 const STRAYED: f64 = 7.0;
-/// From this cost on it is tried to any part of the thing: what covers a thick line or has a leader line through an arc costs as much.
+/// Cost from which leader lines to any part of the target are tried: that of covering a thick line,
+/// or of a leader line through an arc.
 const COVERED: f64 = cost::TOUCH * cost::THICK_FACTOR;
 
-/// What it costs a label of a series of figures to leave the place that it had in the figure before: less than touching
-/// anything, more than any nearness, so that it stays beside its thing until something comes in its way.
+/// Cost for a label in a series of figures of leaving its place in the previous figure: less than
+/// touching anything, more than any nearness. A label thus stays until something obstructs it.
 pub(super) const LEAVE: f64 = 6.0;
 
 struct Choice<'c, 'a> {
     offer: &'c mut Offer<'a>,
-    /// What each place costs by itself; while that is not known, what it costs at the least.
+    /// Individual cost of each place; a lower bound until it is known.
     fixed: Vec<f64>,
-    /// Whether it is known.
+    /// True for each place with a known cost.
     known: Vec<bool>,
     picked: usize,
-    /// The place that it had in the figure before.
+    /// The place in the previous figure.
     before: Option<usize>,
-    /// Whether it looks at other places. While the place of the figure before costs less than leaving it, no other can be better.
+    /// True if the label considers other places. While the previous place costs less than leaving
+    /// it, no other can be better.
     open: bool,
     /// The box around all its places and leader lines.
     reach: Rect,
     /// The labels with a place that could meet one of this label's places.
     neighbours: Vec<usize>,
-    /// What its places cost beside the others' where they stand.
+    /// Costs of its places beside the current places of the others.
     beside: Beside,
-    /// When it last took another place or looked at more of them.
+    /// Time of its last move or extension of places.
     moved: u64,
 }
 
-/// What the places of a label cost beside the others where they stand. Most places meet nobody: only what costs something is kept.
+/// Costs of a label's places beside the current places of the others. Most places meet no other
+/// label: only positive costs are stored.
 #[derive(Default)]
 struct Beside {
-    /// For each place the others that make it dearer, in their order, and by how much.
+    /// For each place the others that make it costlier, in their order, with the cost.
     rows: Vec<Vec<(usize, f64)>>,
-    /// At which of its places each other label is taken to stand; at none yet.
+    /// The place assumed for each other label; `None` if not yet considered.
     stand: Vec<Option<usize>>,
 }
 
 impl Beside {
-    /// From now on another label stands at its `index`th place.
+    /// Updates the costs for another label at its `index`th place.
     fn turn_to(&mut self, places: &[Candidate], j: usize, (index, place): (usize, &Candidate)) {
         let before = self.stand[j].replace(index);
         if before == Some(index) {
@@ -75,7 +81,7 @@ impl Beside {
         }
     }
 
-    /// There are more places now: all is found anew.
+    /// Clears all costs after places were added.
     fn restart(&mut self, places: usize, labels: usize) {
         (self.rows, self.stand) = (vec![Vec::new(); places], vec![None; labels]);
     }
@@ -88,7 +94,7 @@ fn around(places: &[Candidate]) -> Rect {
 
 impl<'c, 'a> Choice<'c, 'a> {
     fn new(offer: &'c mut Offer<'a>, before: Option<usize>) -> Choice<'c, 'a> {
-        // As many rings as hold the place of the figure before.
+        // Includes enough rings to contain the place of the previous figure.
         let mut count = offer.up_to(0);
         for ring in 1..RINGS.len() {
             if before.is_some_and(|b| b >= count) {
@@ -113,7 +119,7 @@ impl<'c, 'a> Choice<'c, 'a> {
         choice
     }
 
-    /// How many places it has.
+    /// Number of its places.
     fn count(&self) -> usize {
         self.fixed.len()
     }
@@ -122,7 +128,7 @@ impl<'c, 'a> Choice<'c, 'a> {
         &self.offer.places[..self.fixed.len()]
     }
 
-    /// From now on it looks at all its places.
+    /// Makes the label consider all its places.
     fn open(&mut self) {
         self.open = true;
         for k in (0..self.count()).filter(|k| self.before != Some(*k)) {
@@ -130,7 +136,7 @@ impl<'c, 'a> Choice<'c, 'a> {
         }
     }
 
-    /// Takes the places up to the end of a ring as well.
+    /// Adds the places up to the end of a ring.
     fn look_far(&mut self, ring: usize) {
         for k in self.count()..self.offer.up_to(ring) {
             self.fixed.push(self.offer.places[k].base + self.leave(k));
@@ -139,14 +145,14 @@ impl<'c, 'a> Choice<'c, 'a> {
         self.reach = around(self.places());
     }
 
-    /// Finds what a place costs by itself.
+    /// Computes the individual cost of a place.
     fn know(&mut self, k: usize) {
         if !self.known[k] {
             (self.fixed[k], self.known[k]) = (self.offer.cost(k) + self.leave(k), true);
         }
     }
 
-    /// The same for all that may cost no more than `enough`.
+    /// Computes the individual costs of all places that may cost no more than `enough`.
     fn know_up_to(&mut self, enough: f64) {
         (0..self.count()).for_each(|k| {
             if self.fixed[k] <= enough {
@@ -155,7 +161,7 @@ impl<'c, 'a> Choice<'c, 'a> {
         });
     }
 
-    /// The cheapest place by itself, the first of equals.
+    /// Returns the place with the lowest individual cost, the first among equals.
     fn cheapest(&mut self) -> usize {
         self.know(0);
         let mut best = 0;
@@ -170,7 +176,7 @@ impl<'c, 'a> Choice<'c, 'a> {
         best
     }
 
-    /// What a place costs because it is another one than before.
+    /// Returns the cost of a place for differing from the previous one.
     fn leave(&self, k: usize) -> f64 {
         if self.before.is_some_and(|b| b != k) { LEAVE } else { 0.0 }
     }
@@ -180,13 +186,14 @@ impl<'c, 'a> Choice<'c, 'a> {
     }
 }
 
-/// For each of these labels (in their order) its place, what that costs, and which of the places it is; `before` says which it was
-/// in the figure before.
+/// Returns for each of these labels (in their order) its place, the cost, and the index of the
+/// place; `before` contains the indices in the previous figure.
 pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], leads: Leads) -> Vec<Found> {
     let stood = |i: usize| before.get(i).copied().flatten();
     let wanted = offers.iter_mut().enumerate().filter(|(k, _)| of.binary_search(k).is_ok());
     let mut search = Search::new(wanted.enumerate().map(|(i, (_, offer))| Choice::new(offer, stood(i))).collect());
-    // In a series the figure before has settled what stands where: one descent mends what has come in the way.
+    // In a series the previous figure has settled the places: one descent resolves new
+    // obstructions.
     let rounds = if before.is_empty() { ROUNDS_MAX } else { 0 };
     search.settle(rounds);
     loop {
@@ -215,7 +222,7 @@ pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], 
     search.choices.iter().enumerate().map(found).collect()
 }
 
-/// The best place near its thing for a label beside others that stay where they are.
+/// Returns the best place near its target for a label beside others that stay in place.
 pub(super) fn beside_placed(wanted: &Wanted, obstacles: &Obstacles, paper: Rect, placed: &[Placement]) -> Option<Found> {
     let places = candidate::near(wanted);
     let around = Around::new(&places, wanted, obstacles, paper);
@@ -226,17 +233,18 @@ pub(super) fn beside_placed(wanted: &Wanted, obstacles: &Obstacles, paper: Rect,
     Some((*places.get(best)?, costs[best], best))
 }
 
-/// The first of the smallest.
+/// Returns the index of the smallest cost, the first among equals.
 fn argmin(costs: &[f64]) -> usize {
     costs.iter().enumerate().fold(0, |best, (i, c)| if *c < costs[best] { i } else { best })
 }
 
-/// All labels that are weighed against one another.
+/// All labels that are compared with one another.
 struct Search<'c, 'a> {
     choices: Vec<Choice<'c, 'a>>,
-    /// Counts the moves.
+    /// Counter of moves.
     clock: u64,
-    /// For each pair of labels, when it was last found that no two places together are better: `n i + j`.
+    /// For each pair of labels, the time of the last attempt that found no better pair of places:
+    /// index `n i + j`.
     tried: Vec<u64>,
 }
 
@@ -249,14 +257,14 @@ impl<'c, 'a> Search<'c, 'a> {
         Search { choices, clock: 1, tried: vec![0; n * n] }
     }
 
-    /// What a label costs where it stands.
+    /// Returns the cost of a label at its current place.
     fn total(&self, i: usize) -> f64 {
         let me = &self.choices[i];
         let beside: f64 = me.neighbours.iter().map(|&j| cost::pair(me.place(), self.choices[j].place())).sum();
         me.fixed[me.picked] + beside
     }
 
-    /// Takes the places of a label up to the end of a ring as well.
+    /// Adds the places of a label up to the end of a ring.
     fn look_far(&mut self, i: usize, ring: usize) {
         let n = self.choices.len();
         let me = &mut self.choices[i];
@@ -275,7 +283,7 @@ impl<'c, 'a> Search<'c, 'a> {
         self.choices[i].moved = self.clock;
     }
 
-    /// Finds who can meet whom.
+    /// Finds the pairs of labels that can meet.
     fn meet(&mut self) {
         let reach: Vec<Rect> = self.choices.iter().map(|c| c.reach).collect();
         for (i, choice) in self.choices.iter_mut().enumerate() {
@@ -303,7 +311,7 @@ impl<'c, 'a> Search<'c, 'a> {
                 let (mut best, mut least) = (me.picked, me.total(me.picked, None));
                 let now = least;
                 for k in 0..me.count() {
-                    // Beside others a place only becomes dearer: most need not be looked at.
+                    // Costs beside others only increase: most places need no examination.
                     if me.fixed[k] <= least {
                         me.know(k);
                     }
@@ -311,7 +319,7 @@ impl<'c, 'a> Search<'c, 'a> {
                         continue;
                     }
                     let cost = me.total(k, None);
-                    // Of equals the first, as everywhere.
+                    // Among equals the first, as in all comparisons.
                     if cost < least || cost == least && k < best && cost < now {
                         (best, least) = (k, cost);
                     }
@@ -327,7 +335,7 @@ impl<'c, 'a> Search<'c, 'a> {
         }
     }
 
-    /// Moves labels in conflict together with each neighbour that stands in their way.
+    /// Moves labels in conflict together with each neighbour that obstructs them.
     fn move_pairs(&mut self) -> bool {
         let mut moved = false;
         for i in 0..self.choices.len() {
@@ -350,7 +358,7 @@ impl<'c, 'a> Search<'c, 'a> {
         moved
     }
 
-    /// Whoever stands where one of a label's own better places is, not only where it is now.
+    /// Returns the labels at one of the better places of a label, not only at its current one.
     fn rivals(&mut self, i: usize, bound: f64) -> Vec<usize> {
         self.look_around(i);
         let me = &mut self.choices[i];
@@ -362,7 +370,7 @@ impl<'c, 'a> Search<'c, 'a> {
         found
     }
 
-    /// When a label or one of its neighbours last moved.
+    /// Returns the time at which a label or one of its neighbours last moved.
     fn stirred(&self, i: usize) -> u64 {
         let me = &self.choices[i];
         me.neighbours.iter().map(|&j| self.choices[j].moved).fold(me.moved, u64::max)
@@ -375,10 +383,10 @@ impl<'c, 'a> Search<'c, 'a> {
         let together = cost::pair(choices[i].place(), choices[j].place());
         let alone = |me: &Choice, without: usize| me.total(me.picked, Some(without));
         let now = alone(&choices[i], j) + alone(&choices[j], i) + together;
-        // Rounding must not keep two equal places changing for ever.
+        // Rounding must not make two equal places alternate for ever.
         let mut best = now - 1e-9;
         let mut at = None;
-        // What one of the two costs at the least leaves so much for the other: dearer places need not be looked at.
+        // The least cost of one label bounds the other's: costlier places need no examination.
         let least = choices[j].fixed.iter().copied().fold(f64::INFINITY, f64::min);
         let mine = choices[i].cheap_first(j, best - least);
         let Some(least) = mine.first().map(|m| m.1) else { return false };
@@ -390,7 +398,7 @@ impl<'c, 'a> Search<'c, 'a> {
                     break;
                 }
                 let both = alone + cost::pair(&choices[i].places()[a], &choices[j].places()[b]);
-                // Of equals the first, as everywhere.
+                // Among equals the first, as in all comparisons.
                 if both < best || both == best && at.is_some_and(|at| (a, b) < at) {
                     best = both;
                     at = Some((a, b));
@@ -403,7 +411,7 @@ impl<'c, 'a> Search<'c, 'a> {
         true
     }
 
-    /// Finds out where the neighbours of a label stand.
+    /// Updates the costs for the current places of a label's neighbours.
     fn look_around(&mut self, i: usize) {
         let mut beside = std::mem::take(&mut self.choices[i].beside);
         let me = &self.choices[i];
@@ -416,13 +424,14 @@ impl<'c, 'a> Search<'c, 'a> {
 }
 
 impl Choice<'_, '_> {
-    /// Cost of place `k` beside its neighbours, or all of them but one.
+    /// Returns the cost of place `k` beside its neighbours, or all of them but one.
     fn total(&self, k: usize, without: Option<usize>) -> f64 {
         let beside: f64 = self.beside.rows[k].iter().filter(|(j, _)| Some(*j) != without).map(|(_, cost)| cost).sum();
         self.fixed[k] + beside
     }
 
-    /// Its places that cost no more than `enough` beside all neighbours but one, the cheapest first.
+    /// Returns the places that cost no more than `enough` beside all neighbours but one, cheapest
+    /// first.
     fn cheap_first(&mut self, without: usize, enough: f64) -> Vec<(usize, f64)> {
         self.know_up_to(enough);
         let affordable = (0..self.count()).filter(|&k| self.fixed[k] <= enough);

@@ -8,7 +8,7 @@ fn arrow(from: Point, to: Point) -> Item {
     Item::new("vector", Shape::Arrow { from, to, stroke: Stroke::new(0.4), head: Head::VECTOR })
 }
 
-/// Pairs of labels that overlap, labels on a bar or disc, labels off the paper.
+/// Counts pairs of labels that overlap, labels on a bar or disc, and labels off the paper.
 fn clashes(placements: &[Placement], obstacles: &Obstacles) -> (usize, usize, usize) {
     let mut pairs = 0;
     for (i, a) in placements.iter().enumerate() {
@@ -23,7 +23,8 @@ fn clashes(placements: &[Placement], obstacles: &Obstacles) -> (usize, usize, us
     (pairs, covering, outside)
 }
 
-/// A polygon with a labelled corner and edge at each step, the pole in the middle, and a ray to every corner.
+/// A polygon with a labelled corner and edge at each step, the pole in the centre, and a ray to
+/// every corner.
 fn rose(centre: Point, n: usize, radius: f64, items: &mut Vec<Item>, obstacles: &mut Obstacles, requests: &mut Vec<LabelRequest>) {
     let corner = |k: usize| centre + Vec2::from_angle(0.3 + std::f64::consts::TAU * k as f64 / n as f64) * radius;
     for k in 0..n {
@@ -81,7 +82,8 @@ fn baseline_is_the_ink_box_moved_by_the_descent() {
 
 #[test]
 fn stands_nearer_to_its_own_line() {
-    // Two parallel lines 5 mm apart: between them there is just room, but outside nothing can be mistaken.
+    // Two parallel lines 5 mm apart: a label just fits between them, but outside it cannot be
+    // mistaken.
     let lines = [(Point::new(20.0, 40.0), Point::new(80.0, 40.0)), (Point::new(20.0, 45.0), Point::new(80.0, 45.0))];
     let mut obstacles = Obstacles::default();
     for (k, &(from, to)) in lines.iter().enumerate() {
@@ -92,14 +94,16 @@ fn stands_nearer_to_its_own_line() {
     };
     let both = place(&[request(0, -1.0), request(1, 1.0)], &obstacles, PAPER);
     assert!(both[0].bounds.max.y < 40.0 && both[1].bounds.min.y > 45.0, "{both:?}");
-    // Without a wish the upper side is the default; the lower line's label goes below it all the same.
+    // Without a preferred side the upper one is the default; the label of the lower line still goes
+    // below it.
     let free = LabelRequest { prefer: None, ..request(0, 1.0) };
     assert!(place(&[free], &obstacles, PAPER)[0].bounds.max.y < 40.0);
 }
 
 #[test]
 fn names_beside_each_other_are_not_read_as_one() {
-    // Two lines that cross flat, and two that part slowly: the middles of each two are so near that their names would make a product.
+    // Two lines that cross at a small angle, and two that diverge slowly: the middles of each two
+    // are so near that their names would look like a product.
     let flat = [(Point::new(20.0, 50.0), Point::new(85.0, 40.0)), (Point::new(75.0, 52.0), Point::new(20.0, 36.0))];
     let slow = [(Point::new(20.0, 20.0), Point::new(70.0, 75.0)), (Point::new(20.0, 18.0), Point::new(84.0, 70.0))];
     for (lines, names) in [(flat, ["v_A", "v_{PB}"]), (slow, ["1", "2"])] {
@@ -152,7 +156,8 @@ fn labels_stay_on_the_paper() {
     assert_eq!(clashes(&[p], &Obstacles::default()).2, 0);
 }
 
-/// A hundred vectors thrown on an A4 sheet, every other one labelled along itself, the rest at their tails.
+/// A hundred random vectors on an A4 sheet, every other one labelled along itself, the rest at
+/// their tails.
 #[test]
 fn scattered_vectors_have_no_overlap() {
     let mut seed = 12345_u64;

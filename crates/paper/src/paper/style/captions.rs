@@ -1,4 +1,5 @@
-//! Names under drawings and over what is written that a style gives in place of the usual ones, for each language.
+//! Captions of drawings and headings of tables that a style sets in place of the default ones, for
+//! each language.
 
 use crate::paper::phrase::Phrase;
 use crate::paper::text;
@@ -10,10 +11,10 @@ use hodograph_base::json::fields::localized;
 use hodograph_base::json::{Node, Word};
 use hodograph_base::lang::Lang;
 
-/// Longest caption: a line of A4.
+/// Longest caption in characters: a line of A4.
 const LONGEST: usize = 80;
 
-/// What has a caption or a heading on a sheet.
+/// A part of a sheet with a caption or a heading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Captioned {
     /// A diagram: the mechanism, or a polygon.
@@ -24,7 +25,7 @@ pub enum Captioned {
     Results,
 }
 
-/// What is captioned, by the words of files.
+/// The captioned parts and their keys in style files.
 const ALL: [(&str, Captioned); 6] = [
     ("mechanism", Captioned::Drawing(DiagramKind::Plane)),
     ("velocity", Captioned::Drawing(DiagramKind::Velocity)),
@@ -39,13 +40,14 @@ const ALL: [(&str, Captioned); 6] = [
 pub struct Captions(Vec<(Captioned, Lang, String)>);
 
 impl Captions {
-    /// What is written at a drawing or a list: the style's words, else the usual ones.
+    /// Returns the caption of a drawing or the heading of a list: the style's, else the default.
     pub fn of(&self, what: Captioned, lang: Lang) -> &str {
         let own = self.0.iter().find(|(w, l, _)| (*w, *l) == (what, lang));
         own.map_or_else(|| usual(lang, what), |(.., text)| text)
     }
 
-    /// Reads the section of a style file; a text counts for both languages, `{"en": ..., "zh": ...}` for each its own.
+    /// Reads the section of a style file; a plain text applies to both languages,
+    /// `{"en": ..., "zh": ...}` to each its own.
     pub(super) fn read(&mut self, node: &Node, faults: &mut Faults) {
         let keys = ALL.map(|(key, _)| key);
         let Some(f) = Fields::open(node, "\"captions\"", &keys, faults) else { return };
@@ -70,10 +72,10 @@ fn usual(lang: Lang, what: Captioned) -> &'static str {
     }
 }
 
-/// A caption that can be set.
+/// Returns the caption if it can be typeset, and reports it otherwise.
 fn sound(word: Word, faults: &mut Faults) -> Option<String> {
     let Some(fault) = text::set(&Phrase::new(&word.text).label()).faults.first().cloned() else { return Some(word.text) };
-    // One text for both languages has its fault once.
+    // A text for both languages is reported once.
     let told = |d: &Diagnostic| d.code == "caption" && d.span == Some(word.span);
     if faults.list.iter().any(told) {
         return None;

@@ -1,4 +1,5 @@
-//! Style files: JSON that says what differs from the style it is based on. All faults at once, each with its place.
+//! Style files: JSON with the differences from a base style. All faults are reported together, each
+//! with its position.
 //!
 //! ```json
 //! { "base": "print", "lines": { "vector": 0.5 }, "colours": { "links": ["#0072b2", "#d55e00"] }, "notation": { "pole": "P" } }
@@ -14,13 +15,15 @@ use hodograph_base::json::fields::{Fields, What, list, suggest, word, wrong};
 use hodograph_base::json::{self, Kind, Node};
 use hodograph_base::notation::Vectors;
 
-/// A length that a style sets: its key, where it is kept, and its bounds in mm.
+/// A length that a style sets: its key, its field, and its bounds in mm.
 type Length = (&'static str, fn(&mut Style) -> &mut f64, [f64; 2]);
 
-/// A mark is a letter or a word in the label language, and stands in many labels.
+/// Longest mark in characters: a mark is a letter or a word in the label language and occurs in
+/// many labels.
 const MARK_MAX: usize = 40;
 
-/// Lines thinner than a hair do not print, thicker than 2 mm they hide what they join.
+/// Line widths: lines thinner than a hair do not print, and lines thicker than 2 mm hide what they
+/// join.
 const LINES: &[Length] = &[
     ("link", |s| &mut s.link.width_mm, [0.1, 2.0]),
     ("outline", |s| &mut s.outline.width_mm, [0.1, 2.0]),
@@ -28,7 +31,8 @@ const LINES: &[Length] = &[
     ("vector", |s| &mut s.vector.width_mm, [0.1, 2.0]),
 ];
 
-/// A head shorter than a millimetre is not seen, longer than a centimetre it is the vector.
+/// Arrowheads: a head shorter than a millimetre is invisible, and one longer than a centimetre
+/// covers the vector.
 const HEADS: &[Length] = &[
     ("vector_length", |s| &mut s.head.length_mm, [1.0, 10.0]),
     ("vector_width", |s| &mut s.head.width_mm, [0.4, 6.0]),
@@ -36,7 +40,7 @@ const HEADS: &[Length] = &[
     ("thin_width", |s| &mut s.thin_head.width_mm, [0.4, 6.0]),
 ];
 
-/// Half to four times what the textbooks use: beyond, symbols run into one another.
+/// Symbol sizes: half to four times the textbook sizes; beyond these, symbols run into one another.
 const SYMBOLS: &[Length] = &[
     ("pin_radius", |s| &mut s.pin_radius_mm, [0.5, 4.0]),
     ("dot_radius", |s| &mut s.dot_radius_mm, [0.3, 2.0]),
@@ -50,7 +54,8 @@ const SYMBOLS: &[Length] = &[
     ("slot_width", |s| &mut s.slot_width_mm, [1.5, 12.0]),
 ];
 
-/// Scripts are 70 % of the type: under 3.2 mm they fall below 2.2 mm, the smallest that prints well.
+/// Type sizes: scripts are 70 % of the type; below 3.2 mm they fall below 2.2 mm, the smallest size
+/// that prints well.
 const TEXT: &[Length] = &[
     ("label", |s| &mut s.label_mm, [3.2, 15.0]),
     ("caption", |s| &mut s.caption_mm, [3.2, 15.0]),
@@ -63,10 +68,12 @@ const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "fo
 const COLOURS: &[&str] = &["paper", "ink", "plate", "links"];
 const MARKS: &[&str] =
     &["pole", "coriolis", "tangential", "sliding", "known", "unknown", "similar", "normal_end", "coriolis_end", "vectors"];
-/// Most colours of a list: more cannot be told apart, and the bound limits the memory that a file can take.
+/// Largest number of link colours: more cannot be distinguished, and the bound limits the memory
+/// that a file can take.
 const LINKS_MAX: usize = 64;
 
-/// What reads the file that a style names so: fonts stand beside the style, and this room opens no files.
+/// Reads the file that a style names. Fonts are stored beside the style, and this module opens no
+/// files.
 pub type Open<'a> = dyn FnMut(&str) -> Result<Vec<u8>, Diagnostic> + 'a;
 
 /// Reads a style file that names no other files.
@@ -83,15 +90,16 @@ pub fn read(source: &[u8]) -> Result<Style, Faults> {
     read_with(source, &mut nothing)
 }
 
-/// Reads a style file whose fonts `open` reads.
+/// Reads a style file; `open` reads the fonts that it names.
 ///
 /// # Errors
-/// As [`read`]; also those of `open`, and `font` for a file that is no font and for a second font of a cut.
+/// As [`read`]; also the errors of `open`, and `font` for a file that is not a font and for a
+/// second font of a cut.
 pub fn read_with(source: &[u8], open: &mut Open) -> Result<Style, Faults> {
     read_onto(source, Style::default(), open)
 }
 
-/// Opens nothing.
+/// Opens no file: returns an error for every name.
 pub(super) fn nothing(name: &str) -> Result<Vec<u8>, Diagnostic> {
     Err(Diagnostic::error(
         "font",
@@ -99,7 +107,7 @@ pub(super) fn nothing(name: &str) -> Result<Vec<u8>, Diagnostic> {
     ))
 }
 
-/// The same for a file that differs, where it names no base, from `usual`.
+/// Reads a style file that is based on `usual` if it names no base.
 pub(super) fn read_onto(source: &[u8], usual: Style, open: &mut Open) -> Result<Style, Faults> {
     let mut faults = Faults::default();
     let (_, root) = json::parse(source, &mut faults)?;
@@ -162,7 +170,7 @@ fn length(node: &Node, key: &str, [least, most]: [f64; 2], faults: &mut Faults) 
     }
 }
 
-/// An upright font, a slanted one, or both; a fault stands at the name that it is about.
+/// Reads an upright font, a slanted one, or both; a fault is reported at the name of its font.
 fn fonts(node: &Node, open: &mut Open, faults: &mut Faults) -> Fonts {
     let mut fonts = Fonts::default();
     for item in list(node, "\"fonts\"", faults).unwrap_or_default() {

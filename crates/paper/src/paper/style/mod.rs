@@ -1,5 +1,7 @@
-//! How figures look: weights and sizes of the ink in millimetres, and its colours. Styles are data: the bundled ones are the
-//! JSON files beside this one, a user's own is such a file that says what differs (the `file` module reads both).
+//! Styles of figures: widths and sizes in millimetres, and colours.
+//!
+//! Styles are data: the bundled ones are the JSON files in this directory; a user's style is a file
+//! of the same form with the differences from a base (the `file` module reads both).
 
 use super::arrow::Head;
 use super::font::own::Fonts;
@@ -14,24 +16,29 @@ pub use captions::{Captioned, Captions};
 pub use file::{Open, read, read_with};
 pub use palette::Palette;
 
-/// How a figure is drawn.
+/// The style of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
     /// Its name.
     pub name: String,
-    /// Links: ISO 128's thick line, the darkest thing on the page, as the mechanism is the subject.
+    /// Links: the thick line of ISO 128, the darkest on the page, because the mechanism is the
+    /// subject.
     pub link: Stroke,
-    /// Outlines of joints, blocks and supports: below the links and above the auxiliary lines.
+    /// Outlines of joints, blocks and supports: thinner than the links and thicker than the
+    /// auxiliary lines.
     pub outline: Stroke,
-    /// Hatching, dimensions, angles, centre lines: half the outline, so that areas of hatching stay grey.
+    /// Hatching, dimensions, angles, centre lines: half the outline's width, so that hatched areas
+    /// stay grey.
     pub thin: Stroke,
-    /// Vectors: their length is read with a ruler to 0.2 mm, so the line may not be wider than twice that.
+    /// Vectors: their length is read with a ruler to 0.2 mm, so the line may be at most twice as
+    /// wide.
     pub vector: Stroke,
     /// Head of a vector.
     pub head: Head,
     /// Head of an angle's or dimension's arrow.
     pub thin_head: Head,
-    /// Radius of a revolute joint's circle, to the middle of its line: its white must show between 0.7 mm links.
+    /// Radius of a revolute joint's circle, to the middle of its line: its white area must be
+    /// visible between links of 0.7 mm.
     pub pin_radius_mm: f64,
     /// Radius of the dot at a pole: larger than a line's width, smaller than a joint.
     pub dot_radius_mm: f64,
@@ -47,38 +54,40 @@ pub struct Style {
     pub hatch_depth_mm: f64,
     /// Length of a slider's block, along its guide.
     pub block_length_mm: f64,
-    /// Width of a slider's block, across its guide: shows the joint's circle with air on both sides.
+    /// Width of a slider's block, across its guide: the joint's circle has a gap on both sides.
     pub block_width_mm: f64,
-    /// Clear width of a slot and distance of a pair of guide lines: a joint's circle fits in.
+    /// Clear width of a slot and distance of a pair of guide lines: the joint's circle fits between
+    /// them.
     pub slot_width_mm: f64,
-    /// The area of a link with more than two joints: light enough for a label to be read on it.
+    /// Fill of a link with more than two joints: light enough for a label on it to be legible.
     pub plate: Colour,
     /// Size of the type at points and vectors.
     pub label_mm: f64,
     /// Size of the type in tables and captions.
     pub caption_mm: f64,
-    /// Size of the type at scales and dimensions: its scripts (70 %) stay above 2.2 mm, the smallest that prints.
+    /// Size of the type at scales and dimensions: its scripts (70 %) stay above 2.2 mm, the
+    /// smallest size that prints.
     pub small_mm: f64,
     /// The colours of the ink.
     pub palette: Palette,
-    /// Marks that differ from those of the chosen notation profile.
+    /// Marks that replace those of the notation profile.
     pub marks: Marks,
-    /// Captions and headings that differ from the usual ones.
+    /// Captions and headings that replace the default ones.
     pub captions: Captions,
-    /// Fonts of the author's, asked before the embedded ones.
+    /// The author's fonts, which take precedence over the embedded ones.
     pub fonts: Fonts,
 }
 
-/// Marks of a notation profile that a style replaces; empty where it does not.
+/// Marks of a notation profile that a style replaces; `None` for marks that it keeps.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Marks {
     /// The pole.
     pub pole: Option<String>,
-    /// Superscript of the Coriolis part.
+    /// Superscript of the Coriolis component.
     pub coriolis: Option<String>,
-    /// Superscript of tangential parts.
+    /// Superscript of tangential components.
     pub tangential: Option<String>,
-    /// Superscript of sliding parts.
+    /// Superscript of sliding (relative) components.
     pub sliding: Option<String>,
     /// The sign for "known" in tables.
     pub known: Option<String>,
@@ -86,16 +95,16 @@ pub struct Marks {
     pub unknown: Option<String>,
     /// The sign between similar triangles.
     pub similar: Option<String>,
-    /// The end of a normal part where n′ is the image of a point N.
+    /// Suffix of the end of a normal component if n′ is the image of a point N.
     pub normal_end: Option<String>,
-    /// The end of a Coriolis part where k′ is the image of a point K.
+    /// Suffix of the end of a Coriolis component if k′ is the image of a point K.
     pub coriolis_end: Option<String>,
-    /// How vectors are written in vector equations.
+    /// Notation of vectors in vector equations.
     pub vectors: Option<Vectors>,
 }
 
 impl Marks {
-    /// All those of a notation.
+    /// Returns the marks of a notation profile.
     pub fn of(notation: Notation) -> Marks {
         Marks {
             pole: Some(notation.pole),
@@ -111,7 +120,7 @@ impl Marks {
         }
     }
 
-    /// The profile with these marks in place of its own.
+    /// Returns the profile with these marks in place of its own.
     pub fn over(&self, profile: &Notation) -> Notation {
         let or = |own: &Option<String>, old: &String| own.clone().unwrap_or_else(|| old.clone());
         Notation {
@@ -130,18 +139,18 @@ impl Marks {
     }
 }
 
-/// The bundled styles, the usual one first.
+/// The bundled styles, the default one first.
 const BUNDLED: [(&str, &str); 3] =
     [("print", include_str!("print.json")), ("slides", include_str!("slides.json")), ("dark", include_str!("dark.json"))];
 
 impl Style {
-    /// The names of the bundled styles.
+    /// Returns the names of the bundled styles.
     pub fn names() -> [&'static str; 3] {
         BUNDLED.map(|(name, _)| name)
     }
 
-    /// A bundled style: `print` (black on white, as the Chinese and German textbooks), `slides` (a colour for each link, larger
-    /// type) or `dark` (the same on a dark ground).
+    /// Returns a bundled style: `print` (black on white, as in Chinese and German textbooks),
+    /// `slides` (a colour for each link, larger type) or `dark` (as `slides`, on a dark ground).
     pub fn named(name: &str) -> Option<Style> {
         let (_, source) = BUNDLED.iter().find(|(n, _)| *n == name)?;
         let print = name == BUNDLED[0].0;
@@ -149,7 +158,8 @@ impl Style {
         Some(read.expect("bundled styles are read by a test"))
     }
 
-    /// What `print` begins with before its file has spoken: no measures at all, which that file gives (a test asks for each).
+    /// Returns a style without measures, the base of `print`: its file sets all of them (a test
+    /// checks each).
     fn blank() -> Style {
         let (none, head) = (Stroke::new(0.0), |notch| Head { length_mm: 0.0, width_mm: 0.0, notch });
         Style {
@@ -182,21 +192,24 @@ impl Style {
     }
 }
 
-/// The smallest type of a figure: its scripts (70 %) are then 2.2 mm, the smallest that prints.
+/// Smallest type of a figure: its scripts (70 %) are then 2.2 mm, the smallest size that prints.
 const LEAST_TYPE_MM: f64 = 2.2 / 0.7;
-/// Lines and symbols shrink less than drawings do: to this part, below which a pin can no longer be seen as a circle.
+/// Smallest reduction of lines and symbols, which shrink less than drawings: below it, a pin can no
+/// longer be recognized as a circle.
 const LEAST_INK: f64 = 0.7;
 
-/// The size of captions for which the heights of rows are given, that of `print`.
+/// Caption size for which row heights are given: that of `print`.
 const USUAL_CAPTION_MM: f64 = 4.1;
 
 impl Style {
-    /// A distance between lines of type, given for the usual size: less where the type is smaller.
+    /// Returns a line distance that is given for the default caption size, reduced in proportion if
+    /// the type is smaller.
     pub fn leading(&self, mm: f64) -> f64 {
         mm * (self.caption_mm / USUAL_CAPTION_MM).min(1.0)
     }
 
-    /// The same for a drawing of this part of its size: type as far as it can be read, symbols and lines as far as they can be told apart.
+    /// Returns the style for a drawing reduced to this fraction: type only as far as it stays
+    /// legible, symbols and lines only as far as they can be distinguished.
     pub fn reduced(&self, part: f64) -> Style {
         let mut style = self.clone();
         for mm in [&mut style.label_mm, &mut style.caption_mm, &mut style.small_mm] {
@@ -229,7 +242,7 @@ impl Style {
 }
 
 impl Default for Style {
-    /// `print`.
+    /// Returns the `print` style.
     fn default() -> Style {
         Style::named("print").expect("the usual style is bundled")
     }

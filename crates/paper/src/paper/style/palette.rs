@@ -1,5 +1,7 @@
-//! The colours of the ink. Figures are made in black, white and greys; at the end the palette turns black into its ink or the
-//! colour of the thing's link, white into its paper, and a grey into the mixture between the two.
+//! The colours of the ink.
+//!
+//! Figures are built in black, white and greys. At the end the palette maps black to its ink or to
+//! the colour of the item's link, white to its paper, and a grey to a mixture of the two.
 
 use super::super::item::{Colour, Figure, Item, Shape, Stroke};
 
@@ -10,7 +12,8 @@ pub struct Palette {
     pub paper: Colour,
     /// The ink.
     pub ink: Colour,
-    /// One colour for each moving link in the order of the scene, begun anew when they run out; none: all in ink.
+    /// One colour for each moving link in the order of the scene, repeated cyclically; empty: all
+    /// links in ink.
     pub links: Vec<Colour>,
 }
 
@@ -21,12 +24,12 @@ impl Default for Palette {
 }
 
 impl Palette {
-    /// Whether nothing changes.
+    /// Returns true if the palette changes nothing.
     fn is_plain(&self) -> bool {
         *self == Palette::default()
     }
 
-    /// The colour of a link; the ink where links have none.
+    /// Returns the colour of a link; the ink if links have no colours.
     pub fn link(&self, link: Option<usize>) -> Colour {
         match (link, self.links.len()) {
             (Some(l), n) if n > 0 => self.links[l % n],
@@ -60,7 +63,8 @@ impl Palette {
         }
     }
 
-    /// A grey between full colour (black) and paper (white); what is no grey stays.
+    /// Maps a grey to a mixture of the full colour (black) and the paper (white); other colours are
+    /// unchanged.
     fn mixed(&self, full: Colour, c: Colour) -> Colour {
         if c.r != c.g || c.g != c.b {
             return c;
@@ -76,7 +80,7 @@ mod tests {
     use super::super::Style;
     use super::*;
 
-    /// Relative luminance (WCAG 2.2).
+    /// Returns the relative luminance (WCAG 2.2).
     fn luminance(c: Colour) -> f64 {
         let [r, g, b] = linear(c);
         0.2126 * r + 0.7152 * g + 0.0722 * b
@@ -94,8 +98,8 @@ mod tests {
         (a.max(b) + 0.05) / (a.min(b) + 0.05)
     }
 
-    /// Colours in Oklab (B. Ottosson, 2020), as seen by readers without and with the three kinds of colour blindness
-    /// (Machado, Oliveira, Fernandes 2009, severity 1).
+    /// Returns a colour in Oklab (B. Ottosson, 2020), as seen without and with the three kinds of
+    /// colour blindness (Machado, Oliveira, Fernandes 2009, severity 1).
     fn seen(c: Colour) -> [[f64; 3]; 4] {
         const KINDS: [[[f64; 3]; 3]; 4] = [
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
@@ -134,12 +138,13 @@ mod tests {
             // An excavator has twelve links.
             assert!(p.links.len() >= 12);
             for (k, a) in all.iter().enumerate() {
-                // WCAG asks 3 of graphical objects.
+                // WCAG requires a contrast of 3 for graphical objects.
                 assert!(contrast(*a, p.paper) >= 3.2, "{style} {a:?}: {}", contrast(*a, p.paper));
                 for b in &all[..k] {
                     let apart = seen(*a).into_iter().zip(seen(*b)).map(|(x, y)| (0..3).map(|i| (x[i] - y[i]).powi(2)).sum::<f64>().sqrt());
                     let worst = apart.fold(f64::INFINITY, f64::min);
-                    // A just noticeable difference is about 0.02; the palette of Okabe and Ito keeps 0.076.
+                    // A just noticeable difference is about 0.02; the palette of Okabe and Ito has
+                    // 0.076.
                     assert!(worst >= 0.075, "{style} {a:?} and {b:?}: {worst:.3}");
                 }
             }

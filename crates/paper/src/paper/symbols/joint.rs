@@ -4,7 +4,7 @@ use crate::paper::item::{Colour, Item, Piece, Shape};
 use crate::paper::style::Style;
 use hodograph_base::geom::{Point, Vec2};
 
-/// A revolute joint: a white circle over the links that it joins.
+/// A revolute joint: a white circle over the links that it connects.
 pub fn pin(style: &Style, at: Point) -> Vec<Item> {
     let shape = Shape::Circle { centre: at, radius_mm: style.pin_radius_mm, stroke: Some(style.outline), fill: Some(Colour::WHITE) };
     vec![Item::new("pin", shape)]
@@ -15,12 +15,12 @@ pub fn dot(style: &Style, at: Point) -> Vec<Item> {
     vec![Item::new("dot", Shape::Circle { centre: at, radius_mm: style.dot_radius_mm, stroke: None, fill: Some(Colour::BLACK) })]
 }
 
-/// A line of ground with hatching on its right-hand side, seen from `from` to `to`.
+/// A ground line with hatching on its right-hand side, seen from `from` to `to`.
 pub fn ground_line(style: &Style, from: Point, to: Point) -> Vec<Item> {
     let Some(along) = (to - from).unit() else { return Vec::new() };
     let length = from.distance(to);
     let depth = along * -style.hatch_depth_mm + -along.perp() * style.hatch_depth_mm;
-    // Whole strokes at an even pitch, beginning under the end that they lean to.
+    // Whole strokes at an even pitch, starting below the end towards which they lean.
     let count = (length / style.hatch_pitch_mm).floor().max(1.0) as usize;
     let pitch = length / count as f64;
     let foot = |k: usize| from + along * (pitch * (k as f64 + 1.0));
@@ -31,7 +31,7 @@ pub fn ground_line(style: &Style, from: Point, to: Point) -> Vec<Item> {
     ]
 }
 
-/// An arc of ground, hatched on the side away from its centre or towards it.
+/// A ground arc, hatched on the side away from its centre or towards it.
 pub fn ground_arc(style: &Style, centre: Point, radius_mm: f64, [from_rad, to_rad]: [f64; 2], outside: bool) -> Vec<Item> {
     let side = if outside { 1.0 } else { -1.0 };
     let count = ((to_rad - from_rad) * radius_mm / style.hatch_pitch_mm).floor().max(1.0);
@@ -48,8 +48,9 @@ pub fn ground_arc(style: &Style, centre: Point, radius_mm: f64, [from_rad, to_ra
     ]
 }
 
-/// A revolute joint on the ground: triangle, hatched ground line and pin. `towards` is the direction from the joint
-/// to the ground, usually down; a zero vector is taken as down.
+/// A revolute joint on the ground: triangle, hatched ground line and pin.
+///
+/// `towards` is the direction from the joint to the ground, usually down; a zero vector means down.
 pub fn fixed_pivot(style: &Style, at: Point, towards: Vec2) -> Vec<Item> {
     let down = towards.unit().unwrap_or(Vec2::new(0.0, -1.0));
     let right = down.perp();
@@ -68,7 +69,7 @@ pub fn fixed_pivot(style: &Style, at: Point, towards: Vec2) -> Vec<Item> {
     items
 }
 
-/// A knife edge: a wedge with its tip at a place, which goes on in a direction.
+/// A knife edge: a wedge with its tip at `tip`, extending in the direction `away`.
 pub fn wedge(style: &Style, tip: Point, away: Vec2) -> Item {
     let (length, half) = (3.2 * style.pin_radius_mm, 1.1 * style.pin_radius_mm);
     let (back, side) = (tip + away * length, away.perp() * half);

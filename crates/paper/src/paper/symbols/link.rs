@@ -13,7 +13,7 @@ pub fn link(style: &Style, points: &[Point]) -> Vec<Item> {
     vec![Item::new("link", shape)]
 }
 
-/// The same drawn dashed: what is there and only repeats what others fix.
+/// Returns the items drawn dashed, for a virtual (redundant) constraint.
 pub fn dashed(items: Vec<Item>) -> Vec<Item> {
     let dashed = |stroke: Stroke| Stroke { cap: Cap::Butt, ..stroke.dashed(Dash::Dashed) };
     let change = |shape| match shape {
@@ -30,26 +30,26 @@ pub fn dashed(items: Vec<Item>) -> Vec<Item> {
     items.into_iter().map(|item| Item { shape: change(item.shape), ..item }).collect()
 }
 
-/// A link with three or more joints: a plate, light grey inside.
+/// A link with three or more joints: a plate filled with light grey.
 pub fn plate(style: &Style, points: &[Point]) -> Vec<Item> {
     let shape = Shape::Polyline { points: points.to_vec(), closed: true, stroke: Some(style.link), fill: Some(style.plate) };
     vec![Item::new("link plate", shape)]
 }
 
-/// The mark of a rigid corner: the angle between two bars of one link, filled. Nothing where the bars have no
-/// direction or no angle between them.
+/// The mark of a rigid corner: the angle between two bars of one link, filled. Empty if the bars
+/// have no direction or no angle between them.
 pub fn weld(style: &Style, corner: Point, one: Point, other: Point) -> Vec<Item> {
     let (Some(a), Some(b)) = ((one - corner).unit(), (other - corner).unit()) else { return Vec::new() };
-    // Well out of the two thick lines, or the mark would drown in them.
+    // The mark must extend well beyond the two thick lines to be visible.
     let leg = 3.2 * style.pin_radius_mm;
     let points = vec![corner, corner + a * leg, corner + b * leg];
     vec![Item::new("link weld", Shape::Polyline { points, closed: true, stroke: None, fill: Some(Colour::BLACK) })]
 }
 
-/// Pitch of a spring's windings at its usual length, and their half width.
+/// Pitch of a spring's windings at its default length, and their half width.
 const PITCH_MM: f64 = 2.4;
 const HALF_WIDTH_MM: f64 = 1.8;
-/// The part of a spring's length that is straight at each end.
+/// Fraction of a spring's length that is straight at each end.
 const STRAIGHT: f64 = 0.2;
 
 /// A coil spring between two points: a zigzag line.

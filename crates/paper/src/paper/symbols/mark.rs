@@ -5,14 +5,17 @@ use crate::paper::label::Label;
 use crate::paper::style::Style;
 use hodograph_base::geom::{Point, Vec2};
 
-/// The arrow of a rotation around `centre`, with its head at `to_rad`; counter-clockwise when `to_rad` > `from_rad`.
+/// The arrow of a rotation around `centre`, with its head at `to_rad`; counter-clockwise if
+/// `to_rad` > `from_rad`.
 pub fn rotation(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<Item> {
     vec![Item::new("rotation", Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke: style.vector, head: style.head })]
 }
 
-/// An angle at `centre` from a reference line, drawn, to a line that is there; the head is at the latter.
+/// An angle at `centre` from a reference line, which is drawn, to an existing line; the head is at
+/// the latter.
 pub fn angle(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<Item> {
-    // The reference line goes on a third beyond the arc, as the eye needs a crossing to read an angle.
+    // The reference line extends a third beyond the arc: an angle is legible only if the lines
+    // cross.
     let along = Vec2::from_angle(from_rad);
     let (from, to) = (centre + along * style.pin_radius_mm, centre + along * (radius_mm * 4.0 / 3.0));
     vec![
@@ -21,18 +24,20 @@ pub fn angle(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad
     ]
 }
 
-/// The dimension line of [`dimension`]: where its label belongs.
+/// Returns the dimension line of [`dimension`], along which its label is placed.
 pub fn dimension_line(from: Point, to: Point, offset_mm: f64) -> (Point, Point) {
     let n = (to - from).unit().unwrap_or(Vec2::new(1.0, 0.0)).perp() * offset_mm;
     (from + n, to + n)
 }
 
-/// A dimension from `from` to `to`, its line `offset_mm` to the left of that direction (to the right when negative).
+/// A dimension from `from` to `to`, with its line `offset_mm` to the left of that direction (to the
+/// right if negative).
 pub fn dimension(style: &Style, from: Point, to: Point, offset_mm: f64) -> Vec<Item> {
     let (a, b) = dimension_line(from, to, offset_mm);
     let (Some(out), Some(along)) = ((a - from).unit(), (b - a).unit()) else { return Vec::new() };
     let line = |from: Point, to: Point| Shape::Line { from, to, stroke: style.thin };
-    // ISO 129-1: extension lines leave a gap at the thing and pass the dimension line by a little.
+    // ISO 129-1: extension lines leave a gap at the object and extend slightly beyond the dimension
+    // line.
     let (gap, past) = (out * (style.pin_radius_mm + 0.6), out * 1.2);
     let middle = a + along * (a.distance(b) / 2.0);
     let arrow = |to: Point| Shape::Arrow { from: middle, to, stroke: style.thin, head: style.thin_head };
@@ -44,7 +49,8 @@ pub fn dimension(style: &Style, from: Point, to: Point, offset_mm: f64) -> Vec<I
     ]
 }
 
-/// A graphic scale: a line of `length_mm` with a label at each end, which stays right when the sheet is enlarged.
+/// A graphic scale: a line of `length_mm` with a label at each end, which stays valid when the
+/// sheet is enlarged.
 pub fn scale_bar(style: &Style, from: Point, length_mm: f64, zero: Label, end: Label) -> Vec<Item> {
     let tick = Vec2::new(0.0, 1.1);
     let to = from + Vec2::new(length_mm, 0.0);

@@ -1,9 +1,11 @@
-//! The symbols of the field, after ISO 3952 (GB/T 4460) as textbooks draw them: pure functions from places to items.
+//! The symbols of mechanism drawings, after ISO 3952 (GB/T 4460) in the form of the textbooks: pure
+//! functions from positions to items.
 //!
-//! Places are on the paper, in millimetres; angles are counter-clockwise from x. A symbol's items are in drawing order
-//! and each has a class: `pin`, `ground`, `link`, `slider`, `slot`, `plate`, `cylinder`, `rotation`, `angle`,
-//! `dimension`, `scale`, `spring`. Draw links first, then supports and blocks, pins last. What labels keep off is read from the
-//! items themselves ([`super::place::Obstacles::of`]).
+//! Positions are on the paper, in millimetres; angles are counter-clockwise from x. A symbol's
+//! items are in drawing order and each has a class: `pin`, `ground`, `link`, `slider`, `slot`,
+//! `plate`, `cylinder`, `rotation`, `angle`, `dimension`, `scale`, `spring`. Draw links first, then
+//! supports and blocks, pins last. The obstacles for labels are derived from the items themselves
+//! ([`super::place::Obstacles::of`]).
 
 mod joint;
 mod link;

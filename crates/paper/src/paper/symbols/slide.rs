@@ -9,19 +9,20 @@ use hodograph_base::geom::{Point, Vec2};
 
 use super::joint::ground_line;
 
-/// How a fixed guide holds its block.
+/// The form of a fixed guide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Guide {
     /// One hatched line, on the right-hand side of the direction.
     OneSided,
-    /// A hatched line on both sides.
+    /// A hatched line on each side.
     TwoSided,
 }
 
-/// A fixed guide for a slider's block: hatched ground along the block's sides.
+/// A fixed guide of a slider's block: hatched ground along the block's sides.
 pub fn guide(style: &Style, centre: Point, angle_rad: f64, length_mm: f64, kind: Guide) -> Vec<Item> {
     let along = Vec2::from_angle(angle_rad) * (length_mm / 2.0);
-    // The block's side and the guide's line fall together: two lines there would read as one thick one.
+    // The block's side and the guide's line coincide: two lines there would look like one thick
+    // line.
     let off = Vec2::from_angle(angle_rad).perp() * (style.block_width_mm / 2.0);
     let mut items = ground_line(style, centre - along - off, centre + along - off);
     if kind == Guide::TwoSided {
@@ -30,8 +31,10 @@ pub fn guide(style: &Style, centre: Point, angle_rad: f64, length_mm: f64, kind:
     items
 }
 
-/// A slider's block around a joint, its long side along `angle_rad`. With `through`, the link on which it slides is
-/// shown dashed inside. The pin is drawn by the caller, over the link that ends there.
+/// A slider's block around a joint, with its long side along `angle_rad`.
+///
+/// With `through`, the link on which it slides is shown dashed inside. The caller draws the pin,
+/// over the link that ends there.
 pub fn block(style: &Style, at: Point, angle_rad: f64, through: bool) -> Vec<Item> {
     let u = Vec2::from_angle(angle_rad) * (style.block_length_mm / 2.0);
     let n = Vec2::from_angle(angle_rad).perp() * (style.block_width_mm / 2.0);
@@ -45,7 +48,7 @@ pub fn block(style: &Style, at: Point, angle_rad: f64, through: bool) -> Vec<Ite
     items
 }
 
-/// A straight slot with round ends: `from` and `to` are the outermost places of the pin in it.
+/// A straight slot with round ends: `from` and `to` are the outermost positions of the pin in it.
 pub fn slot(style: &Style, from: Point, to: Point) -> Vec<Item> {
     let r = style.slot_width_mm / 2.0;
     let u = (to - from).unit().unwrap_or(Vec2::new(1.0, 0.0));
@@ -59,8 +62,8 @@ pub fn slot(style: &Style, from: Point, to: Point) -> Vec<Item> {
     vec![slot_item(style, from - n, pieces)]
 }
 
-/// A slot along an arc, with round ends; counter-clockwise when `to_rad` > `from_rad`. The radius is that of its
-/// middle line and larger than half the slot's width.
+/// A slot along an arc, with round ends; counter-clockwise if `to_rad` > `from_rad`. `radius_mm` is
+/// the radius of its centre line and larger than half the slot's width.
 pub fn slot_arc(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<Item> {
     let r = style.slot_width_mm / 2.0;
     let (a, b) = (from_rad.min(to_rad), from_rad.max(to_rad));
@@ -77,13 +80,16 @@ fn slot_item(style: &Style, start: Point, pieces: Vec<Piece>) -> Item {
     Item::new("slot", Shape::Path { start, pieces, closed: true, stroke: Some(style.outline), fill: Some(Colour::WHITE) })
 }
 
-/// A cylinder with its piston and rod, from the joint `base` of the barrel to the joint `tip` of the rod. The barrel is
-/// `barrel_mm` long; the piston stands where a rod of the same length puts it, and never leaves the barrel.
+/// A cylinder with its piston and rod, from the joint `base` of the barrel to the joint `tip` of
+/// the rod.
+///
+/// The barrel is `barrel_mm` long; the piston position corresponds to a rod of the same length,
+/// limited to the inside of the barrel.
 pub fn cylinder(style: &Style, base: Point, tip: Point, barrel_mm: f64) -> Vec<Item> {
     let Some(u) = (tip - base).unit() else { return Vec::new() };
     let n = u.perp() * (style.block_width_mm / 2.0);
     let line = |from: Point, to: Point, stroke: Stroke, class: &str| Item::new(class, Shape::Line { from, to, stroke });
-    // As much bar between the joint's circle and the barrel's bottom as the circle is wide.
+    // The bar between the joint's circle and the barrel's bottom is as long as the circle is wide.
     let bottom = base + u * (3.0 * style.pin_radius_mm);
     let mouth = bottom + u * barrel_mm;
     let margin = style.pin_radius_mm;

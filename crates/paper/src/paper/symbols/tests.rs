@@ -39,7 +39,8 @@ fn slot_is_as_wide_as_it_says_in_every_direction() {
     assert!((v.width_mm() - h.height_mm()).abs() < 1e-9 && (v.height_mm() - h.width_mm()).abs() < 1e-9);
 }
 
-/// Each arc must begin where the path has come to: SVG draws from there, whatever `from_rad` says.
+/// Checks that each arc begins at the current point of the path: SVG draws from there, whatever
+/// `from_rad` is.
 #[test]
 fn slots_are_joined_without_a_gap() {
     let turned = slot(&STYLE, Point::new(1.0, 2.0), Point::new(-5.0, 9.0));

@@ -1,4 +1,4 @@
-//! The elements of an SVG that have ids: where they are, what they say, how they are painted.
+//! Reads the elements of an SVG that have ids: positions, texts and paint.
 
 use std::collections::HashMap;
 
@@ -6,24 +6,25 @@ use resvg::usvg::roxmltree::{self, Node, ParsingOptions};
 
 use hodograph_base::diag::{Diagnostic, both};
 
-/// More nodes than the figure of any scene has that is accepted: drawing more would take time without bound.
+/// Largest number of nodes: no figure of an accepted scene has more, and drawing more would take
+/// unbounded time.
 const NODES: u32 = 300_000;
-/// Figures are nested three deep; what draws them goes down by recursion.
+/// Largest nesting depth: figures have three levels, and drawing is recursive.
 const DEEPEST: usize = 64;
-/// Elements that figures are made of. None of them multiplies what is drawn, but for a use, which is looked at.
+/// Elements of figures. Of these only a use can multiply what is drawn; uses are checked.
 const KNOWN: &[&str] = &["svg", "title", "desc", "defs", "g", "path", "line", "rect", "circle", "use", "text", "tspan"];
-/// Millimetres of a CSS pixel.
+/// Millimetres per CSS pixel.
 const PIXEL_MM: f64 = 25.4 / 96.0;
 
 /// The compared parts of an SVG.
 pub struct Document {
-    /// Its size.
+    /// Size of the document.
     pub size_mm: [f64; 2],
-    /// Its title.
+    /// Title.
     pub title: String,
-    /// Its description.
+    /// Description.
     pub desc: String,
-    /// Its elements with ids, in order.
+    /// Elements with ids, in order.
     pub elements: Vec<Element>,
     by_id: HashMap<String, usize>,
 }
@@ -31,22 +32,22 @@ pub struct Document {
 /// An element with an id.
 pub struct Element {
     pub id: String,
-    /// Names of the vector it shows; empty for other elements.
+    /// Names of the vector that it shows; empty for other elements.
     pub name: String,
     pub mm: Option<f64>,
     pub si: Option<f64>,
     /// Text of a label.
     pub text: Option<String>,
-    /// Colours, widths and patterns of it and of its parts.
+    /// Colours, widths and patterns of the element and its parts.
     pub paint: String,
     pub geometry: Geometry,
 }
 
-/// Places of an element's lines.
+/// Geometry of an element's lines.
 pub enum Geometry {
     /// Tail and tip.
     Arrow([[f64; 2]; 2]),
-    /// Its shapes, and their numbers.
+    /// Shapes, and their numbers.
     Lines(String, Vec<f64>),
 }
 
@@ -68,13 +69,13 @@ impl Document {
         Ok(Document { size_mm: [width, height], title: said("title"), desc: said("desc"), elements, by_id })
     }
 
-    /// The element of an id.
+    /// Returns the element with an id.
     pub fn find(&self, id: &str) -> Option<&Element> {
         self.by_id.get(id).map(|k| &self.elements[*k])
     }
 }
 
-/// The elements with ids that are in none with an id, in order.
+/// Returns the outermost elements with ids, in order.
 fn named(root: Node) -> Result<Vec<Element>, Diagnostic> {
     let mut out = Vec::new();
     let mut left: Vec<(Node, usize)> = root.children().filter(|n| n.tag_name().name() != "defs").map(|n| (n, 1)).collect();
@@ -91,7 +92,8 @@ fn named(root: Node) -> Result<Vec<Element>, Diagnostic> {
     Ok(out)
 }
 
-/// Refuses elements that no figure has: filters, patterns and uses of uses can make a small file take hours to draw.
+/// Rejects elements that no figure contains: filters, patterns and uses of uses can make a small
+/// file take hours to draw.
 fn refuse_foreign(root: Node) -> Result<(), Diagnostic> {
     let mut drawn_once: HashMap<&str, bool> = HashMap::new();
     for node in root.descendants().filter(Node::is_element) {
@@ -156,7 +158,7 @@ fn geometry(node: Node) -> Geometry {
         for key in ["x", "y", "width", "height", "x1", "y1", "x2", "y2", "cx", "cy", "r", "d", "transform"] {
             n.attribute(key).into_iter().for_each(|value| take_apart(value, &mut form, &mut numbers));
         }
-        // The place of a label is enough: its letters are those of its text.
+        // The position of a label is sufficient: its letters are determined by its text.
         if n.has_attribute("data-text") {
             break;
         }
@@ -164,18 +166,18 @@ fn geometry(node: Node) -> Geometry {
     Geometry::Lines(form, numbers)
 }
 
-/// Tail and tip of a group of a shaft and a head.
+/// Returns tail and tip of a group of a shaft and a head.
 fn arrow(node: Node) -> Option<[[f64; 2]; 2]> {
     let head = node.children().find(|n| n.attribute("class") == Some("head"))?;
     let shaft = node.children().find(|n| n.tag_name().name() == "line")?;
     let tail = ["x1", "y1"].map(|key| shaft.attribute(key).and_then(|v| v.parse::<f64>().ok()));
     let mut corners = Vec::new();
     take_apart(head.attribute("d")?, &mut String::new(), &mut corners);
-    // The head's outline begins in its tip.
+    // The head's outline starts at its tip.
     Some([[tail[0]?, tail[1]?], [*corners.first()?, *corners.get(1)?]])
 }
 
-/// The numbers of a value, and what stands between them.
+/// Splits a value into its numbers and the text between them.
 fn take_apart(value: &str, form: &mut String, numbers: &mut Vec<f64>) {
     let mut rest = value;
     while let Some(c) = rest.chars().next() {

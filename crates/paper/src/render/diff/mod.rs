@@ -1,7 +1,10 @@
-//! Two figures compared: vectors that moved, items that came or went, texts that changed, pixels beyond a tolerance.
+//! Compares two figures: vectors that moved, items that were added or removed, texts that changed,
+//! pixels beyond a tolerance.
 //!
-//! SVG files are compared by the ids of their elements, which are a contract (docs/svg.md), and by their pixels; PNG files by their pixels alone. Read
-//! are figures as this library writes them: what could take time or memory without bound, such as filters and nested uses, is refused.
+//! SVG files are compared by the ids of their elements, which are a contract (docs/svg.md), and by
+//! their pixels; PNG files by their pixels only. The input must be figures written by this library:
+//! elements that could take unbounded time or memory, such as filters and nested uses, are
+//! rejected.
 
 mod elements;
 mod picture;
@@ -15,22 +18,24 @@ pub use raster::Raster;
 /// Tolerances of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Items that moved no farther than this are where they were.
+    /// Items that moved no farther than this are unchanged.
     pub tolerance_mm: f64,
-    /// Pixels of which no channel differs by more than this are alike.
+    /// Pixels of which no channel differs by more than this are equal.
     pub channel: u8,
-    /// So many other pixels make no difference; `None`: pixels are counted and decide nothing.
+    /// Number of other differing pixels that is accepted; with `None`, pixels are counted but do
+    /// not decide.
     pub pixels: Option<usize>,
 }
 
 impl Default for Options {
-    /// 0.01 mm, a fifteenth of the thinnest line; one step of a channel, by which two machines may round; no other pixel.
+    /// Returns the default tolerances: 0.01 mm, a fifteenth of the thinnest line; one step of a
+    /// channel, the rounding difference between machines; no other pixel.
     fn default() -> Options {
         Options { tolerance_mm: 0.01, channel: 1, pixels: Some(0) }
     }
 }
 
-/// A figure as it is compared.
+/// A figure in the form in which it is compared.
 #[derive(Clone, Debug)]
 pub enum Picture {
     /// The text of an SVG.
@@ -40,7 +45,7 @@ pub enum Picture {
 }
 
 impl Picture {
-    /// Reads a file by its first bytes.
+    /// Reads a file and detects its type by its first bytes.
     ///
     /// # Errors
     /// `diff-input` for a file that is neither an SVG of this library nor a PNG, or is too large.
@@ -54,49 +59,49 @@ impl Picture {
     }
 }
 
-/// A vector that is elsewhere, or has another value.
+/// A vector that moved or has another value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vector {
-    /// Its id.
+    /// Id of the vector.
     pub id: String,
-    /// Its names.
+    /// Names of the vector.
     pub name: String,
     /// Distances by which its tail and its tip moved.
     pub moved_mm: [f64; 2],
-    /// Its lengths on paper, before and after, where they are told.
+    /// Lengths on paper, before and after, if given.
     pub mm: Option<[f64; 2]>,
-    /// Its values in SI, before and after, where they are told.
+    /// Values in SI, before and after, if given.
     pub si: Option<[f64; 2]>,
 }
 
-/// An item that is elsewhere.
+/// An item that moved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moved {
-    /// Its id.
+    /// Id of the item.
     pub id: String,
-    /// Distance by which its farthest point moved; `None` where it is made of other lines.
+    /// Distance by which its farthest point moved; `None` if it consists of other lines.
     pub mm: Option<f64>,
 }
 
 /// A text that changed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
-    /// The id of the label; `<title>` and `<desc>` for those of the figure.
+    /// Id of the label; `<title>` and `<desc>` for those of the figure.
     pub id: String,
-    /// Before.
+    /// Text before.
     pub old: String,
-    /// After.
+    /// Text after.
     pub new: String,
 }
 
-/// The pixels of two figures.
+/// The pixel comparison of two figures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pixels {
     /// Number of pixels that differ by more than the tolerance in some channel.
     pub over: usize,
-    /// By how much at most.
+    /// Largest difference of a channel.
     pub largest: u8,
-    /// The box around them: left, top, right, bottom, the last two excluded.
+    /// The box around these pixels: left, top, right, bottom, the last two excluded.
     pub bounds: Option<[u32; 4]>,
     /// Widths and heights, before and after.
     pub sizes: [[u32; 2]; 2],
@@ -105,32 +110,32 @@ pub struct Pixels {
 /// Differences between two figures.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Difference {
-    /// Vectors.
+    /// Changed vectors.
     pub vectors: Vec<Vector>,
-    /// Other items.
+    /// Other changed items.
     pub moved: Vec<Moved>,
     /// Items with other lines or colours: width, pattern, colour.
     pub restyled: Vec<String>,
-    /// Items that the second figure alone has.
+    /// Items in the second figure only.
     pub added: Vec<String>,
-    /// Items that the first figure alone has.
+    /// Items in the first figure only.
     pub removed: Vec<String>,
-    /// Texts.
+    /// Changed texts.
     pub texts: Vec<Text>,
-    /// Pixels.
+    /// Pixel comparison.
     pub pixels: Pixels,
-    /// True if more pixels differ than may.
+    /// True if more pixels differ than accepted.
     pub pixels_differ: bool,
 }
 
 impl Difference {
-    /// Returns true if the figures are alike within the tolerances.
+    /// Returns true if the figures are equal within the tolerances.
     pub fn is_empty(&self) -> bool {
         let lists = [self.vectors.len(), self.moved.len(), self.restyled.len(), self.added.len(), self.removed.len(), self.texts.len()];
         lists.iter().all(|n| *n == 0) && !self.pixels_differ
     }
 
-    /// The differences in words, a line each.
+    /// Returns the differences in words, one line each.
     pub fn lines(&self) -> Vec<Both> {
         let mut out = Vec::new();
         let mm = super::number::mm;
@@ -181,7 +186,7 @@ impl Difference {
 /// Compares two figures of one kind.
 ///
 /// # Errors
-/// `diff-kinds` for an SVG and a PNG; what reading and drawing an SVG has.
+/// `diff-kinds` for an SVG and a PNG; otherwise the errors of reading and drawing an SVG.
 ///
 /// ```
 /// use hodograph_paper::render::diff::{Options, Picture, compare};
@@ -201,7 +206,8 @@ pub fn compare(old: &Picture, new: &Picture, options: &Options) -> Result<Differ
     Ok(found)
 }
 
-/// The pixels of two figures of one kind, SVG files at one resolution and with their elements.
+/// Returns the pixels of two figures of one kind; SVG files at one resolution and with their
+/// elements.
 fn rasters(old: &Picture, new: &Picture) -> Result<([Raster; 2], Option<[Document; 2]>), Diagnostic> {
     match (old, new) {
         (Picture::Svg(a), Picture::Svg(b)) => {
@@ -234,7 +240,7 @@ fn by_elements(old: &Document, new: &Document, options: &Options) -> Difference 
     out
 }
 
-/// One element before and after.
+/// Compares one element before and after.
 fn element(a: &Element, b: &Element, options: &Options, out: &mut Difference) {
     let id = || a.id.clone();
     if a.text != b.text {
@@ -248,7 +254,7 @@ fn element(a: &Element, b: &Element, options: &Options, out: &mut Difference) {
         (Geometry::Arrow(p), Geometry::Arrow(q)) => {
             let moved_mm = [0, 1].map(|k| libm::hypot(p[k][0] - q[k][0], p[k][1] - q[k][1]));
             let si = a.si.zip(b.si).map(|(a, b)| [a, b]);
-            // Six digits are written.
+            // Values are written with six digits.
             let other = si.is_some_and(|[a, b]| (a - b).abs() > 2e-5 * a.abs().max(b.abs()));
             if other || moved_mm.iter().any(|mm| *mm > options.tolerance_mm) {
                 let mm = a.mm.zip(b.mm).map(|(a, b)| [a, b]);
@@ -261,7 +267,7 @@ fn element(a: &Element, b: &Element, options: &Options, out: &mut Difference) {
                 out.moved.push(Moved { id: id(), mm: Some(mm) });
             }
         }
-        // The letters of another text stand where they stand.
+        // The positions of letters depend on their text.
         (Geometry::Arrow(_) | Geometry::Lines(..), Geometry::Arrow(_) | Geometry::Lines(..)) => {
             out.moved.extend((a.text == b.text).then(|| Moved { id: id(), mm: None }));
         }

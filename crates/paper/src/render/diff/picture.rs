@@ -1,4 +1,5 @@
-//! Two figures over one another: the old one alone red, the new one alone blue, what both have grey.
+//! Draws two figures over each other: ink of the old one only in red, of the new one only in blue,
+//! common ink in grey.
 
 use resvg::tiny_skia;
 
@@ -7,12 +8,12 @@ use super::{Options, Picture, rasters};
 use crate::render::png::encode;
 use hodograph_base::diag::{Diagnostic, both};
 
-/// Darkness of the ink that both have: enough to see where one is, and less than that of differences.
+/// Darkness of the common ink: enough for orientation, and less than that of differences.
 const COMMON: f64 = 0.35;
-/// Another colour of the same brightness.
+/// Colour of ink that differs in colour but not in brightness.
 const RECOLOURED: [u8; 3] = [230, 140, 0];
 
-/// The picture as a PNG.
+/// Returns the picture as a PNG.
 ///
 /// # Errors
 /// As [`super::compare()`].
@@ -30,7 +31,7 @@ pub fn picture(old: &Picture, new: &Picture, options: &Options) -> Result<Vec<u8
     encode(&pixmap, DPI).map_err(|e| failed(e.to_string()))
 }
 
-/// Ink is what differs from the paper, be that white or dark.
+/// Mixes two pixels. Ink is the difference from the paper, light or dark.
 fn mixed(pixels: [[u8; 3]; 2], papers: [f64; 2], channel: u8) -> [u8; 3] {
     let ink = |k: usize| (brightness(pixels[k]) - papers[k]).abs().min(255.0);
     let (old, new) = (ink(0), ink(1));

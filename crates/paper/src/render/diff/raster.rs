@@ -1,4 +1,4 @@
-//! Pixels of two pictures.
+//! Pixels of two pictures, and their comparison.
 
 use std::io::Cursor;
 
@@ -8,26 +8,26 @@ use hodograph_base::diag::{Diagnostic, both};
 
 /// The first bytes of a PNG.
 pub const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
-/// More pixels than this, 120 MB of them, are not read: an A4 page at 600 dpi has 35 million.
+/// Largest number of pixels that is read, 120 MB: an A4 page at 600 dpi has 35 million.
 const MOST_READ: u64 = 40_000_000;
-/// More pixels than this are not drawn: the resolution is lowered.
+/// Largest number of pixels that is drawn: above it the resolution is lowered.
 const MOST_DRAWN: f64 = 16_000_000.0;
-/// At this resolution the thinnest line has more than a pixel.
+/// Default resolution, at which the thinnest line is wider than a pixel.
 pub const DPI: f64 = 200.0;
 const INCH_MM: f64 = 25.4;
 
-/// A picture of pixels, opaque on white.
+/// A pixel image, opaque on white.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Raster {
-    /// Pixels in a row.
+    /// Pixels per row.
     pub width: u32,
-    /// Rows.
+    /// Number of rows.
     pub height: u32,
-    /// Red, green, blue of each, row by row.
+    /// Red, green, blue of each pixel, row by row.
     pub rgb: Vec<u8>,
 }
 
-/// The resolution at which pages of these sizes are drawn.
+/// Returns the resolution at which pages of these sizes are drawn.
 pub fn dpi(sizes_mm: &[[f64; 2]]) -> f64 {
     let area = |[w, h]: &[f64; 2]| (w / INCH_MM) * (h / INCH_MM);
     let most = sizes_mm.iter().map(area).fold(0.0, f64::max);
@@ -35,14 +35,14 @@ pub fn dpi(sizes_mm: &[[f64; 2]]) -> f64 {
 }
 
 impl Raster {
-    /// A figure's SVG as pixels.
+    /// Draws a figure's SVG as pixels.
     pub(super) fn of_svg(svg: &str, dpi: f64) -> Result<Raster, Diagnostic> {
         let pixmap = ours::pixels(svg, dpi)?;
         let rgb = pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
         Ok(Raster { width: pixmap.width(), height: pixmap.height(), rgb })
     }
 
-    /// The pixels of a PNG of any kind.
+    /// Reads the pixels of a PNG of any kind.
     pub(super) fn of_png(bytes: &[u8]) -> Result<Raster, Diagnostic> {
         let bad = |e: png::DecodingError| super::refused(both!("the PNG cannot be read: {e}", "不能读取 PNG：{e}"));
         let mut decoder = png::Decoder::new(Cursor::new(bytes));
@@ -72,7 +72,7 @@ impl Raster {
         Ok(Raster { width, height, rgb })
     }
 
-    /// A pixel; white beside the picture.
+    /// Returns a pixel; white outside the picture.
     pub fn at(&self, x: u32, y: u32) -> [u8; 3] {
         if x >= self.width || y >= self.height {
             return [255; 3];
@@ -82,7 +82,7 @@ impl Raster {
     }
 }
 
-/// By how much two pixels differ in the channel where they differ most.
+/// Returns the largest difference of two pixels in a channel.
 pub fn apart(a: [u8; 3], b: [u8; 3]) -> u8 {
     (0..3).map(|k| a[k].abs_diff(b[k])).max().unwrap_or(0)
 }

@@ -1,6 +1,8 @@
-//! Lists and tables as structure: members that are drawn part by part, cells with their heads.
+//! Lists and tables as PDF structure: list members that are drawn part by part, and table cells
+//! with their headers.
 //!
-//! Decided here: which tags hold what is drawn. Not decided here: what is a list or a table ([`Kind`](crate::render::pages::Kind)).
+//! This module decides which tags contain what is drawn; [`Kind`](crate::render::pages::Kind)
+//! decides what is a list or a table.
 
 use krilla::surface::Surface;
 use krilla::tagging::{Identifier, ListNumbering, TableHeaderScope, Tag, TagGroup};
@@ -8,7 +10,7 @@ use krilla::tagging::{Identifier, ListNumbering, TableHeaderScope, Tag, TagGroup
 use super::{Paper, Writer};
 use crate::paper::item::Item;
 
-/// A list whose parts are still coming.
+/// A list whose parts are not all drawn yet.
 pub(super) struct List {
     numbered: bool,
     /// The contents of each member, by its number.
@@ -16,7 +18,8 @@ pub(super) struct List {
 }
 
 impl Writer<'_> {
-    /// Draws members of a list. One that begins at 0 again, or is marked otherwise, is another list.
+    /// Draws members of a list. Members that start at 0 again, or change the numbering, start
+    /// another list.
     pub(super) fn list(&mut self, surface: &mut Surface, paper: Paper, items: &[Item], numbered: bool, members: &[usize]) {
         let mut rest = items;
         for run in members.chunk_by(|a, b| a == b) {
@@ -48,7 +51,7 @@ impl Writer<'_> {
         self.tags.push(list.into());
     }
 
-    /// Draws a table: each row has all columns, and each cell its head's scope.
+    /// Draws a table: each row has all columns, and each header cell its scope.
     pub(super) fn table(&self, surface: &mut Surface, paper: Paper, items: &[Item], cells: &[[usize; 2]]) -> TagGroup {
         let count = |k: usize| cells.iter().map(|at| at[k] + 1).max().unwrap_or(0);
         let (written, rules) = items.split_at(cells.len().min(items.len()));

@@ -1,5 +1,5 @@
-//! The letters of a label in an SVG: used from definitions, or as text. In integers of 1/1000 em, so that no digit depends on where a label
-//! stands.
+//! The letters of a label in an SVG: used from definitions, or as text. Integers of 1/1000 em make
+//! all digits independent of the position of a label.
 
 use std::fmt::Write as _;
 
@@ -8,10 +8,10 @@ use crate::paper::text::Typeset;
 use crate::render::escaped;
 use crate::render::number::mm;
 
-/// What a letter is looked up by: its font, number and size.
+/// The lookup key of a letter: font, glyph number and size.
 pub(super) type LetterKey = (FaceKey, u32, i32);
 
-/// A glyph of a font at a part of the label's size (in 1/1000).
+/// A glyph of a font at a fraction of the label's size (in 1/1000).
 #[derive(Clone)]
 pub(super) struct Letter {
     face: Face,
@@ -19,7 +19,7 @@ pub(super) struct Letter {
     size: i32,
 }
 
-/// The visible letters of a label and where they stand, in 1/1000 em, y up.
+/// Returns the visible letters of a label with their positions, in 1/1000 em, y up.
 pub(super) fn letters(set: &Typeset) -> Vec<(Letter, [i32; 2])> {
     let mut out = Vec::new();
     for run in &set.runs {
@@ -35,7 +35,7 @@ pub(super) fn letters(set: &Typeset) -> Vec<(Letter, [i32; 2])> {
     out
 }
 
-/// A label as text that a drawing program can change; sizes and places in mm.
+/// Returns a label as text that a drawing program can edit; sizes and positions in mm.
 pub(super) fn editable(set: &Typeset, size_mm: f64) -> String {
     let mut out = format!("<text xml:space=\"preserve\" font-family=\"{}\">", family(&Face::Roman));
     for run in &set.runs {
@@ -59,7 +59,7 @@ pub(super) fn editable(set: &Typeset, size_mm: f64) -> String {
     out
 }
 
-/// Fonts that look like the embedded ones, the same first.
+/// Returns font families similar to the embedded font, the font itself first.
 fn family(face: &Face) -> &'static str {
     match face {
         Face::Roman | Face::Italic | Face::Bold | Face::Own(_) => "Tinos,'Times New Roman','Liberation Serif',serif",
@@ -69,12 +69,13 @@ fn family(face: &Face) -> &'static str {
 }
 
 impl Letter {
-    /// Letters of one key are one; those of bundled fonts come first.
+    /// Returns the lookup key: letters with the same key are equal; those of embedded fonts sort
+    /// first.
     pub fn key(&self) -> LetterKey {
         (self.face.key(), self.glyph, self.size)
     }
 
-    /// Its outline, in 1/1000 em of the label.
+    /// Returns the outline, in 1/1000 em of the label.
     pub fn contours(&self) -> Vec<Segment<i32>> {
         let size = f64::from(self.size) / 1000.0;
         self.face.outline(self.glyph).segments.iter().map(|s| s.map(|p| p.map(|em| milli(em * size)))).collect()
@@ -90,7 +91,7 @@ impl Letter {
             Face::Own(own) if own.cut() == Cut::Upright => 'o',
             Face::Own(_) => 'p',
         };
-        // Two figures of a page may have fonts of their own each.
+        // Two figures of a page may have different author's fonts.
         let own = if let Face::Own(own) = &self.face { format!("{:08x}-", own.key() as u32) } else { String::new() };
         let size = if self.size == 1000 { String::new() } else { format!("-{}", self.size) };
         format!("g{face}{own}{}{size}", self.glyph)
@@ -101,12 +102,13 @@ fn milli(em: f64) -> i32 {
     (em * 1000.0).round() as i32
 }
 
-/// The factor from 1/1000 em to mm: three places more than a coordinate, as it multiplies up to some thousands.
+/// Returns the factor from 1/1000 em to mm: three more decimals than a coordinate, because it
+/// multiplies numbers of up to some thousands.
 pub(super) fn scale(size_mm: f64) -> String {
     ((size_mm * 1000.0).round() / 1e6).to_string()
 }
 
-/// Path data of an outline in integers, relative commands, y turned over.
+/// Returns the path data of an outline in integers and relative commands, with y turned over.
 pub(super) fn outline_data(outline: Vec<Segment<i32>>) -> String {
     let mut d = String::new();
     let mut digits = itoa::Buffer::new();
@@ -117,7 +119,7 @@ pub(super) fn outline_data(outline: Vec<Segment<i32>>) -> String {
             d.push(letter);
             for (i, p) in points.iter().enumerate() {
                 let (dx, dy) = (p[0] - origin[0], origin[1] - p[1]);
-                // A minus sign separates by itself.
+                // A minus sign is a separator by itself.
                 if i > 0 && dx >= 0 {
                     d.push(' ');
                 }

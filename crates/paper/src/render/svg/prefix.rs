@@ -1,10 +1,10 @@
-//! A prefix for all ids of a document, so that several documents can stand in one page.
+//! A prefix for all ids of a document, so that several documents can be combined in one page.
 
 use std::borrow::Cow;
 
 use hodograph_base::diag::{Diagnostic, both};
 
-/// Longest prefix: ids are read by people too.
+/// Longest prefix in characters: people read ids too.
 const LONGEST: usize = 64;
 
 /// A prefix of ids: a letter, then letters, digits, `-` and `_`, all ASCII.
@@ -12,10 +12,10 @@ const LONGEST: usize = 64;
 pub struct IdPrefix(String);
 
 impl IdPrefix {
-    /// Reads a prefix; an empty text is none.
+    /// Reads a prefix; an empty text is no prefix.
     ///
     /// # Errors
-    /// `id-prefix` for a text that cannot begin an id.
+    /// `id-prefix` for a text that cannot start an id.
     pub fn new(text: &str) -> Result<IdPrefix, Diagnostic> {
         let starts = text.chars().next().is_none_or(|c| c.is_ascii_alphabetic());
         if starts && text.len() <= LONGEST && text.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_')) {
@@ -28,7 +28,8 @@ impl IdPrefix {
         )))
     }
 
-    /// A document of [`super::write()`] with the prefix before all its ids and before what refers to them.
+    /// Returns a document of [`super::write()`] with the prefix before all its ids and before all
+    /// references to them.
     ///
     /// ```
     /// use hodograph_paper::render::svg::IdPrefix;
@@ -42,7 +43,8 @@ impl IdPrefix {
         }
         let mut out = String::with_capacity(svg.len() + svg.len() / 8);
         let (mut rest, mut in_tag) = (svg, false);
-        // Texts between tags are left alone, whatever is written in them; within a tag each value is taken as a whole.
+        // Text between tags is unchanged, whatever it contains; within a tag each value is read as
+        // a whole.
         while let Some(at) = rest.find(if in_tag { ['"', '>'] } else { ['<', '<'] }) {
             let found = rest.as_bytes()[at];
             let (before, after) = rest.split_at(at + 1);

@@ -40,7 +40,7 @@ fn counter_clockwise_stays_counter_clockwise() {
         let shape = Shape::Arc { centre: Point::new(50.0, 25.0), radius_mm: 10.0, from_rad: 0.0, to_rad, stroke: Stroke::new(0.2) };
         write(&figure(vec![Item::new("", shape)])).unwrap().value
     };
-    // From the right to the top of the paper: y 25 to y 15 in the file, anticlockwise on the screen.
+    // From the right to the top of the paper: y 25 to y 15 in the file, counter-clockwise.
     assert!(arc(std::f64::consts::FRAC_PI_2).contains("M60 25A10 10 0 0 0 50 15"));
     assert!(arc(-std::f64::consts::FRAC_PI_2).contains("M60 25A10 10 0 0 1 50 35"));
     assert_eq!(arc(std::f64::consts::TAU).matches("A10").count(), 3);
