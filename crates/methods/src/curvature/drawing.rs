@@ -11,6 +11,7 @@
 use super::known::{Known, Why};
 use super::plane::{End, Line, meet};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::pencil::Hand;
 use hodograph_scene::{PointId, RollingId};
 
 /// How the curvature of a link is drawn.
@@ -96,38 +97,39 @@ const NONE: f64 = 1e-11;
 
 impl Rays {
     /// Draws; `None` where the rays do not cross.
-    pub fn new(known: [Known; 2], size: f64) -> Option<Rays> {
+    pub fn new(known: [Known; 2], size: f64, hand: &Hand) -> Option<Rays> {
         let rays = known.map(|k| k.ray());
-        let pole = meet(rays[0], rays[1])?.at()?;
+        let pole = hand.mark(meet(rays[0], rays[1])?.at()?);
         let [b, c] = known;
         let axis = meet(b.moving.join(c.moving), b.fixed.join(c.fixed)).filter(|q| q.at().is_none_or(|q| q.distance(pole) > FLAT * size));
+        let axis = axis.map(|q| q.marked(hand));
         let axis_line = axis.map(|q| End::At(pole).join(q));
         let mut out = Rays { known, pole, collineation: None, how: [How::Proportion; 2], straight: [pole; 2], inflection: pole, size };
         for k in [0, 1] {
             let (own, other) = (known[k], known[1 - k]);
-            let drawn = axis_line.and_then(|line| out.by_collineation(line, own, other));
+            let drawn = axis_line.and_then(|line| out.by_collineation(line, own, other, hand));
             (out.how[k], out.straight[k]) = match (own.why, drawn) {
                 (Why::Straight(..), _) => (How::Given, own.moving.at()?),
                 (_, Some((helper, at))) => (How::Collineation(helper), at),
-                (_, None) => (How::Proportion, proportion(pole, rays[k].unit()?, own.moving, own.fixed)?),
+                (_, None) => (How::Proportion, hand.mark(proportion(pole, rays[k].unit()?, own.moving, own.fixed)?)),
             };
         }
         out.collineation = axis.filter(|_| out.how.iter().any(|h| matches!(h, How::Collineation(_))));
         let [p, q] = [0, 1].map(|k| (out.straight[k], rays[k].along.perp()));
-        out.inflection = meet(Line { through: Some(p.0), along: p.1 }, Line { through: Some(q.0), along: q.1 })?.at()?;
+        out.inflection = hand.mark(meet(Line { through: Some(p.0), along: p.1 }, Line { through: Some(q.0), along: q.1 })?.at()?);
         Some(out)
     }
 
     /// The point of a ray whose path is straight, by the axis and the other ray's point and centre.
-    fn by_collineation(&self, axis: Line, own: Known, other: Known) -> Option<(End, Point)> {
+    fn by_collineation(&self, axis: Line, own: Known, other: Known, hand: &Hand) -> Option<(End, Point)> {
         let ray = own.ray();
         let parallel = other.fixed.join(End::Infinity(ray.along));
-        let helper = meet(axis, parallel)?;
+        let helper = meet(axis, parallel)?.marked(hand);
         let line = helper.join(other.moving);
         let square = line.sine(ray).abs() > FLAT && (parallel.through.is_none() || axis.sine(parallel).abs() > FLAT);
         // A helper far off the mechanism is on no paper.
         let near = helper.at().is_none_or(|h| h.distance(self.pole) < 1e3 * self.size);
-        let at = meet(line, ray)?.at()?;
+        let at = hand.mark(meet(line, ray)?.at()?);
         (square && near && axis.sine(ray).abs() > FLAT).then_some((helper, at))
     }
 
@@ -138,8 +140,8 @@ impl Rays {
     }
 
     /// The drawing of the centre of a point's path; `None` at the pole.
-    pub fn traced(&self, of: PointId, at: Point) -> Option<Traced> {
-        traced(self.pole, self.inflection, of, at, self.size)
+    pub fn traced(&self, of: PointId, at: Point, hand: &Hand) -> Option<Traced> {
+        traced(self.pole, self.inflection, of, at, self.size, hand)
     }
 
     /// Ball's point by the cubic of stationary curvature through the two points, whose centres last: 1/r = 1/(M sin ψ) + 1/(N cos ψ) on a
@@ -217,7 +219,7 @@ pub fn proportion(pole: Point, ray: Vec2, moving: End, fixed: End) -> Option<Poi
 }
 
 /// The centre of a point's path by ruler, from pole and inflection pole.
-pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64) -> Option<Traced> {
+pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64, hand: &Hand) -> Option<Traced> {
     let ray = (at - pole).unit().filter(|_| at.distance(pole) > NONE * size)?;
     let normal = inflection - pole;
     let foot = pole + ray * normal.dot(ray);
@@ -233,9 +235,9 @@ pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64)
         let (e, j) = ((at - pole).dot(ray), normal.dot(ray));
         pole + ray * (e * j / (j - e))
     };
-    let helper = meet(End::At(at).join(End::At(inflection)), square)?;
+    let helper = meet(End::At(at).join(End::At(inflection)), square)?.marked(hand);
     let line = Line { through: Some(pole), along: ray };
     let flat = (normal.cross(ray) / normal.norm()).abs() < FLAT || normal.dot(ray).abs() < FLAT * normal.norm();
     let drawn = meet(helper.join(End::Infinity(normal)), line).and_then(End::at).filter(|_| !flat);
-    Some(Traced { of, at, foot, helper, centre: End::At(drawn.unwrap_or_else(proportion)) })
+    Some(Traced { of, at, foot, helper, centre: End::At(hand.mark(drawn.unwrap_or_else(proportion))) })
 }

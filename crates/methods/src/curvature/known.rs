@@ -4,9 +4,10 @@
 //! centre lies at infinity), a guide that leads through a fixed pin (the envelope is that pin, the moving point lies at infinity), and a
 //! pin on another link whose own curvature is drawn first.
 
-use super::drawing::{Drawing, Rays, Rolled};
+use super::drawing::{Drawing, Rays, Rolled, Traced, traced};
 use super::plane::{End, Line, meet};
-use hodograph_base::geom::Point;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::pencil::Hand;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
@@ -80,11 +81,19 @@ pub struct Places<'a> {
     pub at: &'a Configuration,
     /// The link from which the motion is seen.
     pub against: LinkId,
+    /// The hand that draws.
+    pub hand: &'a Hand,
 }
 
 impl Places<'_> {
-    fn point(&self, p: PointId) -> Option<Point> {
-        self.at.points[p.0]
+    /// Returns the mark of a point.
+    pub fn point(&self, p: PointId) -> Option<Point> {
+        self.at.points[p.0].map(|at| self.hand.given(at))
+    }
+
+    /// Returns the point at infinity square to a guide, whose line is ruled over the size of the mechanism.
+    fn square_to(&self, direction: Vec2) -> End {
+        End::Infinity(self.hand.ruler(direction, self.at.extent()).perp())
     }
 
     fn holds(&self, link: LinkId, p: PointId) -> bool {
@@ -107,6 +116,7 @@ impl Places<'_> {
         let end = |k: usize| centres[k].map_or(End::Infinity(normal), End::At);
         let (moving, fixed) = (end(own), end(1 - own));
         let inflection = super::drawing::proportion(pole, normal, moving, fixed)?;
+        let inflection = self.hand.mark(inflection);
         Some(Rolled { pair: RollingId(r), pole, moving, fixed, inflection })
     }
 
@@ -147,24 +157,24 @@ impl Places<'_> {
         // A line of a block that slides on a link about a fixed pin always leads through that pin.
         if let (true, Path::Line { direction, .. }, Some(pivot)) = (guide.slider == Some(link), path, self.hinge(guide.on)) {
             let fixed = End::At(self.point(pivot)?);
-            return Some(Known { moving: End::Infinity(direction.perp()), fixed, why: Why::Through(pivot, g) });
+            return Some(Known { moving: self.square_to(direction), fixed, why: Why::Through(pivot, g) });
         }
         let pin = guide.pin?;
         let place = self.point(pin)?;
         if guide.on == self.against && self.holds(link, pin) {
             return Some(match path {
                 Path::Line { direction, .. } => {
-                    Known { moving: End::At(place), fixed: End::Infinity(direction.perp()), why: Why::Straight(pin, g) }
+                    Known { moving: End::At(place), fixed: self.square_to(direction), why: Why::Straight(pin, g) }
                 }
                 Path::Arc { centre, .. } => {
                     let hodograph_scene::GuidePath::Arc { centre: about, .. } = guide.path else { return None };
-                    Known { moving: End::At(place), fixed: End::At(centre), why: Why::Arc(pin, about, g) }
+                    Known { moving: End::At(place), fixed: End::At(self.hand.given(centre)), why: Why::Arc(pin, about, g) }
                 }
             });
         }
         let Path::Line { direction, .. } = path else { return None };
         let through = guide.on == link && self.holds(self.against, pin);
-        through.then(|| Known { moving: End::Infinity(direction.perp()), fixed: End::At(place), why: Why::Through(pin, g) })
+        through.then(|| Known { moving: self.square_to(direction), fixed: End::At(place), why: Why::Through(pin, g) })
     }
 
     /// A pin of another link, whose curvature is drawn first.
@@ -172,13 +182,8 @@ impl Places<'_> {
         let behind: Vec<LinkId> = behind.iter().copied().chain([link]).collect();
         let others = self.scene.carriers(p).filter(|l| *l != self.against && !behind.contains(l));
         let known = |l: LinkId| {
-            let place = self.point(p)?;
-            let centre = match self.drawing_behind(l, &behind) {
-                Drawing::Rays(rays) => rays.traced(p, place)?.centre,
-                Drawing::Rolling(r) => super::drawing::traced(r.pole, r.inflection, p, place, self.at.extent())?.centre,
-                Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => return None,
-            };
-            Some(Known { moving: End::At(place), fixed: centre, why: Why::Borrowed(p, l) })
+            let centre = self.traced(&self.drawing_behind(l, &behind), p)?.centre;
+            Some(Known { moving: End::At(self.point(p)?), fixed: centre, why: Why::Borrowed(p, l) })
         };
         others.filter_map(known).next()
     }
@@ -208,6 +213,16 @@ impl Places<'_> {
             let one = meet(a, b).is_none() || a.distance(pair[1].moving).is_some_and(|d| d < CROSSING * self.at.extent());
             return if one { Drawing::OneLine(pair) } else { Drawing::Parallel(pair) };
         }
-        Rays::new(pair, self.at.extent()).map_or(Drawing::NoRays, |rays| Drawing::Rays(Box::new(rays)))
+        Rays::new(pair, self.at.extent(), self.hand).map_or(Drawing::NoRays, |rays| Drawing::Rays(Box::new(rays)))
+    }
+
+    /// Draws the centre of a point's path; `None` if the link's drawing has no inflection pole.
+    pub fn traced(&self, drawing: &Drawing, p: PointId) -> Option<Traced> {
+        let (at, size) = (self.point(p)?, self.at.extent());
+        match drawing {
+            Drawing::Rays(r) => r.traced(p, at, self.hand),
+            Drawing::Rolling(r) => traced(r.pole, r.inflection, p, at, size, self.hand),
+            Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => None,
+        }
     }
 }

@@ -14,6 +14,7 @@
 //! assert!(found.list[0].apart().unwrap() < 1e-12);
 //! ```
 
+mod by_hand;
 pub mod centrodes;
 pub mod drawing;
 #[doc(hidden)]
@@ -23,7 +24,9 @@ pub mod motion;
 pub mod plane;
 
 use crate::centres::moving_at_all;
-use drawing::{Drawing, Traced, traced};
+use drawing::{Drawing, Traced};
+use by_hand::ByHand;
+use hodograph_board::construct::pencil::Hand;
 use hodograph_analytic::third;
 use hodograph_base::diag::{Diagnostic, Faults, Severity, Warned, both};
 use hodograph_base::geom::{Point, Vec2};
@@ -76,6 +79,8 @@ pub struct OfLink {
     pub points: Vec<OfPoint>,
     /// ω and α read off the polygons, by which acceleration pole and pole velocity are drawn.
     pub read: Option<[f64; 2]>,
+    /// The tolerances of hand drawing, where [`Curvature::with_drafting`] asked for them.
+    pub by_hand: Option<ByHand>,
 }
 
 /// How the path of a point bends.
@@ -164,7 +169,12 @@ impl OfLink {
         let size = self.motion.size;
         let apart = |a: Point, b: Point| a.distance(b) / size.max(a.distance(drawn.pole)).max(drawn.pole.distance(self.motion.at));
         let mut worst = apart(drawn.pole, pole.pole).max(apart(drawn.pole + drawn.normal, pole.inflection_pole()));
-        let both = [(drawn.acceleration_pole, Some(pole.acceleration_pole)), (drawn.ball, pole.ball)];
+        let end = |diameter: Option<Vec2>| Some(pole.pole + diameter?);
+        let both = [
+            (drawn.acceleration_pole, Some(pole.acceleration_pole)),
+            (drawn.ball, pole.ball),
+            (end(drawn.bresse), end(pole.bresse)),
+        ];
         for (a, b) in both.into_iter().filter_map(|(a, b)| Some((a?, b?))) {
             worst = worst.max(apart(a, b));
         }
@@ -283,19 +293,14 @@ pub fn motion(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId) -> 
 
 fn of_link(scene: &Scene, worked: &Worked, asked: &Asked, link: LinkId, against: LinkId) -> Option<OfLink> {
     let motion = motion(scene, worked, link, against)?;
-    let places = Places { scene, at: &worked.configuration, against };
+    let hand = Hand::default();
+    let places = Places { scene, at: &worked.configuration, against, hand: &hand };
     let drawing = places.drawing_behind(link, &[]);
     let own = points(scene, link);
     let wanted: Vec<PointId> = own.iter().copied().filter(|p| asked.points.is_empty() || asked.points.contains(p)).collect();
-    let size = motion.size;
-    let drawn = |p: PointId, at: Point| match &drawing {
-        Drawing::Rays(r) => r.traced(p, at),
-        Drawing::Rolling(r) => traced(r.pole, r.inflection, p, at, size),
-        Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => None,
-    };
     let of_point = |p: &PointId| {
         let at = worked.configuration.points[p.0]?;
-        Some(OfPoint { point: *p, at, bend: motion.bend(at), drawn: drawn(*p, at) })
+        Some(OfPoint { point: *p, at, bend: motion.bend(at), drawn: places.traced(&drawing, *p) })
     };
     let points = wanted.iter().filter_map(of_point).collect();
     let read = |rate| {
@@ -313,5 +318,5 @@ fn of_link(scene: &Scene, worked: &Worked, asked: &Asked, link: LinkId, against:
         Some(of(link)? - of(against)?)
     };
     let read = read(Rate::Velocity).zip(read(Rate::Acceleration)).map(|(a, b)| [a, b]);
-    Some(OfLink { link, state: motion.state(), motion, drawing, points, read })
+    Some(OfLink { link, state: motion.state(), motion, drawing, points, read, by_hand: None })
 }

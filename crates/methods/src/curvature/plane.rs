@@ -3,6 +3,7 @@
 //! Homogeneous coordinates: a point (x, y, w), a line (a, b, c) with ax + by + cw = 0; both operations are the cross product.
 
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::pencil::Hand;
 
 /// A point of the plane, or one at infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +20,14 @@ impl End {
         match self {
             End::At(p) => Some(p),
             End::Infinity(_) => None,
+        }
+    }
+
+    /// Returns the place as a hand marks it; a point at infinity needs no mark.
+    pub fn marked(self, hand: &Hand) -> End {
+        match self {
+            End::At(p) => End::At(hand.mark(p)),
+            End::Infinity(_) => self,
         }
     }
 
