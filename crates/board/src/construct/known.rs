@@ -46,8 +46,7 @@ impl Board<'_> {
             Rate::Measured { of, to } => {
                 let Some([from, end]) = self.measured_between(on, body, of, to) else { return false };
                 let arm = self.arm_of(body, of, to);
-                // Measured along the link's perpendicular: the part square to the arm determines
-                // the rate.
+                // Transferred to the link: the part of the vector square to the arm gives the rate.
                 let across = self.number(Number::Across { from, to: end, arm });
                 let arm = self.number(Number::Length(arm));
                 let mu = self.number(Number::Scale(on));

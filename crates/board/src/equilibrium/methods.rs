@@ -109,7 +109,8 @@ impl Scribe<'_> {
     pub(super) fn around_a_pin(&mut self, bodies: [&[LinkId]; 2], inner: Hinge, outer: [Outer; 2]) -> (Polygon, Vec<Acting>, [MarkId; 3]) {
         let held = |o: &Outer| if let Outer::Pin { hinge, .. } = *o { vec![hinge, inner] } else { vec![inner] };
         let links = bodies.map(|body| body[body.len() - 1]);
-        // The link with the inner pin is next to it in the polygon.
+        // In the polygon, the forces on the link with the inner pin are adjacent to the pin's
+        // force.
         let pinned = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));
         let others = [0, 1].map(|k| {
             let others = &bodies[k][..bodies[k].len() - 1];
