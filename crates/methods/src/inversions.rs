@@ -54,7 +54,7 @@ pub struct Inversion {
     pub limits: Limits,
 }
 
-/// All inversions of a scene, in the order of its links.
+/// Returns all inversions of a scene, in the order of its links.
 ///
 /// # Errors
 /// `inversion-pairs` for each cam with a profile other than one circle, `inversion-drivers` if

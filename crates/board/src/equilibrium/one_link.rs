@@ -1,4 +1,5 @@
-//! A link in equilibrium by itself: a driver, or a link with a pivot or a guide and one line of action.
+//! A link in equilibrium by itself: a driver, or a link with a pivot or a guide and one line of
+//! action.
 
 use super::answers::reaction;
 use super::joints::{Hinge, Outer};

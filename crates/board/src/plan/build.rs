@@ -1,4 +1,5 @@
-//! Writes the equations of all groups in solving order, those of velocities before those of accelerations.
+//! Writes the equations of all groups in solving order, those of velocities before those of
+//! accelerations.
 
 use super::between::body_of;
 use super::names::small_letters;
@@ -14,7 +15,7 @@ pub struct Ways {
     pub left_out: Vec<usize>,
     /// The way of drawing for groups of higher class, if it is not the first in the order of
     /// [`Plan`]: special points, common points of two links, then trial polygons, each with a
-    /// different assumed rate or a different opened bar.
+    /// different assumed rate or a different removed bar.
     pub way: BTreeMap<usize, usize>,
 }
 

@@ -67,7 +67,7 @@ pub enum TermKind {
     Coriolis,
     /// The given rate of a cylinder, along its line.
     Extension,
-    /// In a trial polygon, from the image of a pin of the opened bar to its mate, along the bar,
+    /// In a trial polygon, from the image of a pin of the removed bar to its mate, along the bar,
     /// relative to the bar's other pin.
     Gap,
     /// The difference of the two points at a contact of rolling links, along its normal: zero for

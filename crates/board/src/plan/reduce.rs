@@ -395,7 +395,7 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
     for form in &forms {
         match *form {
             Form::Meet { .. } => {}
-            // A contact between members is recorded elsewhere.
+            // The rolling pair already records a contact between members.
             Form::OnPath { guide, .. } if scene.guides[guide.0].rolling.is_some_and(between_members) => {}
             Form::OnPath { runner: Runner::Pin(pin), guide, on } => {
                 if let Some(&carrier) = holder(pin).first()

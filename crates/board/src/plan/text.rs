@@ -61,8 +61,8 @@ pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String
     format!("{}{}", plain(a), plain(b))
 }
 
-/// Returns the part that leaves a term's magnitude open, in words of diagnostics: `link 3 (CD)`,
-/// `the guide on link 4`.
+/// Returns the link, cylinder, guide or contact that gives a term its direction, in words of
+/// diagnostics: `link 3 (CD)`, `the guide on link 4`.
 pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
     let line = || line_name(scene, plan, t.to, t.of);
     match t.by {

@@ -1,7 +1,7 @@
 //! Groups that no special point opens, drawn by trial polygons.
 //!
 //! One unknown rate is assumed, 0 in a first trial and a handy value in a second, and one bar CE
-//! between two links of the group is opened; all other links then follow one after the other. The
+//! between two links of the group is removed; all other links then follow one after the other. The
 //! bar requires e on the line through the image of C and the bar's normal part, square to CE: the
 //! mate x of e is on this line, and the gap from e to x is along CE. All images are linear in the
 //! rate, so e and x move on straight lines, and the true e is their crossing.
@@ -17,7 +17,7 @@ use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::PointId;
 use std::collections::HashSet;
 
-/// The link with the assumed rate, with a known point and another point; the opened bar with its
+/// The link with the assumed rate, with a known point and another point; the removed bar with its
 /// pins.
 pub(super) struct Choice {
     tried: usize,
@@ -70,7 +70,7 @@ impl Builder<'_> {
         Some(steps)
     }
 
-    /// Finds all links but the opened bar from an assumed rate; returns true if all are known.
+    /// Finds all links but the removed bar from an assumed rate; returns true if all are known.
     fn one_trial(&mut self, level: Level, g: usize, members: &[Member], choice: &Choice, run: u8) -> bool {
         let [pivot, moved] = [choice.pivot, choice.moved].map(|p| self.pin(p));
         let link = members[choice.tried].link;
@@ -139,7 +139,7 @@ const MOST: usize = 24;
 const LINKS: usize = 400;
 
 /// Returns the choices: links with one known point for the assumed rate, and bars between two links
-/// that can be opened, with either pin as the wanted one.
+/// that can be removed, with either pin as the wanted one.
 pub(super) fn choices(members: &[Member]) -> Vec<Choice> {
     let tried: Vec<(usize, &Member)> = members.iter().enumerate().filter(|(_, m)| m.is_hinged()).collect();
     let bars = members.iter().enumerate().filter(|(_, m)| m.is_pinned_only() && m.pivots.is_empty());

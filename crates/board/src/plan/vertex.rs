@@ -59,7 +59,7 @@ pub struct Vertex {
     pub trial: Option<Trial>,
 }
 
-/// A trial polygon: one unknown rate has an assumed value, and one bar of the group is opened.
+/// A trial polygon: one unknown rate has an assumed value, and one bar of the group is removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Trial {
     /// The first trial, with a rate of 0, or the second.

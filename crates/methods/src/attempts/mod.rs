@@ -38,12 +38,14 @@ pub enum Site {
     /// [`Mistake::CoriolisWrongOmega`], at the pin of a guide, with the angular velocity of a link
     /// other than the guide's carrier.
     CoriolisWrongOmega(GuideId, LinkId),
-    /// [`Mistake::RollingPointAZero`], at the contact of a rolling pair: the wheel's image hangs on it.
+    /// [`Mistake::RollingPointAZero`], at the contact of a rolling pair: the wheel's image is based
+    /// on it.
     RollingPointAZero(RollingId),
     /// [`Mistake::RollingPointAZero`], at a further point of the wheel, found from the contact with
     /// the right angular velocity and acceleration.
     RollingPointAsBase(RollingId, PointId),
-    /// [`Mistake::ImageAcrossLinks`], at a point of the first link, found by an image on points of the second.
+    /// [`Mistake::ImageAcrossLinks`], at a point of the first link, found by an image on points of
+    /// the second.
     ImageAcrossLinks(PointId, LinkId, LinkId),
     /// [`Mistake::NoNormal`], in the motion of a link.
     NoNormal(LinkId),

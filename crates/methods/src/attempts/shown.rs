@@ -39,8 +39,8 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// Finds the first step of a polygon with a term for which `wrong` holds, and all such terms of
-    /// it. A step with unknowns takes precedence.
+    /// Finds a step of a polygon with a term for which `wrong` holds, and all such terms of it.
+    /// Steps with two chains take precedence; among equal steps the last is taken.
     pub fn with(plan: &Plan, on: DiagramKind, side: Side, wrong: impl Fn(&Term) -> bool) -> Option<Shown> {
         let terms = |s: &Step| -> Vec<Term> {
             s.chains().iter().flat_map(|c| c.known.iter().chain(&c.unknown)).filter(|t| wrong(t)).copied().collect()

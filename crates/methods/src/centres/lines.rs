@@ -16,7 +16,7 @@ pub enum Place {
 }
 
 impl Place {
-    /// The point, unless it is at infinity.
+    /// Returns the point, unless it is at infinity.
     pub fn point(&self) -> Option<Point> {
         match self {
             Place::At(p) => Some(*p),

@@ -9,7 +9,8 @@ use hodograph_scene::PointId;
 /// The smallest sine of the angle between two velocities whose normals are crossed.
 const SQUARE: f64 = 0.02;
 
-/// A point of the first link of a pair, its place (m), and its velocity against the second (m/s).
+/// A point of the first link of a pair, its place (m), and its velocity relative to the second
+/// (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Normal {
     /// The point.

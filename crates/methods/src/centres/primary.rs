@@ -58,7 +58,7 @@ impl Given {
     }
 }
 
-/// Returns what the pairs of a scene give.
+/// Returns the primary centres and normals that the pairs of a scene give.
 pub(super) fn given(scene: &Scene) -> Given {
     let mut primary: Vec<(LinkId, LinkId, Primary)> = Vec::new();
     let mut add = |a: LinkId, b: LinkId, what: Primary| {

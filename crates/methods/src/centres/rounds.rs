@@ -61,7 +61,7 @@ pub enum Line {
 pub enum How {
     /// By its pair.
     Primary(Primary),
-    /// As the crossing of two of these lines.
+    /// By crossing two of these lines.
     Lines(Vec<Line>),
     /// From velocities, because the theorem stalls.
     Velocities,

@@ -56,7 +56,7 @@ pub enum How {
     Given,
     /// From the collineation axis and this point on it.
     Collineation(End),
-    /// As the fourth proportional on the ray itself: 1/PJ = 1/PB − 1/PA, because the axis would be
+    /// By the fourth proportional on the ray itself: 1/PJ = 1/PB − 1/PA, because the axis would be
     /// crossed at too small an angle.
     Proportion,
 }

@@ -79,7 +79,8 @@ fn teeth_fill_the_spaces_without_backlash() {
 
 #[test]
 fn the_contact_ratio_is_the_mean_number_of_contacts() {
-    // Points one base pitch apart move along the line of action; those inside both tip circles, between N1 and N2, are in contact.
+    // Points one base pitch apart move along the line of action; those inside both tip circles,
+    // between N1 and N2, are in contact.
     for (teeth, shifts) in PAIRS {
         let p = pair(*teeth, *shifts);
         let [a, b] = p.gears;

@@ -4,8 +4,8 @@
 //! Such a file has the front of a scene, `time`, `points`, `plates`, `motions` and `find`, and no
 //! links. [`read`] gives a [`Problem`], [`solve`] its answers with error bounds: laws are
 //! differentiated exactly ([`law`]); a pursuit is integrated ([`pursuit`]), and the output says so.
-//! The drawing with ruler and paper is in [`board`], which uses the laws at the instant and nothing
-//! of what is computed here.
+//! The drawing with ruler and paper is in [`board`], which uses the laws at the instant and none of
+//! the results computed here.
 //!
 //! Points that move on links of mechanisms by laws of time are scenes ([`hodograph_scene`]).
 //!

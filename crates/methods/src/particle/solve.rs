@@ -65,7 +65,8 @@ pub struct Solved {
 /// Solves a problem.
 ///
 /// # Errors
-/// Laws without a value at the instant, pursuits that cannot be followed, an instant after the meeting.
+/// Laws without a value at the instant, pursuits that cannot be followed, an instant after the
+/// meeting.
 pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
     let mut ends = Vec::new();
     let (mut chases, mut lost) = (Vec::new(), Vec::new());
