@@ -1,31 +1,37 @@
-//! Spur gears with involute flanks, two in mesh, one in a ring, one on a rack: circles, profile shifts, how many teeth are in contact.
+//! Spur gears with involute flanks: two gears in mesh, a gear in a ring, or a gear on a rack;
+//! circles, profile shifts, contact ratio.
 //!
-//! Lengths in the unit of the module, angles in radians. With base radii r_b = r cos α the line of action touches both base circles (N₁,
-//! N₂) under the operating pressure angle α′, cos α′ = a cos α/a′; contact begins where the driven gear's tip circle crosses it (B₂)
-//! and ends where the driver's does (B₁). Formulas of a ring are those of two gears with z₂ − z₁ for z₁ + z₂ and x₂ − x₁ for x₁ + x₂: the
-//! *spaces* of a ring are the teeth of a gear of its size. A rack is a gear without end, whose tip line lies (h_a* − x) m inside the pitch
-//! line. Decided here: the geometry; what a file says, and what is drawn of it, are other rooms' matter.
+//! Lengths are in the unit of the module, angles in radians. With base radii r_b = r cos α, the
+//! line of action touches both base circles (N₁, N₂) under the operating pressure angle α′, cos α′
+//! = a cos α/a′. Contact begins at the crossing with the driven gear's tip circle (B₂) and ends at
+//! the crossing with the driver's (B₁). Formulas of a ring are those of two gears with z₂ − z₁ for
+//! z₁ + z₂ and x₂ − x₁ for x₁ + x₂: the *spaces* of a ring are the teeth of a gear of its size. A
+//! rack is an infinite gear with its tip line (h_a* − x) m inside the pitch line. This module
+//! contains only the geometry; other modules read files and draw.
 //!
 //! # Source
-//! 孙桓、陈作模、葛文杰《机械原理》, chapter on gears; F. L. Litvin, *Gear Geometry and Applied Theory*. G_s, the check
-//! of overlapping tips in a ring, is that of textbooks on planetary gears; a test turns the teeth past one another.
+//! 孙桓、陈作模、葛文杰《机械原理》, chapter on gears; F. L. Litvin, *Gear Geometry and Applied Theory*. G_s, the
+//! check of overlapping tips in a ring, is that of textbooks on planetary gears; a test turns the
+//! teeth past one another.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 mod outline;
 
-/// inv α = tan α − α: the polar angle of an involute where its pressure angle is α.
+/// Returns inv α = tan α − α: the polar angle of an involute at the point with pressure angle α.
 pub fn inv(alpha: f64) -> f64 {
     libm::tan(alpha) - alpha
 }
 
-/// The angle of an involute function in [0, π/2); Newton's method from the cube root, which is exact to 1 % up to 45°.
+/// Returns the angle of an involute function in [0, π/2), by Newton's method from the cube root,
+/// which is exact to 1 % up to 45°.
 pub fn arc_inv(value: f64) -> Option<f64> {
     if !(value.is_finite() && value >= 0.0) {
         return None;
     }
     let mut alpha = libm::atan(libm::cbrt(3.0 * value));
-    // d(inv)/dα = tan²α; it is convex: from above the steps never pass the root, from below only the first does.
+    // d(inv)/dα = tan²α; inv is convex: from above the steps never pass the root, from below only
+    // the first step does.
     for _ in 0..60 {
         let slope = libm::tan(alpha) * libm::tan(alpha);
         if slope == 0.0 {
@@ -41,7 +47,7 @@ pub fn arc_inv(value: f64) -> Option<f64> {
     Some(alpha)
 }
 
-/// What the two gears of a pair have in common.
+/// The common data of the two gears of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Basic {
     /// Module m.
@@ -54,19 +60,19 @@ pub struct Basic {
     pub clearance: f64,
 }
 
-/// What the second one of a pair is.
+/// The kind of the second member of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mate {
     /// A gear outside the first.
     Gear,
     /// A ring around the first: its teeth point inwards.
     Ring,
-    /// A rack: its teeth stand on a straight line.
+    /// A rack: its teeth are on a straight line.
     Rack,
 }
 
 impl Mate {
-    /// z₂ + z₁ or z₂ − z₁, by which centre distance and shifts go; a rack has neither.
+    /// Returns z₂ + z₁ or z₂ − z₁, which determines centre distance and shifts; a rack has neither.
     fn count(self, teeth: [u32; 2]) -> f64 {
         let [a, b] = teeth.map(f64::from);
         match self {
@@ -76,7 +82,7 @@ impl Mate {
         }
     }
 
-    /// x₂ + x₁ or x₂ − x₁.
+    /// Returns x₂ + x₁ or x₂ − x₁.
     pub fn shift(self, shifts: [f64; 2]) -> f64 {
         match self {
             Mate::Gear => shifts[1] + shifts[0],
@@ -86,7 +92,7 @@ impl Mate {
     }
 }
 
-/// One gear of a pair. A rack has no teeth to count, and its radii are infinite.
+/// One gear of a pair. A rack has no number of teeth, and its radii are infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gear {
     /// Number of teeth z.
@@ -99,28 +105,29 @@ pub struct Gear {
     pub base: f64,
     /// Operating pitch circle, r′.
     pub pitch: f64,
-    /// Tip circle, r_a; of a ring the innermost one.
+    /// Tip circle, r_a; for a ring the innermost circle.
     pub tip: f64,
-    /// Root circle, r_f; of a ring the outermost one.
+    /// Root circle, r_f; for a ring the outermost circle.
     pub root: f64,
 }
 
 /// A pair of gears at its centre distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
-    /// What both have.
+    /// The common data of both gears.
     pub basic: Basic,
-    /// The gears, the driver first; in a ring and on a rack the gear.
+    /// The gears, the driver first; with a ring or a rack, the gear first.
     pub gears: [Gear; 2],
-    /// What the second one is.
+    /// The kind of the second member.
     pub mate: Mate,
-    /// Operating centre distance a′; from a rack's pitch line.
+    /// Operating centre distance a′; for a rack, the distance from its pitch line.
     pub distance: f64,
     /// Operating pressure angle α′ (rad).
     pub operating: f64,
 }
 
-/// The operating pressure angle at a centre distance; `None` where the base circles would overlap.
+/// Returns the operating pressure angle at a centre distance; `None` if the base circles would
+/// overlap.
 pub fn operating(basic: &Basic, mate: Mate, teeth: [u32; 2], distance: f64) -> Option<f64> {
     if mate == Mate::Rack {
         return Some(basic.alpha);
@@ -129,17 +136,18 @@ pub fn operating(basic: &Basic, mate: Mate, teeth: [u32; 2], distance: f64) -> O
     (0.0..=1.0).contains(&cos).then(|| libm::acos(cos))
 }
 
-/// The standard centre distance a = m (z₂ ± z₁)/2.
+/// Returns the standard centre distance a = m (z₂ ± z₁)/2.
 pub fn standard(basic: &Basic, mate: Mate, teeth: [u32; 2]) -> f64 {
     basic.module * mate.count(teeth) / 2.0
 }
 
-/// x₂ ± x₁ without backlash at an operating pressure angle: (z₂ ± z₁)(inv α′ − inv α)/(2 tan α).
+/// Returns x₂ ± x₁ without backlash at an operating pressure angle: (z₂ ± z₁)(inv α′ − inv α)/(2
+/// tan α).
 pub fn sum_of_shifts(basic: &Basic, mate: Mate, teeth: [u32; 2], operating: f64) -> f64 {
     mate.count(teeth) * (inv(operating) - inv(basic.alpha)) / (2.0 * libm::tan(basic.alpha))
 }
 
-/// The centre distance without backlash at x₂ ± x₁; `None` where no pressure angle belongs to it.
+/// Returns the centre distance without backlash at x₂ ± x₁; `None` if it has no pressure angle.
 pub fn distance_of(basic: &Basic, mate: Mate, teeth: [u32; 2], sum: f64) -> Option<f64> {
     if mate == Mate::Rack {
         return Some(standard(basic, mate, teeth));
@@ -149,9 +157,10 @@ pub fn distance_of(basic: &Basic, mate: Mate, teeth: [u32; 2], sum: f64) -> Opti
 }
 
 impl Pair {
-    /// The pair with these shifts at its centre distance. The tips of two gears are shortened by Δy = x₁ + x₂ − y, so that the clearance
-    /// stays; in a ring the clearance only grows, and a rack has no distance to choose.
-    /// `None` where the base circles would overlap, or a gear has no tooth left.
+    /// Returns the pair with these shifts at its centre distance. The tips of two gears are
+    /// shortened by Δy = x₁ + x₂ − y, so that the clearance is kept; in a ring the clearance only
+    /// grows, and a rack has no distance to choose. `None` if the base circles would overlap, or if
+    /// a gear has no tooth height left.
     pub fn new(basic: Basic, mate: Mate, teeth: [u32; 2], shifts: [f64; 2], distance: f64) -> Option<Pair> {
         let operating = operating(&basic, mate, teeth, distance)?;
         let m = basic.module;
@@ -162,7 +171,7 @@ impl Pair {
         let gear = |i: usize| {
             let reference = m * f64::from(teeth[i]) / 2.0;
             let base = reference * libm::cos(basic.alpha);
-            // A ring's teeth are another gear's spaces: tip and root change places.
+            // A ring's teeth are the spaces of a gear: tip and root are exchanged.
             let inward = if mate == Mate::Ring && i == 1 { -1.0 } else { 1.0 };
             Gear {
                 teeth: teeth[i],
@@ -186,18 +195,20 @@ impl Pair {
         possible.then_some(Pair { basic, gears, mate, distance, operating })
     }
 
-    /// Of a rack, how far its tip line lies inside its pitch line, and its root line outside.
+    /// Returns the distances of a rack's tip line inside its pitch line, and of its root line
+    /// outside.
     pub fn rack(&self) -> [f64; 2] {
         let (b, x) = (&self.basic, self.gears[0].shift);
         [(b.addendum - x) * b.module, (b.addendum + b.clearance + x) * b.module]
     }
 
-    /// Base pitch p_b = π m cos α: the distance of flanks along the line of action.
+    /// Returns the base pitch p_b = π m cos α: the distance of flanks along the line of action.
     pub fn base_pitch(&self) -> f64 {
         PI * self.basic.module * libm::cos(self.basic.alpha)
     }
 
-    /// Where contact begins and ends along the line of action, from the pitch point, positive in its direction; never beyond N₁, N₂.
+    /// Returns the begin and end of contact along the line of action, from the pitch point,
+    /// positive in its direction; never beyond N₁, N₂.
     pub fn contact(&self) -> [f64; 2] {
         let [n1, n2] = self.tangents();
         let ends = [self.begin().max(n1), self.reach(0)];
@@ -207,13 +218,13 @@ impl Pair {
         }
     }
 
-    /// How far a gear's tip circle reaches along the line of action, from the pitch point.
+    /// Returns the reach of a gear's tip circle along the line of action, from the pitch point.
     fn reach(&self, i: usize) -> f64 {
         let g = &self.gears[i];
         (g.tip * g.tip - g.base * g.base).max(0.0).sqrt() - g.pitch * libm::sin(self.operating)
     }
 
-    /// Where the driven one's tips come to the line of action.
+    /// Returns the position at which the driven gear's tips reach the line of action.
     fn begin(&self) -> f64 {
         match self.mate {
             Mate::Gear => -self.reach(1),
@@ -222,7 +233,8 @@ impl Pair {
         }
     }
 
-    /// Where the line of action touches the base circles N₁, N₂, from the pitch point; of a rack nowhere: infinitely far.
+    /// Returns the points at which the line of action touches the base circles N₁, N₂, from the
+    /// pitch point; infinite for a rack.
     pub fn tangents(&self) -> [f64; 2] {
         let [a, b] = self.gears.map(|g| g.pitch * libm::sin(self.operating));
         match self.mate {
@@ -231,10 +243,11 @@ impl Pair {
         }
     }
 
-    /// Whether a tip reaches beyond the other's base circle on the line of action: there the flanks would cut into one another.
+    /// True if a tip reaches beyond the other gear's base circle on the line of action: there the
+    /// flanks would cut into one another.
     pub fn interferes(&self) -> bool {
         let [n1, n2] = self.tangents();
-        // What rounding leaves of a reach that ends in N.
+        // Rounding error of a reach that ends in N.
         let slack = 1e-12 * self.gears[0].tip;
         match self.mate {
             Mate::Gear => self.begin() < n1 - slack || self.reach(0) > n2 + slack,
@@ -242,21 +255,21 @@ impl Pair {
         }
     }
 
-    /// Whether a ring's teeth reach inside its base circle, where it has no involute.
+    /// True if a ring's teeth reach inside its base circle, where it has no involute.
     pub fn without_involute(&self) -> bool {
         self.mate == Mate::Ring && self.gears[1].tip < self.gears[1].base * (1.0 - 1e-12)
     }
 
-    /// Whether tips of gear and ring overlap away from the line of action, as they do where z₂ − z₁ is small: G_s < 0, with
-    /// G_s = z₁(inv α_a1 + δ₁) − z₂(inv α_a2 + δ₂) + (z₂ − z₁) inv α′, δ the angles of the crossing of both tip circles from the line of
-    /// centres.
+    /// True if tips of gear and ring overlap away from the line of action, which happens for small
+    /// z₂ − z₁: G_s < 0, with G_s = z₁(inv α_a1 + δ₁) − z₂(inv α_a2 + δ₂) + (z₂ − z₁) inv α′, δ the
+    /// angles from the line of centres to the crossing of both tip circles.
     pub fn tips_overlap(&self) -> bool {
         if self.mate != Mate::Ring {
             return false;
         }
         let ([g, r], a) = (&self.gears, self.distance);
         let (p, q) = (g.tip, r.tip);
-        // The tip circles do not cross: the gear's lies inside the ring's.
+        // The tip circles do not cross: that of the gear lies inside that of the ring.
         if a + p <= q || p + q <= a {
             return false;
         }
@@ -267,7 +280,7 @@ impl Pair {
         y * (at(g) + delta[0]) - z * (at(r) + delta[1]) + (z - y) * inv(self.operating) < 0.0
     }
 
-    /// The contact ratio ε = B₁B₂/p_b.
+    /// Returns the contact ratio ε = B₁B₂/p_b.
     pub fn contact_ratio(&self) -> f64 {
         let [from, to] = self.contact();
         (to - from) / self.base_pitch()

@@ -1,10 +1,12 @@
-//! Inversions (机构的倒置): each link of a chain as ground in turn, every one a scene of its own.
+//! Inversions (机构的倒置): each link of a chain as ground in turn, each as a separate scene.
 //!
-//! The relative motion of the links is the same in all of them. Decided here: how an inversion is written, from the places of the pose, so
-//! that all stand as in the scene; which link drives (one on the new ground that turns fully, else the first that moves it); what its
-//! motion as a whole is ([`extreme::limits`]). Gears and wheels keep their pitch circles. Chains with several drivers or with cylinders keep
-//! those, since a driver is a motion of two links against one another. A cam
-//! whose profile is one circle is kept; others are refused, where what they touch follows from the driver's angle.
+//! The relative motion of the links is the same in all inversions. This module writes an inversion
+//! from the places of the pose, so that all links are placed as in the scene; it chooses the driver
+//! (the first link on the new ground that turns fully, otherwise the first that moves it); and it
+//! finds the limits of the motion ([`extreme::limits`]). Gears and wheels keep their pitch circles.
+//! Chains with several drivers or with cylinders keep them, because a driver is a relative motion
+//! of two links. A cam with a profile of one circle is kept; other cams are refused, because their
+//! contact follows from the driver's angle.
 //!
 //! ```
 //! use hodograph_methods::inversions;
@@ -28,35 +30,36 @@ mod cams;
 mod chain;
 mod pairs;
 
-/// Scenes with more links are refused: each link makes a figure.
+/// The largest permitted number of links: each link makes a figure.
 pub const MOST_LINKS: usize = 24;
 
-/// One link as ground.
+/// The mechanism with one link as ground.
 #[derive(Clone, Debug)]
 pub struct Inversion {
-    /// The link of the scene that is the ground here.
+    /// The link of the scene that is the ground of the inversion.
     pub ground: LinkId,
-    /// Whether it is the ground of the scene itself.
+    /// True if it is the ground of the scene itself.
     pub original: bool,
-    /// What the ground is in the slider-crank chain, where the scene is one.
+    /// The role of the ground in the slider-crank chain, if the scene is one.
     pub part: Option<Part>,
-    /// Its scene as a file.
+    /// The inversion's scene as a file.
     pub text: String,
-    /// The same, read.
+    /// The scene, read from that file.
     pub scene: Scene,
-    /// The same, worked through.
+    /// The solution of that scene.
     pub worked: Worked,
-    /// The link, slide or cylinder that drives; of several all their names.
+    /// The driving link, slide or cylinder; for several drivers all their names.
     pub driver: String,
-    /// Its motion as a whole.
+    /// The limits of its motion.
     pub limits: Limits,
 }
 
-/// All inversions of a scene, in the order of its links.
+/// Returns all inversions of a scene, in the order of its links.
 ///
 /// # Errors
-/// `inversion-pairs` for each cam whose profile is not one circle, `inversion-drivers` where nothing drives, `too-many-links`, and the faults of the scene itself.
-/// An inversion that cannot be driven is a note.
+/// `inversion-pairs` for each cam with a profile other than one circle, `inversion-drivers` if
+/// nothing drives, `too-many-links`, and the faults of the scene itself. An inversion that cannot
+/// be driven gives a warning.
 pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
     refused(scene)?;
     let Warned { value: worked, .. } = work(scene, Scope::Figure)?;
@@ -75,7 +78,7 @@ pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
     Ok(Warned { value: out, notes })
 }
 
-/// What cannot be inverted, and why; all at once.
+/// Returns all reasons against an inversion at once.
 fn refused(scene: &Scene) -> Result<(), Faults> {
     let mut faults = Faults::default();
     cams::refused(scene, &mut faults);
@@ -90,7 +93,7 @@ fn refused(scene: &Scene) -> Result<(), Faults> {
     if faults.list.is_empty() { Ok(()) } else { Err(faults) }
 }
 
-/// The chain with another ground, driven by what moves it best.
+/// Returns the chain with another ground, with the driver that moves it best.
 fn invert(scene: &Scene, at: &Configuration, ground: LinkId) -> Result<Inversion, Faults> {
     let none = || {
         let name = scene.link_name(ground);
@@ -104,7 +107,7 @@ fn invert(scene: &Scene, at: &Configuration, ground: LinkId) -> Result<Inversion
     for (name, driver) in candidates {
         let text = written(scene, at, ground, driver);
         match read(scene, ground, text, name) {
-            // The first that turns fully; else the first that moves at all.
+            // The first driver that turns fully; otherwise the first that moves at all.
             Ok(made) if made.limits.range.full() && turns(&made.scene) => return Ok(made),
             Ok(made) => first = first.or(Some(made)),
             Err(faults) => why = why.or(Some(faults)),
@@ -126,12 +129,13 @@ fn read(scene: &Scene, ground: LinkId, text: String, driver: String) -> Result<I
     Ok(Inversion { ground, original: ground == scene.ground, part, text, scene: inverted, worked, driver, limits })
 }
 
-/// Points of a link, and the pins of the guides in which it slides: the latter belong to it once it is the ground.
+/// Returns the points of a link, and the pins of the guides in which it slides: these belong to it
+/// when it is the ground.
 fn points(scene: &Scene, link: LinkId) -> Vec<PointId> {
     crate::curvature::points(scene, link)
 }
 
-/// The guides of the file: those of rolling pairs and of cams come with the pairs.
+/// Returns the guides of the file; guides of rolling pairs and of cams belong to the pairs.
 fn own_guides(scene: &Scene) -> impl Iterator<Item = &scene::Guide> {
     scene.guides.iter().filter(|g| is_own(scene, g))
 }
@@ -140,7 +144,8 @@ fn is_own(scene: &Scene, guide: &scene::Guide) -> bool {
     guide.rolling.is_none() && !cams::is_contact(scene, guide)
 }
 
-/// What may drive: links pinned to the ground, as the scene lists them (its own driver first), then slides.
+/// Returns the possible drivers: links pinned to the ground, in the order of the scene with its own
+/// driver first, then slides.
 fn drivers(scene: &Scene, ground: LinkId) -> Vec<(String, Json)> {
     let own = &scene.drivers[0];
     let rate = if own.kind.turns() && own.rate.value != 0.0 { own.rate.value } else { 1.0 };
@@ -167,7 +172,7 @@ fn drivers(scene: &Scene, ground: LinkId) -> Vec<(String, Json)> {
     links.iter().map(turn).chain(own_guides(scene).filter_map(slide)).collect()
 }
 
-/// The file of an inversion: all places as they are in the pose.
+/// Returns the file of an inversion: all places are those of the pose.
 fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> String {
     let name = |p: &PointId| scene.point_name(*p).to_owned();
     let place =
@@ -211,15 +216,16 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
     lines(&out)
 }
 
-/// A scene as people write it: a line for each key.
+/// Returns a scene as text, with one line for each key.
 fn lines(scene: &Json) -> String {
     let line = |(key, value): (&String, &Json)| format!("  {}: {value}", json!(key));
     let all: Vec<String> = scene.as_object().into_iter().flatten().map(line).collect();
     format!("{{\n{}\n}}\n", all.join(",\n"))
 }
 
-/// A guide as it is written with another ground. A block that has become the ground carries it: what was its guide slides, with a pin of its own where it
-/// drives, so that the places tell how far it is.
+/// Returns a guide as it is written with another ground. If the block is the ground, it carries the
+/// guide: the original carrier slides, with a pin of its own if it drives, so that its position
+/// follows from the places.
 fn guide(scene: &Scene, g: &scene::Guide, path: Path, (ground, driver): (LinkId, &Json)) -> Option<Json> {
     let link = |l: LinkId| scene.link_name(l).to_owned();
     let drives = |l: LinkId| driver["slide"].as_str() == Some(scene.link_name(l));

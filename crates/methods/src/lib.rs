@@ -1,14 +1,16 @@
-//! Methods beside the velocity and acceleration polygons.
+//! Methods in addition to the velocity and acceleration polygons.
 //!
-//! Rooms: [`centres`] (instantaneous centres of velocity), [`composite`] (composite motion of a point), [`attempts`] (wrong solutions),
-//! [`curvature`] (how paths bend), [`inversions`] (each link as ground in turn), [`gears`] (a pair of spur gears), [`trains`] (gear trains by
-//! Willis' method), [`particle`] (motions without a mechanism).
+//! Modules: [`centres`] (instantaneous centres of velocity), [`composite`] (composite motion of a
+//! point), [`attempts`] (wrong solutions), [`curvature`] (curvature of paths), [`inversions`] (each
+//! link as ground in turn), [`gears`] (a pair of spur gears), [`trains`] (gear trains by Willis'
+//! method), [`particle`] (motions without a mechanism).
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+// clippy.toml lists the functions of f64 with a platform-dependent last bit; tests may use them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
-// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+// The module overviews link to private modules; `cargo doc --document-private-items` follows those
+// links.
 #![allow(rustdoc::private_intra_doc_links)]
 
 pub mod attempts;

@@ -1,9 +1,10 @@
-//! Gear trains: Willis' method for all gears whose centres one link, the arm, carries.
+//! Gear trains: Willis' method for all gears with centres on one link, the arm.
 //!
-//! Seen from the arm h every mesh is that of two gears with fixed axes: (ω_j − ω_h)/(ω_i − ω_h) = −z_i/z_j, with a plus where one of the
-//! two is a ring. The tabular method follows: hold the arm and turn one gear by x, then turn all of it by y, and add. Two rates that are
-//! known (of the ground, of drivers) give x and y. Whether polygons and loop equations agree is for the report to say; here numbers of
-//! teeth or radii decide alone.
+//! Relative to the arm h, every mesh is a mesh of two gears with fixed axes: (ω_j − ω_h)/(ω_i −
+//! ω_h) = −z_i/z_j, with a plus if one of the two is a ring. The tabular method follows: hold the
+//! arm and turn one gear by x, then turn the whole train by y, and add. Two known angular
+//! velocities (of the ground, of drivers) give x and y. This module uses numbers of teeth or radii
+//! alone; the report compares the results with polygons and loop equations.
 //!
 //! # Source
 //! R. Willis, *Principles of Mechanism*, 1841.
@@ -18,9 +19,9 @@ pub struct Train {
     pub arm: LinkId,
     /// The centre about which most of the gears turn.
     pub axis: PointId,
-    /// Its gears; the first is the one that the table turns.
+    /// The gears; the first is the one that the table turns.
     pub gears: Vec<Gear>,
-    /// Its meshes.
+    /// The meshes.
     pub meshes: Vec<RollingId>,
 }
 
@@ -29,39 +30,40 @@ pub struct Train {
 pub struct Gear {
     /// The link.
     pub link: LinkId,
-    /// Its centre.
+    /// The centre of the gear.
     pub centre: PointId,
-    /// (ω − ω_h)/(ω₁ − ω_h), with the first gear of the train.
+    /// (ω − ω_h)/(ω₁ − ω_h), where ω₁ belongs to the first gear of the train.
     pub ratio: Ratio,
 }
 
-/// A ratio of rates, as a product of sizes.
+/// A ratio of angular velocities, as a product of sizes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ratio {
-    /// Its value.
+    /// The value of the ratio.
     pub value: f64,
-    /// The sizes above the line, in the label language: `z_{2}`, `r'_{3}`.
+    /// The sizes in the numerator, in the label language: `z_{2}`, `r'_{3}`.
     pub above: Vec<String>,
-    /// Those below it.
+    /// The sizes in the denominator.
     pub below: Vec<String>,
 }
 
-/// The rates that the two parts of the table take.
+/// The angular velocities in the two parts of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turns {
-    /// Of the arm (rad/s): y.
+    /// The arm's angular velocity (rad/s): y.
     pub arm: f64,
-    /// Of the first gear against the arm (rad/s): x.
+    /// The first gear's angular velocity relative to the arm (rad/s): x.
     pub first: f64,
 }
 
 impl Ratio {
     const ONE: Ratio = Ratio { value: 1.0, above: Vec::new(), below: Vec::new() };
 
-    /// The same after one more mesh, from the gear of size `i` to that of size `j`; a hollow one is negative.
+    /// Returns the ratio after one more mesh, from the gear of size `i` to the gear of size `j`; a
+    /// ring has a negative size.
     fn then(&self, [i, j]: [f64; 2], [above, below]: [String; 2]) -> Ratio {
         let mut next = Ratio { value: -self.value * i / j, ..self.clone() };
-        // An idler takes out its own size.
+        // The size of an idler cancels.
         let put = |size: String, into: &mut Vec<String>, other: &mut Vec<String>| match other.iter().position(|s| *s == size) {
             Some(k) => drop(other.remove(k)),
             None => into.push(size),
@@ -71,12 +73,12 @@ impl Ratio {
         next
     }
 
-    /// The inverse.
+    /// Returns the reciprocal.
     pub fn inverse(&self) -> Ratio {
         Ratio { value: 1.0 / self.value, above: self.below.clone(), below: self.above.clone() }
     }
 
-    /// As a formula without its sign: `z_{2}/z_{3}`.
+    /// Returns the formula without its sign: `z_{2}/z_{3}`.
     pub fn magnitude(&self) -> String {
         let product = |list: &[String]| match list {
             [] => "1".to_owned(),
@@ -89,37 +91,39 @@ impl Ratio {
         }
     }
 
-    /// As a formula.
+    /// Returns the formula.
     pub fn formula(&self) -> String {
         format!("{}{}", if self.value < 0.0 { "−" } else { "" }, self.magnitude())
     }
 }
 
 impl Train {
-    /// The rate of a gear (rad/s).
+    /// Returns the angular velocity of a gear (rad/s).
     pub fn rate(&self, gear: usize, t: Turns) -> f64 {
         t.arm + self.gears[gear].ratio.value * t.first
     }
 
-    /// The turns of the table from the rates of two members that `known` tells; `None` where it tells fewer, or two that say the same.
+    /// Returns x and y of the table from two members with angular velocities in `known`; `None` if
+    /// fewer are known, or if all known ones have the same ratio.
     pub fn turns(&self, known: impl Fn(LinkId) -> Option<f64>) -> Option<Turns> {
         let members = self.gears.iter().map(|g| (g.link, g.ratio.value));
         let told: Vec<(f64, f64)> =
             std::iter::once((self.arm, 0.0)).chain(members).filter_map(|(link, e)| Some((e, known(link)?))).collect();
         let (e, w) = *told.first()?;
-        // ω = y + e x for both: gears of one ratio always turn alike.
+        // ω = y + e x for both: gears of the same ratio always have the same angular velocity.
         let (f, v) = *told.iter().find(|(f, _)| *f != e)?;
         let first = (v - w) / (f - e);
         Some(Turns { arm: w - e * first, first })
     }
 
-    /// The gear that is part of a link.
+    /// Returns the index of the gear that is part of a link.
     pub fn gear(&self, link: LinkId) -> Option<usize> {
         self.gears.iter().position(|g| g.link == link)
     }
 }
 
-/// The rate of a link that the scene gives at once: of the ground, and of what a driver turns against it.
+/// Returns the angular velocity of a link that the scene gives at once: zero for the ground, the
+/// driver's rate for a link driven relative to it.
 pub fn given(scene: &Scene, link: LinkId) -> Option<f64> {
     let driven = scene.drivers.iter().find(|d| d.kind.turned() == Some((link, scene.ground)));
     if link == scene.ground { Some(0.0) } else { driven.map(|d| d.rate.value) }
@@ -135,13 +139,13 @@ struct Mesh {
     symbols: [String; 2],
 }
 
-/// The trains of a scene, in the order of their first meshes.
+/// Returns the trains of a scene, in the order of their first meshes.
 pub fn trains(scene: &Scene) -> Vec<Train> {
     let mut left = meshes(scene);
     let mut out = Vec::new();
     while !left.is_empty() {
         let mut together = vec![left.remove(0)];
-        // All that share a gear with those found.
+        // All meshes that share a gear with the train.
         while let Some(k) =
             left.iter().position(|m| m.arm == together[0].arm && together.iter().any(|t| t.links.iter().any(|l| m.links.contains(l))))
         {
@@ -155,11 +159,12 @@ pub fn trains(scene: &Scene) -> Vec<Train> {
 
 fn meshes(scene: &Scene) -> Vec<Mesh> {
     let inputs = Inputs::<f64>::of(scene);
-    // The sizes of each link in the order in which they come: the second one is dashed.
+    // The sizes of each link in the order of occurrence: the symbol of the second one has a prime.
     let mut seen: Vec<(LinkId, f64)> = Vec::new();
     let mut out = Vec::new();
     for (k, pair) in scene.rolling.iter().enumerate() {
-        // A wheel on its track is no mesh; a belt or chain turns its wheels as an idler between them would.
+        // A wheel on its track is no mesh; a belt or chain turns its wheels like an idler between
+        // them.
         let Relation::Turnings(centres) = pair.relation() else { continue };
         let toothed = match pair.touch() {
             Touch::Point(_) => pair.flanks.as_ref().map(|f| f.teeth),
@@ -190,7 +195,7 @@ fn train(scene: &Scene, meshes: &[Mesh]) -> Option<Train> {
     let arm = meshes[0].arm;
     let count = |p: PointId| meshes.iter().filter(|m| m.centres.contains(&p)).count();
     let centres = || meshes.iter().flat_map(|m| m.centres);
-    // Of equals the one that stands still, then the first.
+    // Among equal centres the fixed one takes precedence, then the first.
     let still = |p: PointId| scene.links[scene.ground.0].points.contains(&p);
     let axis = centres().rev().max_by_key(|p| (count(*p), still(*p)))?;
     let about = meshes.iter().flat_map(|m| [0, 1].map(|i| (m.links[i], m.centres[i]))).filter(|(_, c)| *c == axis);
@@ -221,7 +226,8 @@ mod tests {
     use hodograph_scene::read;
     use hodograph_worked::worked::{Scope, work};
 
-    /// A train: links, gears, drivers; then rates as ratios of the driver's that books print.
+    /// A train: links, gears, drivers; then ratios to the driver's angular velocity as printed in
+    /// books.
     type Train = (&'static str, &'static str, &'static str, &'static [(&'static str, f64)]);
 
     const TRAINS: &[Train] = &[
@@ -296,7 +302,7 @@ mod tests {
         };
         assert_eq!(formula(0, "4"), "1");
         assert_eq!(formula(0, "3"), "−z_{4}/z_{3}");
-        // The planet is an idler, the ring's mesh turns the sense no more.
+        // The planet is an idler; the ring's mesh does not reverse the sense.
         assert_eq!(formula(0, "1"), "−z_{4}/z_{1}");
         // A compound planet has two sizes.
         assert_eq!(formula(1, "1"), "(z_{4} z_{3})/(z'_{3} z_{1})");

@@ -65,6 +65,17 @@ fn link(found: &Curvature, of: &OfLink, centrodes: &[Centrodes]) -> Json {
             "acceleration_pole": d.acceleration_pole.map(place),
             "pole_velocity": d.pole_velocity.map(vector),
             "ball": d.ball.map(place),
+            "bresse_diameter": d.bresse.map(vector),
+        })
+    });
+    let by_hand = of.by_hand.as_ref().map(|t| {
+        json!({
+            "pencil_mm": t.pencil_mm,
+            "pole": t.pole,
+            "inflection_pole": t.inflection_pole,
+            "diameter": t.diameter,
+            "ball": t.ball,
+            "radii": t.radii,
         })
     });
     let analysis = of.pole().map(|p| {
@@ -106,6 +117,7 @@ fn link(found: &Curvature, of: &OfLink, centrodes: &[Centrodes]) -> Json {
         "drawing": drawing,
         "drawn": drawn,
         "analysis": analysis,
+        "by_hand": by_hand,
         "points": points,
         "apart": of.apart(),
         "steps": {"en": steps(Lang::En), "zh": steps(Lang::Zh)},

@@ -1,4 +1,5 @@
-//! A plan written down as acts: the construction, and the points, terms and numbers of the scene that its keys stand for.
+//! Writes a plan as acts: the construction, and the points, terms and numbers of the scene behind
+//! its keys.
 
 use super::board::Board;
 use super::{Edge, Mark, edge_of, end_of};
@@ -8,24 +9,25 @@ use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{DiagramKind, RollingId, Scene};
 use std::sync::Arc;
 
-/// A plan written as a construction. It holds no coordinates, and is valid in all poses that use the same special points.
+/// A plan written as a construction. It holds no coordinates, and is valid in all poses with the
+/// same special points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Acts {
     /// The acts.
     pub construction: Construction,
-    /// For each group, the alternative of its steps.
+    /// The chosen alternative of the steps, for each group.
     pub chosen: Vec<usize>,
     /// The vectors of each diagram, in the order of the construction.
     pub(super) edges: Vec<Vec<Edge<MarkId>>>,
-    /// For each diagram the image of each vertex; in the plane its place.
+    /// For each diagram, the image of each vertex; in the plane, its place.
     pub(super) images: Vec<Vec<Option<MarkId>>>,
     /// The joints of the diagram.
     pub(super) joints: Vec<MarkId>,
-    /// The turnings of bodies.
+    /// The angular velocities and accelerations of bodies.
     pub(super) turnings: Vec<Turning>,
-    /// The terms that keys stand for.
+    /// The terms behind the keys.
     pub(super) terms: Vec<Term>,
-    /// The given numbers that keys stand for.
+    /// The given numbers behind the keys.
     pub(super) givens: Vec<Given>,
 }
 
@@ -38,11 +40,11 @@ pub(super) enum Given {
     Acceleration(usize),
     /// One of the two sizes of a rolling pair.
     Size(RollingId, usize),
-    /// The rate that is chosen for the second trial on a polygon.
+    /// The rate chosen for the second trial on a polygon.
     Trial(DiagramKind),
 }
 
-/// The turning of a body.
+/// The angular velocity or acceleration of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Turning {
     /// The polygon on which it is found.
@@ -51,17 +53,18 @@ pub(super) struct Turning {
     pub body: Body,
     /// The number.
     pub number: NumberId,
-    /// The part measured across an arm, the arm's length, and the line on which it lies: of the first vertex, seen from the second.
+    /// The measured part square to an arm, the arm's length, and the line of the arm: its first
+    /// vertex relative to the second.
     pub measured: Option<([NumberId; 2], (VertexId, VertexId))>,
-    /// The step.
+    /// The index of the step.
     pub step: usize,
 }
 
 impl Acts {
-    /// Writes a plan down, with an alternative for each group of the mechanism.
+    /// Writes a plan as acts, with an alternative for each group of the mechanism.
     ///
     /// # Panics
-    /// Where `chosen` has fewer entries than the mechanism has groups.
+    /// If `chosen` has fewer entries than the mechanism has groups.
     pub fn of(scene: &Scene, m: &Mechanism, plan: &Plan, chosen: &[usize]) -> Arc<Acts> {
         let mut board = Board::new(scene, m, plan, chosen);
         board.set_out();
@@ -71,7 +74,7 @@ impl Acts {
         Arc::new(Acts { chosen: chosen.to_vec(), ..board.done })
     }
 
-    /// Begins a diagram.
+    /// Begins a diagram and returns its index.
     pub(super) fn begin(&mut self, kind: DiagramKind, images: Vec<Option<MarkId>>) -> DiagramId {
         self.edges.push(Vec::new());
         self.images.push(images);
@@ -109,20 +112,21 @@ impl Acts {
         }
     }
 
-    /// Returns the mark in which a term ends that is drawn from another mark.
+    /// Returns the mark at the end of a term that is drawn from another mark.
     pub(super) fn end_of(&self, on: DiagramId, from: MarkId, term: &Term) -> Option<MarkId> {
         end_of(&self.edges[on.index()], &self.mark(from), term).map(|(_, id)| id)
     }
 
-    /// The marks between which a vector of these terms is drawn, and whether the drawing shows the opposite vector.
+    /// Returns the marks between which a vector of these terms is drawn, and true if the drawing
+    /// shows the opposite vector.
     pub(super) fn edge_of(&self, on: DiagramId, terms: &[Term]) -> Option<([MarkId; 2], bool)> {
         let (marks, reversed) = edge_of(&self.edges[on.index()], terms)?;
         Some((marks.map(|(_, id)| id), reversed))
     }
 
-    /// The turning of a body, if it is found.
+    /// Returns the angular quantity of a body, if it is found.
     pub(super) fn turning(&self, on: DiagramKind, body: Body) -> Option<&Turning> {
-        // Mostly one that was found last is wanted.
+        // Usually the last one found is wanted.
         self.turnings.iter().rev().find(|t| t.on == on && t.body == body)
     }
 }

@@ -1,4 +1,5 @@
-//! Writes down the vectors between two images that a question or an angular rate reads, and decides in which order images, vectors and rates become known.
+//! Writes the vectors between two images that a question or an angular velocity or acceleration
+//! reads, and decides the order in which images, vectors and rates become known.
 
 use super::board::Board;
 use crate::construction::{DiagramId, Direction, Line, Op};
@@ -6,8 +7,9 @@ use crate::plan::{Between, Body, By, Rate, Term, TermKind};
 use hodograph_scene::DiagramKind;
 
 impl Board<'_> {
-    /// What is drawn between images, as far as they are there, and the turnings measured from what is drawn. What cannot be read yet stays
-    /// in `unread`, for a block is measured on points that a later group may bring.
+    /// Draws the vectors between existing images, and measures the angular quantities that follow
+    /// from them. Rates that cannot be measured yet stay in `unread`: a block is measured on points
+    /// that a later group may find.
     pub(super) fn read_off(&mut self, on: DiagramId, unread: &mut Vec<(Body, Rate)>, open: &mut Vec<&Between>) {
         loop {
             unread.retain(|(body, rate)| !self.turning(on, *body, *rate));
@@ -17,11 +19,11 @@ impl Board<'_> {
             };
             let Some(next) = open.iter().position(there) else { return };
             let between = open.remove(next);
-            // The alternative of the group that was drawn may show it.
+            // The drawn alternative of the group may already show it.
             let terms = between.terms();
             let each = terms.iter().all(|t| self.vanishes(on, t) || self.done.edge_of(on, &[*t]).is_some());
             let shown = match between {
-                // Where nothing moves there are no edges: each vector that would be drawn is told to be nothing.
+                // If nothing moves there are no edges: each vector is recorded as zero.
                 _ if self.stands(on) => false,
                 Between::Join(_) | Between::Perpendicular { .. } => each,
                 Between::LayOff { .. } => each && self.done.edge_of(on, &terms).is_some(),
@@ -32,7 +34,8 @@ impl Board<'_> {
         }
     }
 
-    /// Whether the angular rates that a vector between two images is laid off with are read already.
+    /// True if the angular quantities needed to lay off a vector between two images are already
+    /// measured.
     fn knows_turnings(&self, between: &Between) -> bool {
         let Between::LayOff { known, .. } = between else { return true };
         let by_omega = |t: &&Term| matches!(t.kind, TermKind::Normal | TermKind::Coriolis);
@@ -49,7 +52,7 @@ impl Board<'_> {
         })
     }
 
-    /// Draws a vector, or the parts of one, between two images.
+    /// Draws a vector, or its parts, between two images.
     fn between(&mut self, on: DiagramId, between: &Between) {
         let (of, to) = between.ends();
         let from = self.image(on, to);
@@ -71,7 +74,7 @@ impl Board<'_> {
                 self.act(on, [Op::Show(joined)]);
             }
             Between::Perpendicular { normal, tangential } => {
-                // Where a chain has laid aⁿ off from the same image, its end is the foot.
+                // If a chain has laid off aⁿ from the same image, its end is the foot.
                 if let Some(foot) = self.done.end_of(on, from, normal) {
                     let joined = self.vector(&[*tangential], foot, end, false, true);
                     self.act(on, [Op::Show(joined)]);
@@ -87,7 +90,7 @@ impl Board<'_> {
                 self.act_of(on, (of, to), [Op::Rule(line), drop, Op::Show(normal), Op::Show(tangential)]);
             }
             Between::LayOff { known, rest } => {
-                // What a chain has laid off from the same image stands already.
+                // Vectors that a chain has laid off from the same image are already drawn.
                 let (mut at, mut open) = (from, &known[..]);
                 while let Some((end, later)) = open.split_first().and_then(|(t, later)| Some((self.done.end_of(on, at, t)?, later))) {
                     (at, open) = (end, later);

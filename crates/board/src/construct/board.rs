@@ -1,4 +1,5 @@
-//! Writes a plan down as acts of ruler and set squares: diagram, velocity polygon, acceleration polygon. No coordinate is looked at.
+//! Writes a plan as acts of ruler and set squares: diagram, velocity polygon, acceleration polygon.
+//! It uses no coordinates.
 
 use super::acts::{Acts, Given, Turning};
 use super::{Edge, Mark};
@@ -14,7 +15,7 @@ pub(super) struct Board<'a> {
     pub(super) scene: &'a Scene,
     pub(super) m: &'a Mechanism,
     pub(super) plan: &'a Plan,
-    /// For each group, the alternative of its steps.
+    /// The chosen alternative of the steps, for each group.
     chosen: &'a [usize],
     pub(super) done: Acts,
 }
@@ -37,7 +38,7 @@ impl<'a> Board<'a> {
         Board { scene, m, plan, chosen, done: Acts { construction, ..Acts::default() } }
     }
 
-    /// Sets out joints and guides.
+    /// Draws joints and guides on the diagram.
     pub(super) fn set_out_joints(&mut self) -> DiagramId {
         let on = self.done.begin(DiagramKind::Plane, vec![None; self.plan.vertices.len()]);
         for p in 0..self.scene.points.len() {
@@ -50,7 +51,7 @@ impl<'a> Board<'a> {
         on
     }
 
-    /// Sets out the diagram: joints, guides, and the special points.
+    /// Draws the diagram: joints, guides, and the special points.
     pub(super) fn set_out(&mut self) {
         let on = self.set_out_joints();
         let plan = self.plan;
@@ -68,7 +69,7 @@ impl<'a> Board<'a> {
         }
     }
 
-    /// Writes a polygon.
+    /// Draws a polygon.
     pub(super) fn draw(&mut self, kind: DiagramKind) {
         let on = self.done.begin(kind, vec![None; self.plan.vertices.len()]);
         let pole = self.mark(on, Name::Pole);
@@ -77,10 +78,11 @@ impl<'a> Board<'a> {
         }
         self.act(on, [Op::Set(pole)]);
         let plan = self.plan;
-        // What waits for an image of a later group: vectors between images, and rates measured on such images.
+        // Vectors between images, and rates measured on such images, wait for the images of later
+        // groups.
         let (mut open, mut unread): (Vec<&Between>, Vec<(Body, Rate)>) = (Vec::new(), Vec::new());
         for steps in plan.steps(kind) {
-            // Given rates serve the group's own points; measured ones come from them.
+            // Given rates serve the points of the group; measured rates follow from them.
             for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
                 self.turning(on, *body, *rate);
             }
@@ -93,7 +95,8 @@ impl<'a> Board<'a> {
             self.read_off(on, &mut unread, &mut open);
             for step in &steps.further {
                 self.step(on, step);
-                // A block on a curved guide is measured from the guide's centre, which is one of the further points.
+                // A block on a curved guide is measured from the guide's centre, which is one of
+                // the further points.
                 self.read_off(on, &mut unread, &mut open);
             }
         }
@@ -124,22 +127,23 @@ impl<'a> Board<'a> {
         self.done.construction.diagrams[on.index()]
     }
 
-    /// A joint on the diagram.
+    /// Returns the mark of a joint on the diagram.
     pub(super) fn joint(&self, p: PointId) -> MarkId {
         self.done.joints[p.0]
     }
 
-    /// The place of a vertex on the diagram.
+    /// Returns the mark of a vertex on the diagram.
     pub(super) fn spot(&self, v: VertexId) -> MarkId {
         self.done.images[0][v.0].expect("a planned vertex has a place on the diagram")
     }
 
-    /// From `to` to `of` on the diagram, in metres.
+    /// Returns the arm from `to` to `of` on the diagram, in metres.
     pub(super) fn arm(&self, of: VertexId, to: VertexId) -> Base {
         Base::Arm { from: self.spot(to), to: self.spot(of), known: false }
     }
 
-    /// The arm on which a body turns: its direction from the diagram, its length from the body where both ends are joints of it.
+    /// Returns the arm about which a body turns: its direction from the diagram, and its length
+    /// from the body if both ends are joints of it.
     pub(super) fn arm_of(&self, body: Body, of: VertexId, to: VertexId) -> Base {
         Base::Arm { from: self.spot(to), to: self.spot(of), known: self.knows_length(body, of, to) }
     }
@@ -152,7 +156,7 @@ impl<'a> Board<'a> {
         }
     }
 
-    /// True for a polygon all of whose vectors vanish because no driver moves.
+    /// True for a polygon in which all vectors vanish because no driver moves.
     pub(super) fn stands(&self, on: DiagramId) -> bool {
         self.kind(on) == DiagramKind::Velocity && self.plan.rest.is_all()
     }
@@ -165,14 +169,14 @@ impl<'a> Board<'a> {
         self.done.image(on, v).expect("the plan finds a vertex before it uses it")
     }
 
-    /// A new mark, the image of a vertex.
+    /// Adds a mark: the image of a vertex.
     fn found(&mut self, on: DiagramId, v: VertexId) -> MarkId {
         let mark = self.mark(on, Name::Image(vertex_key(v)));
         self.done.images[on.index()][v.0] = Some(mark);
         mark
     }
 
-    /// The mark in which a part ends.
+    /// Adds the mark at the end of a part.
     pub(super) fn part(&mut self, on: DiagramId, term: &Term) -> MarkId {
         let taken = |e: &Edge<MarkId>| matches!(e.to.0, Mark::Part(t) if t.is_same(term) == Some(false));
         let taken = self.done.edges[on.index()].iter().any(taken);
@@ -192,7 +196,7 @@ impl<'a> Board<'a> {
         spend();
         match step {
             Step::Equation { target, chains, .. } => self.equation(on, *target, chains),
-            // Where nothing moves there is no triangle to copy.
+            // If nothing moves there is no triangle to copy.
             Step::Image { target, from: (a, _), .. } if self.stands(on) => {
                 let mark = self.image(on, *a);
                 self.falls_on(on, *target, mark, Because::Reached, None);
@@ -257,10 +261,11 @@ impl<'a> Board<'a> {
                 let [u, w] = vectors.map(Op::Show);
                 self.act(on, [Op::Meet { lines: [a, b], to }, u, w]);
             }
-            // Without a direction nothing moves, and all chains end where they start.
+            // Without an unknown direction nothing moves, and all chains end where they start.
             [] => {
                 let at = last.expect("an equation has a chain");
-                // The last known vector ends in the target by itself; without one, the start is the target.
+                // The last known vector ends in the target; if there is none, the start is the
+                // target.
                 if chains.len() == 2 || chains[0].known.is_empty() {
                     self.falls_on(on, target, at, Because::Reached, None);
                 }
@@ -269,14 +274,15 @@ impl<'a> Board<'a> {
         }
     }
 
-    /// Notes that terms along one line are 0.
+    /// Records that terms along one line are 0.
     pub(super) fn omit(&mut self, on: DiagramId, terms: &[Term], at: MarkId, target: Option<VertexId>) {
         let terms = terms.iter().map(|t| self.done.term(*t)).collect();
         let to = target.map(|v| self.found(on, v));
         self.act(on, [Op::Omit { terms, at, to }]);
     }
 
-    /// Lays known terms off one after another; the last ends in the image of `target`, if one is given.
+    /// Lays off known terms one after another; the last ends in the image of `target`, if one is
+    /// given.
     pub(super) fn lay_off(&mut self, on: DiagramId, from: MarkId, known: &[Term], target: Option<VertexId>, between: bool) -> MarkId {
         let mut at = from;
         let last_drawn = known.iter().rposition(|t| !self.vanishes(on, t));
@@ -299,7 +305,7 @@ impl<'a> Board<'a> {
         at
     }
 
-    /// The direction of sliding along a guide, at the pin that slides.
+    /// Returns the direction of sliding along a guide, at the sliding pin.
     pub(super) fn guide_tangent(&self, guide: GuideId, of: VertexId) -> Base {
         let pin = match self.plan.vertex(of).spot {
             Spot::Point(p) => Some(place_key(p)),
@@ -308,7 +314,7 @@ impl<'a> Board<'a> {
         Base::Tangent(path_key(guide), pin)
     }
 
-    /// Direction of an unknown term.
+    /// Returns the direction of an unknown term.
     fn direction(&self, term: &Term) -> Direction {
         match term.by {
             By::Turning(_) if term.kind == TermKind::Gap => Direction::of(self.arm(term.of, term.to)),
@@ -319,7 +325,8 @@ impl<'a> Board<'a> {
         }
     }
 
-    /// Whether the first point of a sliding term belongs to the carrier of the guide (then signs are reversed).
+    /// True if the first point of a sliding term belongs to the carrier of the guide: signs are
+    /// then reversed.
     pub(super) fn reversed(&self, term: &Term) -> bool {
         let By::Guide { guide, .. } = term.by else { return false };
         let on = self.scene.guides[guide.0].on;
@@ -331,7 +338,7 @@ impl<'a> Board<'a> {
         }
     }
 
-    /// Notes the turning of a body.
+    /// Records the angular quantity of a body.
     pub(super) fn turns(&mut self, turning: Turning) {
         self.done.turnings.push(turning);
     }

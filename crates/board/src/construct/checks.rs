@@ -1,5 +1,6 @@
-//! Checks of the drawing by links that only repeat what others fix (virtual constraints): such a link has two pins at a fixed distance, so that along
-//! their line the relative velocity is zero and the relative acceleration is aⁿ alone. No crossing uses it, so it checks the drawing.
+//! Checks of the drawing by redundant links (virtual constraints). Such a link has two pins at a
+//! fixed distance, so that along their line the relative velocity is zero and the relative
+//! acceleration is aⁿ. No crossing uses it, so it checks the drawing.
 
 use super::{Drawing, Polygon};
 use crate::plan::Plan;
@@ -8,20 +9,20 @@ use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{DiagramKind, PointId, Scene};
 
-/// A condition of an opened link, and by how much the drawing misses it.
+/// A condition of an opened link, and the error of the drawing in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Condition {
-    /// Which of [`Mechanism::redundant`].
+    /// Index into [`Mechanism::redundant`].
     pub index: usize,
     /// The two pins.
     pub pins: (PointId, PointId),
-    /// Of velocities or of accelerations.
+    /// The polygon: velocities or accelerations.
     pub on: DiagramKind,
-    /// By how much it is missed, mm of paper.
+    /// The error (mm of paper).
     pub off_mm: f64,
 }
 
-/// The conditions of all opened links whose pins have their images on the paper.
+/// Returns the conditions of all opened links with both pins' images on the paper.
 pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Drawing) -> Vec<Condition> {
     let mut out = Vec::new();
     for (index, redundant) in m.redundant.iter().enumerate() {
@@ -51,7 +52,7 @@ fn off_mm(scene: &Scene, at: &Configuration, plan: &Plan, paper: &Drawing, (a, b
         return Some(v.dot(along).abs());
     }
     let accelerations = paper.polygon(on)?;
-    // aⁿ = v²/l, v square to the line as it was drawn.
+    // aⁿ = v²/l, with the component of v square to the drawn line.
     let across = v.dot(along.perp()) * velocities.mu;
     let normal = across * across / line.norm() / accelerations.mu;
     Some((apart(accelerations)?.dot(along) + normal).abs())

@@ -1,4 +1,5 @@
-//! Choices made before drawing: which constraint lines of a triad are crossed, and a scale for the trial.
+//! Choices made before the drawing: the constraint lines of a triad that are crossed, and a scale
+//! for the trial.
 
 use super::board::Board;
 use super::givens::Posed;
@@ -12,13 +13,14 @@ use hodograph_mechanism::mechanism::{Core, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{ByKind, DiagramKind, Scene};
 
-/// The pairs of legs on which the special point of a triad may lie, in the order of the plan's alternatives.
+/// The pairs of legs with a special point of a triad, in the order of the plan's alternatives.
 pub(super) const SPECIAL_LEGS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 
-/// For each group, the alternative of its steps: of a triad the pair of constraint lines that cross most squarely and closest to the link.
+/// Returns the alternative of the steps for each group: for a triad, the pair of constraint lines
+/// that cross most squarely and closest to the link.
 ///
 /// # Errors
-/// A triad whose legs are all parallel.
+/// A triad with parallel legs.
 pub(super) fn alternatives(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, mu: f64) -> Result<Vec<usize>, Faults> {
     let mut chosen = vec![0; m.groups.len()];
     for steps in plan.steps(DiagramKind::Velocity).iter().filter(|s| s.alternatives.len() > 1) {
@@ -58,7 +60,7 @@ fn best_alternative(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Pla
     .into())
 }
 
-/// A scale for the trial drawing: of the order of the vectors, so that no square overflows.
+/// Returns a scale for the trial drawing, of the order of the vectors, so that no square overflows.
 pub(super) fn trial_scale(scene: &Scene, at: &Configuration, on: DiagramKind) -> f64 {
     let rate = scene.drivers.iter().map(|d| d.rate.value.abs()).fold(0.0, f64::max);
     let size = at.extent().max(f64::MIN_POSITIVE);

@@ -1,4 +1,4 @@
-//! Draws acts, and gathers what falls where under the names of the plan.
+//! Draws acts, and collects the marks under the names of the plan.
 
 use super::acts::Acts;
 use super::choices::SPECIAL_LEGS;
@@ -20,10 +20,12 @@ use std::sync::Arc;
 impl Acts {
     /// Draws to given scales.
     ///
-    /// In numbers that know their error, with the exact pencil, every mark has a bound of what rounding does to it.
+    /// In numbers with error bounds and with the exact pencil, every mark has a bound of its
+    /// rounding error.
     ///
     /// # Errors
-    /// Two unknown directions that are parallel, which a pencil may make of others; numbers too large to draw.
+    /// Two unknown directions that are parallel, possibly only because of the pencil's error;
+    /// numbers too large to draw.
     pub fn draw<N: Real, P: Pencil<N>>(
         self: &Arc<Acts>,
         scene: &Scene,
@@ -58,7 +60,8 @@ pub(super) fn fall<N: Real, P: Pencil<N>>(
     Ok(construction::draw(&acts.construction, &posed, &layout.all(), pencil).map_err(|stop| refusal(acts, scene, plan, &stop))?)
 }
 
-/// The drawing, whether or not its numbers can be told, and where every mark of the construction falls.
+/// Returns the drawing, even if its numbers are not decided, and the place of every mark of the
+/// construction.
 fn evaluate<N: Real, P: Pencil<N>>(
     acts: &Arc<Acts>,
     scene: &Scene,
@@ -113,7 +116,8 @@ impl<N: Real> View<'_, N> {
             out.diagrams.push(polygon);
         }
         for met in &self.drawn.met {
-            // Velocities go with 1/sine; accelerations with the square of velocities through one more crossing.
+            // Errors of velocities grow with 1/sine; those of accelerations with the square of
+            // velocities and one more crossing.
             let s = met.sine.approx().abs();
             let on = construction.diagrams[construction.marks[met.to.index()].on.index()];
             if on != plane {
@@ -128,7 +132,7 @@ impl<N: Real> View<'_, N> {
         out
     }
 
-    /// The special points that the alternatives of the groups use.
+    /// Returns the special points that the alternatives of the groups use.
     fn crossed(&self) -> Vec<Crossed<N>> {
         let used = |met: &&Met<N>| {
             let Name::Image(v) = self.acts.construction.marks[met.to.index()].name else { return false };
@@ -143,7 +147,7 @@ impl<N: Real> View<'_, N> {
         self.acts.construction.diagrams[self.acts.construction.marks[mark.index()].on.index()]
     }
 
-    /// The vertex whose image a mark is.
+    /// Returns the vertex of an image.
     fn vertex(&self, mark: MarkId) -> VertexId {
         match self.acts.mark(mark) {
             Mark::Image(v) => v,
@@ -155,7 +159,7 @@ impl<N: Real> View<'_, N> {
         self.drawn.marks[mark.index()].expect("what is drawn has a place")
     }
 
-    /// The index of a vector among those of its diagram.
+    /// Returns the index of a vector among those of its diagram.
     fn edge(&self, on: DiagramId, vector: VectorId) -> usize {
         vector.index() - self.acts.edges[..on.index()].iter().map(Vec::len).sum::<usize>()
     }
@@ -213,14 +217,16 @@ impl<N: Real> View<'_, N> {
     }
 }
 
-/// Draws with a pencil that misses: the drawing, and the configuration as its diagram shows it, with joints where the pencil put them.
+/// Draws with an inexact pencil; returns the drawing, and the configuration of its diagram, with
+/// joints where the pencil put them.
 ///
-/// The lengths of links (two joints of one link), the radii of slots, the rates of the drivers and μ are taken as known. Everything else is measured on
-/// the drawing: directions from the joints where they lie, lengths that change (a pin in its slot) and shapes of links for images from the diagram, ω
-/// and α from the polygons.
+/// The lengths of links (two joints of one link), the radii of slots, the rates of the drivers and
+/// μ count as known. Everything else is measured on the drawing: directions from the drawn joints,
+/// variable lengths (a pin in its slot) and shapes of links for images from the diagram, ω and α
+/// from the polygons.
 ///
 /// # Errors
-/// As [`Acts::draw`].
+/// The same as for [`Acts::draw`].
 pub fn by_hand<N: Real, P: Pencil<N>>(
     acts: &Arc<Acts>,
     scene: &Scene,
@@ -236,7 +242,7 @@ pub fn by_hand<N: Real, P: Pencil<N>>(
         for (place, joint) in shown.points.iter_mut().zip(&acts.joints) {
             *place = drawn.marks[joint.index()].map(|q| done.diagram.origin + q.to_vec2() * mu);
         }
-        // A link without two joints shows its angle by its guide.
+        // The angle of a link without two joints follows from its guide.
         for (guide, turn) in scene.guides.iter().zip(&drawn.turns) {
             for l in [Some(guide.on), guide.slider].into_iter().flatten().filter(|l| *l != scene.ground) {
                 if let (Some(pose), Some(turn)) = (at.poses[l.0], turn)

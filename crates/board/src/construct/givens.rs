@@ -19,7 +19,8 @@ pub(super) struct Posed<'a, N> {
 }
 
 impl<'a, N: Real> Posed<'a, N> {
-    /// A rate (rad/s, or rad/s²) of the size of those of the drivers. Any but 0 gives the same polygon.
+    /// Returns a rate (rad/s, or rad/s²) of the order of those of the drivers. Any value but 0
+    /// gives the same polygon.
     fn handy(&self, on: DiagramKind) -> f64 {
         let rate = |d: &Driver, value: f64| value.abs() / if d.kind.turns() { 1.0 } else { self.extent.max(f64::MIN_POSITIVE) };
         let largest = |of: &dyn Fn(&Driver) -> f64| self.scene.drivers.iter().map(of).fold(0.0, f64::max);
@@ -36,7 +37,8 @@ impl<'a, N: Real> Posed<'a, N> {
     }
 }
 
-/// The place (m) that lies in the origin of the mechanism's drawing: the first joint of the ground that has one, else of any link.
+/// Returns the place (m) at the origin of the mechanism's drawing: the first placed joint of the
+/// ground, otherwise of any link.
 pub(super) fn origin<N: Real>(scene: &Scene, at: &Configuration<N>) -> Point<N> {
     let of_ground = scene.links[scene.ground.0].points.iter();
     let first = of_ground.chain(scene.links.iter().flat_map(|l| &l.points)).find_map(|p| at.points[p.0]);
@@ -66,8 +68,8 @@ impl<N: Real> Givens<N> for Posed<'_, N> {
         })
     }
 
-    /// Returns the distance (m) from the runner to the farthest joint of the carrying link, or the mechanism's size if there is none; for an arc, its
-    /// radius.
+    /// Returns the distance (m) from the runner to the farthest joint of the carrying link, or the
+    /// mechanism's size if there is none; for an arc, its radius.
     fn reach(&self, path: Key) -> f64 {
         let Some(track) = self.at.guides[path.index()] else { return self.extent };
         if let Path::Arc { radius, .. } = track {

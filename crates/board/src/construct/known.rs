@@ -1,4 +1,5 @@
-//! Measured quantities (angular rates, sliding velocities), and the known vectors calculated from them.
+//! Measured quantities (angular velocities and accelerations, sliding velocities), and the known
+//! vectors calculated from them.
 
 use super::acts::{Given, Turning};
 use super::board::{Board, path_key, place_key};
@@ -6,11 +7,11 @@ use crate::construction::{Base, DiagramId, Direction, MarkId, Number, NumberId, 
 use crate::plan::{Body, By, Rate, Spot, Term, TermKind, VertexId};
 use hodograph_scene::{DiagramKind, Normal, PointId, RollingId, Touch};
 
-/// A multiple of a vector, and what is read for it before it is laid off.
+/// A multiple of a vector, with the readings that precede it.
 type Laid = (Vec<Op>, Direction, NumberId);
 
 impl Board<'_> {
-    /// ω or α of a body from what was read so far.
+    /// Returns ω or α of a body from the readings so far.
     fn rate(&mut self, on: DiagramKind, body: Body) -> NumberId {
         if let Body::Link(l) = body
             && self.m.never_turns[l.0]
@@ -20,7 +21,8 @@ impl Board<'_> {
         self.done.turning(on, body).expect("the plan finds an angular rate before it uses it").number
     }
 
-    /// Finds the turning of a body; needed ones that come earlier in the list are there already. Whether it is known now.
+    /// Finds the angular quantity of a body; those on which it depends come earlier in the list.
+    /// Returns true if it is known afterwards.
     pub(super) fn turning(&mut self, on: DiagramId, body: Body, rate: Rate) -> bool {
         let kind = self.kind(on);
         if self.done.turning(kind, body).is_some() {
@@ -34,7 +36,8 @@ impl Board<'_> {
             Rate::Same(other) => self.rate(kind, Body::Link(other)),
             Rate::Given { driver, against } => {
                 let own = self.driven(kind, driver);
-                // The driver counts from `against` to its link; a link that is driven "backwards" has the opposite sign.
+                // The driver's rate is that of its link relative to `against`; for the opposite
+                // body the sign is reversed.
                 let forward = self.scene.drivers[driver].kind.turned().is_some_and(|(link, _)| Body::Link(link) == body);
                 let own = if forward { own } else { self.number(Number::Negative(own)) };
                 let base = self.rate(kind, Body::Link(against));
@@ -43,7 +46,7 @@ impl Board<'_> {
             Rate::Measured { of, to } => {
                 let Some([from, end]) = self.measured_between(on, body, of, to) else { return false };
                 let arm = self.arm_of(body, of, to);
-                // Carried back to the link: the part square to the arm turns it.
+                // Transferred to the link: the part of the vector square to the arm gives the rate.
                 let across = self.number(Number::Across { from, to: end, arm });
                 let arm = self.number(Number::Length(arm));
                 let mu = self.number(Number::Scale(on));
@@ -62,8 +65,9 @@ impl Board<'_> {
         true
     }
 
-    /// The two marks from whose distance a turning is measured: the images of two points of a link; for accelerations, and for the line of
-    /// a cylinder, the ends of the part square to the arm. `None` as long as they are not there.
+    /// Returns the two marks between which an angular quantity is measured: the images of two
+    /// points of a link; for accelerations, and for the line of a cylinder, the ends of the part
+    /// square to the arm. `None` if they are not drawn yet.
     fn measured_between(&self, on: DiagramId, body: Body, of: VertexId, to: VertexId) -> Option<[MarkId; 2]> {
         let kind = match (self.kind(on), body) {
             (DiagramKind::Acceleration, _) => TermKind::Tangential,
@@ -74,11 +78,11 @@ impl Board<'_> {
         self.done.edge_of(on, &[wanted]).map(|(marks, _)| marks)
     }
 
-    /// A known term, as a multiple of a vector.
+    /// Returns a known term as a multiple of a vector.
     pub(super) fn known_vector(&mut self, on: DiagramId, term: &Term) -> Laid {
         let velocity = DiagramKind::Velocity;
         let laid = |along, times| (Vec::new(), along, times);
-        // Of a trial the one rate that is chosen.
+        // In a trial, the chosen rate.
         let chosen = self.plan.vertex(term.of).trial.is_some();
         match (term.kind, term.by) {
             (TermKind::Relative | TermKind::Tangential, By::Turning(body)) if chosen => {
@@ -150,15 +154,16 @@ impl Board<'_> {
         self.number(Number::Product(two, number))
     }
 
-    /// 2ω times the sliding velocity turned by a quarter.
+    /// Returns 2ω times the sliding velocity turned by a quarter revolution.
     fn coriolis(&mut self, term: &Term, omega: NumberId) -> Laid {
         let times = self.twice(omega);
         let v = self.slide_velocity(term);
         (vec![Op::Number(v)], Direction::across(Base::Measured(v)), times)
     }
 
-    /// δn at a contact: δ = ρ₁ρ₂/(ρ₁ + ρ₂), of a straight track ρ of the wheel, n from the first link to the second; the radii as the contact divides the
-    /// line of centres, so that (ρ₁ + ρ₂)n is that line.
+    /// Returns δn at a contact: δ = ρ₁ρ₂/(ρ₁ + ρ₂), for a straight track ρ of the wheel, n from the
+    /// first link to the second. The radii divide the line of centres at the contact, so that (ρ₁ +
+    /// ρ₂)n is that line.
     fn contact_radius(&mut self, pair: RollingId, contact: VertexId) -> Base {
         match self.scene.rolling[pair.0].touch() {
             Touch::Point(Normal::Centres([p, q])) => {
@@ -173,13 +178,13 @@ impl Board<'_> {
         }
     }
 
-    /// From a vertex to a joint, in metres.
+    /// Returns the arm from a vertex to a joint, in metres.
     fn arm_from(&self, v: VertexId, to: PointId) -> Base {
         let from = self.spot(v);
         Base::Arm { from, to: self.joint(to), known: false }
     }
 
-    /// The given rate or acceleration of a driver.
+    /// Returns the given rate or acceleration of a driver.
     fn driven(&mut self, on: DiagramKind, driver: usize) -> NumberId {
         match on {
             DiagramKind::Acceleration if self.scene.drivers[driver].acceleration.is_none() => self.number(Number::Plain(0)),
@@ -188,7 +193,8 @@ impl Board<'_> {
         }
     }
 
-    /// Sliding velocity between the two points of a term, measured on the velocity polygon.
+    /// Returns the sliding velocity between the two points of a term, measured on the velocity
+    /// polygon.
     fn slide_velocity(&mut self, term: &Term) -> NumberId {
         let velocities = self.done.construction.diagram(DiagramKind::Velocity).expect("velocities are drawn before accelerations");
         let [from, to] = [term.to, term.of].map(|v| self.image(velocities, self.plan.untried(v)));

@@ -1,4 +1,4 @@
-//! The layout of a drawing, chosen by a trial, and the drawing to it.
+//! Chooses the layout of a drawing by a trial, and draws to it.
 
 use super::acts::Acts;
 use super::pencil::{Exact, Pencil};
@@ -14,24 +14,24 @@ use std::sync::Arc;
 /// The scales of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
-    /// Scale of the mechanism (m/mm).
+    /// The scale of the mechanism (m/mm).
     pub mu: f64,
-    /// Scales of the polygons, SI per mm; what has none is not drawn.
+    /// The scales of the polygons (SI per mm); a polygon without a scale is not drawn.
     pub scales: ByKind,
 }
 
 impl Layout {
-    /// The layout of a finished drawing.
+    /// Returns the layout of a finished drawing.
     pub fn of(done: &Drawing) -> Layout {
         Layout { mu: done.diagram.mu, scales: done.diagrams.iter().map(|p| (p.on.kind(), p.mu)).collect() }
     }
 
-    /// All drawings `factor` times as large.
+    /// Returns the layout with all drawings `factor` times as large.
     pub fn enlarged(&self, factor: f64) -> Layout {
         Layout { mu: self.mu / factor, scales: self.scales.map(|mu| mu / factor) }
     }
 
-    /// The scales of all diagrams.
+    /// Returns the scales of all diagrams.
     pub(super) fn all(&self) -> ByKind {
         let mut all = self.scales.clone();
         all.set(Kind::Length, Some(self.mu));
@@ -39,10 +39,11 @@ impl Layout {
     }
 }
 
-/// Draws a plan: once for trial, which chooses special points and scales, and once to them.
+/// Draws a plan twice: a trial that chooses special points and scales, then the drawing itself.
 ///
 /// # Errors
-/// Two unknown directions that are parallel: a dead centre, with the links and the joint; numbers too large to draw.
+/// Two unknown directions that are parallel, at a dead centre (the diagnostic names the links and
+/// the joint); numbers too large to draw.
 pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Drawing, Faults> {
     let mu = scale::fitted(&scene.paper, Kind::Length, scale::size(scene, at), boxes.diagram);
     let chosen = choices::alternatives(scene, m, at, plan, mu)?;
@@ -51,7 +52,8 @@ pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, 
     acts.draw(scene, at, plan, &layout, &mut Exact)
 }
 
-/// The layout of a plan: the scales at which each polygon, drawn on a sheet of any size, fits its room.
+/// Returns the layout of a plan: the scales at which each polygon fits its space, found on a
+/// drawing of any size.
 fn trial<P: Pencil>(
     scene: &Scene,
     at: &Configuration,
@@ -81,7 +83,7 @@ mod tests {
     use hodograph_mechanism::position::configure;
     use hodograph_scene::{read, templates};
 
-    /// The exact pencil, and how many marks it makes on each diagram.
+    /// The exact pencil, with a count of its marks on each diagram.
     #[derive(Default)]
     struct Counting(ByKind<usize>);
 

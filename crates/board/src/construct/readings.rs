@@ -1,7 +1,9 @@
-//! Answers read off the paper: the distance of two marks × μ, with sense.
+//! Answers read from the paper: the distance of two marks × μ, with sense.
 //!
-//! A question of motion is an edge of a polygon, consecutive ones, or a vector from the pole ([`asking`]); an angular rate was measured when
-//! it was first needed. What a question means is not written here as a formula: where no edge shows it, nothing is measured.
+//! A question of motion is an edge of a polygon, consecutive edges, or a vector from the pole
+//! ([`asking`]). An angular velocity or acceleration is measured when it is first needed. The
+//! meaning of a question is not written here as a formula: if no edge shows it, nothing is
+//! measured.
 
 use super::pencil::Pencil;
 use super::{Drawing, Mark, scale};
@@ -23,26 +25,26 @@ pub struct Answer {
     pub find: usize,
     /// The value.
     pub value: Value,
-    /// What the ruler gave; `None` for given values, for positions, and where the drawing shows nothing because the quantity vanishes for
-    /// topological reasons or because a driver is at rest.
+    /// The measurement; `None` for given values, for positions, and if the drawing shows nothing
+    /// because the quantity vanishes for topological reasons or because a driver is at rest.
     pub measured: Option<Measured>,
 }
 
-/// The distance of two marks measured on paper, and what it was multiplied with.
+/// The distance of two marks measured on paper, with its factors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
     /// The length (mm).
     pub length_mm: f64,
     /// The scale (SI per mm).
     pub mu: f64,
-    /// For an angular rate, the arm (m) by which the product is divided.
+    /// For an angular quantity, the arm (m) by which the product is divided.
     pub arm_m: Option<f64>,
-    /// The two points whose distance the arm is, where it is one.
+    /// The two points at the ends of the arm, if the arm is their distance.
     pub arm_of: Option<(PointId, PointId)>,
-    /// The marks between which the length lies, with their places in the polygon (mm from its pole); a vector points from the first to the
-    /// second.
+    /// The marks at the ends of the length, with their places in the polygon (mm from its pole); a
+    /// vector points from the first to the second.
     pub marks: [(Mark, Point); 2],
-    /// The vector as the drawing names it; `None` for an angular rate.
+    /// The vector in the names of the drawing; `None` for an angular quantity.
     pub shown: Option<Shown>,
 }
 
@@ -51,26 +53,27 @@ pub struct Measured {
 pub struct Shown {
     /// The image of a vertex from the pole, or the terms of consecutive edges.
     pub vector: ShownAs,
-    /// Whether the question asks for the opposite vector.
+    /// True if the question asks for the opposite vector.
     pub reversed: bool,
 }
 
-/// See [`Shown`].
+/// The form of a vector in [`Shown`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShownAs {
-    /// From the pole to an image.
+    /// The vector from the pole to an image.
     Image(VertexId),
-    /// Edges, as the drawing has them.
+    /// Consecutive edges, as drawn.
     Edges(Vec<Term>),
 }
 
-/// A vector found on paper: where it lies, and what it is there.
+/// A vector found on paper: its marks and its name.
 struct Found<N> {
     marks: [(Mark, Point<N>); 2],
     shown: Shown,
 }
 
-/// A relative velocity that is a smaller part of the transport velocity shows no direction on paper, and of its digits too few.
+/// A relative velocity below this fraction of the transport velocity shows no direction on paper,
+/// and has too few digits.
 const SHORT: f64 = 1e-4;
 
 struct OnPaper<'a, N> {
@@ -81,7 +84,7 @@ struct OnPaper<'a, N> {
 }
 
 impl<N: Real> OnPaper<'_, N> {
-    /// The image of a point, the pole for a fixed one; `None` where it is not drawn.
+    /// Returns the image of a point, the pole for a fixed one; `None` if it is not drawn.
     fn image(&self, on: DiagramKind, p: &OnLink) -> Option<Point<N>> {
         let ground = self.scene.ground;
         if p.link.map_or_else(|| self.scene.links[ground.0].points.contains(&p.point), |l| l == ground) {
@@ -90,12 +93,12 @@ impl<N: Real> OnPaper<'_, N> {
         self.paper.polygon(on)?.images[self.plan.find_vertex(self.scene, p.point, p.link)?.0]
     }
 
-    /// True where all points of a question have their images on the diagram that it is read on.
+    /// True if all points of a question have their images on the diagram from which it is read.
     fn is_drawn(&self, what: &Asked) -> bool {
         what.points(self.scene).iter().all(|p| self.image(what.diagram(), p).is_some())
     }
 
-    /// Where a question lies on paper; `None` where no edge shows it.
+    /// Returns the place of a question on paper; `None` if no edge shows it.
     fn find(&self, what: &Asked) -> Option<Found<N>> {
         let polygon = self.paper.polygon(what.diagram())?;
         match asking(self.scene, self.m, self.plan, what)? {
@@ -113,7 +116,7 @@ impl<N: Real> OnPaper<'_, N> {
     }
 
     fn turning(&self, on: DiagramKind, link: LinkId) -> Option<N> {
-        // What turns as a link that never turns never turns itself.
+        // A link that turns like one that never turns does not turn itself.
         if self.m.never_turns[link.0] {
             return Some(N::from_f64(0.0));
         }
@@ -121,7 +124,8 @@ impl<N: Real> OnPaper<'_, N> {
     }
 }
 
-/// The vectors and rates of a drawing as a source for formulas: accelerations for inertia, velocities for resistances.
+/// Returns the vectors and rates of a drawing as a source for formulas: accelerations for inertia,
+/// velocities for resistances.
 pub fn source<'a, N: Real>(scene: &'a Scene, m: &'a Mechanism, plan: &'a Plan, paper: &'a Drawing<N>) -> impl Source<N> + 'a {
     OnPaper { scene, m, plan, paper }
 }
@@ -143,16 +147,16 @@ impl<N: Real> Source<N> for OnPaper<'_, N> {
     }
 }
 
-/// The points at the ends of a line, if the arm is their distance (a special point is no point of the scene, and some arms
-/// begin in a centre of curvature).
+/// Returns the points at the ends of a line, if the arm is their distance (a special point is not a
+/// point of the scene, and some arms begin in a centre of curvature).
 fn points_of(at: &Configuration, plan: &Plan, (of, to): (VertexId, VertexId), arm: f64) -> Option<(PointId, PointId)> {
     let (Spot::Point(a), Spot::Point(b)) = (plan.vertex(of).spot, plan.vertex(to).spot) else { return None };
     let off = at.points[a.0]?.distance(at.points[b.0]?) - arm;
-    // Both are the same distance but for rounding, or another one altogether.
+    // The two distances agree to rounding, or are different altogether.
     (off.abs() < 1e-9 * arm).then_some((a, b))
 }
 
-/// Whether a Coriolis part vanishes because its frame never turns.
+/// True if a Coriolis part vanishes because its frame never turns.
 fn vanishes(m: &Mechanism, what: &Asked, scene: &Scene) -> bool {
     match what.meaning(scene) {
         Some(Meaning::Seen(Seen::Coriolis, _, Frame::Link(l), _)) => m.never_turns[l.0],
@@ -161,17 +165,18 @@ fn vanishes(m: &Mechanism, what: &Asked, scene: &Scene) -> bool {
     }
 }
 
-/// The answers from the drawing board; `None` for what was not drawn ([`Plan::undrawable`]).
+/// Returns the answers from the drawing board; `None` for vectors that are not drawn
+/// ([`Plan::undrawable`]).
 pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Drawing) -> Vec<Option<Answer>> {
     let source = OnPaper { scene, m, plan, paper };
     scene.find.iter().enumerate().map(|(find, f)| source.answer(at, find, &f.what)).collect()
 }
 
 impl OnPaper<'_, f64> {
-    /// The answer to a question.
+    /// Returns the answer to a question.
     fn answer(&self, at: &Configuration, find: usize, what: &Asked) -> Option<Answer> {
         let on = what.diagram();
-        // What is put together from two is drawn where both are.
+        // A combination of two quantities is drawn if both are.
         if let Asked::Combined(c) = what {
             let [a, b] = c.operands.map(|q| self.answer(at, find, &q.asked()));
             return Some(Answer { find, value: combine(c.operation, a?.value, b?.value)?, measured: None });
@@ -204,7 +209,7 @@ impl OnPaper<'_, f64> {
                 return self.dropped(at, find, what);
             }
             Some(Meaning::Seen(..)) => {}
-            // No edge is of it.
+            // No edge shows these.
             Some(Meaning::Place(_)) | None => return None,
         }
         if !self.is_drawn(what) {
@@ -216,12 +221,13 @@ impl OnPaper<'_, f64> {
                 let measured = Measured { length_mm: drawn.norm(), mu: p.mu, arm_m: None, arm_of: None, marks, shown: Some(shown) };
                 Answer { find, value: Value::Vector(drawn * p.mu), measured: Some(measured) }
             }
-            // Both images are there, and no edge between them: this part vanishes.
+            // Both images exist, without an edge between them: this part vanishes.
             _ => Answer { find, value: Value::Vector(Vec2::ZERO), measured: None },
         })
     }
 
-    /// a_rⁿ and a_rᵗ where no pair gives the relative path: the tip of a_r dropped on the line of v_r, both of which are drawn.
+    /// Returns a_rⁿ and a_rᵗ if no pair gives the relative path: by the perpendicular from the tip
+    /// of a_r to the line of v_r, both of which are drawn.
     fn dropped(&self, at: &Configuration, find: usize, what: &Asked) -> Option<Answer> {
         let Asked::Composite(c) = what else { return None };
         let of = |part| match self.answer(at, find, &Composite { part, ..*c }.into())?.value {
@@ -239,8 +245,9 @@ impl OnPaper<'_, f64> {
     }
 }
 
-/// What a pencil's owner reads: the answers from a drawing made [`by_hand`](super::by_hand), each length read with the same
-/// pencil; positions are measured on the diagram. `shown` is the configuration that came with the drawing.
+/// Returns the answers that are read from a drawing made [`by_hand`](super::by_hand), each length
+/// with the same pencil; positions are measured on the diagram. `shown` is the configuration that
+/// belongs to the drawing.
 pub fn read_by_hand<P: Pencil>(
     scene: &Scene,
     m: &Mechanism,
@@ -252,14 +259,15 @@ pub fn read_by_hand<P: Pencil>(
     let mu = paper.diagram.mu;
     let drawn = read(scene, m, shown, plan, paper);
     let mut measure = |find: &Find, answer: Option<Answer>| -> Option<Value> {
-        // What is put together from two is calculated.
+        // Combinations of two quantities are calculated.
         if matches!(find.what, Asked::Combined(_)) {
             return Some(answer?.value);
         }
         let on = find.what.diagram();
         Some(match (answer?.value, paper.polygon(on)) {
             (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(on, v * (1.0 / p.mu)) * p.mu),
-            // Rates were read when they were first needed; a difference of two is calculated.
+            // Rates were read when they were first needed; the difference of two rates is
+            // calculated.
             (value @ (Value::Scalar(_) | Value::Point(_)), Some(_)) | (value @ Value::Vector(_), None) => value,
             (Value::Point(p), None) => Value::Point((pencil.read(on, p.to_vec2() * (1.0 / mu)) * mu).to_point()),
             (Value::Scalar(s), None) => Value::Scalar(match find.what.of() {

@@ -8,12 +8,12 @@ use crate::plan::{By, Plan, Spot, Term, VertexId};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_scene::{DiagramKind, Scene};
 
-/// The diagnostic for numbers that cannot be drawn.
+/// Returns the diagnostic for numbers that cannot be drawn.
 pub(super) fn overflow() -> Diagnostic {
     Diagnostic::error("overflow", both!("the numbers are too large or too small to be drawn", "数值过大或过小，无法作图"))
 }
 
-/// The diagnostic for a construction that stops.
+/// Returns the diagnostic for a construction that stops.
 pub(super) fn refusal(acts: &Acts, scene: &Scene, plan: &Plan, stop: &Stop) -> Diagnostic {
     let construction = &acts.construction;
     let step = &construction.steps[stop.step];
@@ -44,7 +44,7 @@ pub(super) fn refusal(acts: &Acts, scene: &Scene, plan: &Plan, stop: &Stop) -> D
     }
 }
 
-/// The diagnostic for two lines, each the direction of some terms, that are parallel.
+/// Returns the diagnostic for two parallel lines, each the direction of some terms.
 fn dead_centre(scene: &Scene, plan: &Plan, on: DiagramKind, target: VertexId, open: &[Vec<Term>; 2]) -> Diagnostic {
     let words: Vec<Both> = open.iter().filter_map(|terms| terms.first()).map(|t| held_by(scene, plan, t)).collect();
     let at = vertex_name(scene, plan, target);

@@ -1,4 +1,5 @@
-//! The one door between SI and millimetres of paper: scales μ from the series 1, 2, 2.5, 5 × 10^k.
+//! The only conversion between SI and millimetres of paper: scales μ from the series 1, 2, 2.5, 5 ×
+//! 10^k.
 
 pub use crate::construction::scale::number;
 
@@ -7,34 +8,36 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{Cam, DiagramKind, Kind, Paper, Rolling, Scene};
 
-/// Room for each drawing, in mm.
+/// The space for each drawing (mm).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boxes {
     /// Width and height for the mechanism.
     pub diagram: [f64; 2],
-    /// For each polygon.
+    /// Width and height for each polygon.
     pub polygon: [f64; 2],
 }
 
 impl Default for Boxes {
-    /// What lets a diagram and two polygons stand side by side on A4 across, with room for their labels. A mechanism may be
-    /// as tall as wide: beside it there is room for equations.
+    /// Returns the space at which a diagram and two polygons fit next to one another on A4
+    /// landscape, with space for their labels. A mechanism may be as tall as wide: the space next
+    /// to it is for equations.
     fn default() -> Self {
         Boxes { diagram: [130.0, 130.0], polygon: [95.0, 80.0] }
     }
 }
 
-/// A polygon with more vectors than this needs more room for their names than the usual box has.
+/// A polygon with more vectors than this needs more space for their names than the usual box has.
 const USUAL_VECTORS: f64 = 9.0;
-/// The largest polygon, against the usual one: a sheet of A3.
+/// The largest ratio of a polygon's side to the usual one: a sheet of A3.
 const LARGEST: f64 = 2.0;
-/// Parts of a fixed paper's width and height that the mechanism and each polygon may take; the rest is for captions,
-/// equations and results.
+/// Fractions of a fixed paper's width and height for the mechanism and each polygon; the rest is
+/// for captions, equations and results.
 const DIAGRAM_PART: [f64; 2] = [0.34, 0.38];
 const POLYGON_PART: [f64; 2] = [0.25, 0.34];
 
 impl Boxes {
-    /// The room that a plan's drawings get: the usual, more for polygons of many vectors, a part of a fixed paper.
+    /// Returns the space for a plan's drawings: the usual boxes, larger ones for polygons of many
+    /// vectors, or a fraction of a fixed paper.
     pub fn of(paper: &Paper, plan: &Plan) -> Boxes {
         if let Some([w, h]) = paper.size_mm {
             let part = |p: [f64; 2]| [p[0] * w, p[1] * h];
@@ -46,16 +49,18 @@ impl Boxes {
             Step::Equation { chains, .. } => chains.iter().map(|c| c.known.len() + c.unknown.len()).sum(),
             Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => 1_usize,
         });
-        // Names need area, and area goes with the square of the side.
+        // Names need area, which grows with the square of the side.
         let larger = (vectors.sum::<usize>() as f64 / USUAL_VECTORS).sqrt().clamp(1.0, LARGEST);
         Boxes { polygon: usual.polygon.map(|side| side * larger), ..usual }
     }
 }
 
-/// A hollow circle that makes the figure more than so many times as large is drawn as an arc, as books do, and asks for no room.
+/// A ring gear that would enlarge the figure by more than this factor is drawn as an arc, as in
+/// books, and needs no space.
 pub const DWARFS: f64 = 2.0;
 
-/// Width and height of a mechanism (m): of the box around its joints, the profiles of its cams and the circles of its wheels.
+/// Returns width and height of a mechanism (m): the box around its joints, the profiles of its cams
+/// and the circles of its wheels.
 pub fn size(scene: &Scene, at: &Configuration) -> [f64; 2] {
     let joints = at.points.iter().flatten().copied();
     let profiles = scene.cams.iter().flat_map(|c| profile(c, at));
@@ -67,7 +72,7 @@ pub fn size(scene: &Scene, at: &Configuration) -> [f64; 2] {
     extent(places.into_iter())
 }
 
-/// The circles of a rolling pair: centre, radius, and whether it is hollow.
+/// Returns the circles of a rolling pair: centre, radius, and true for a hollow one (ring gear).
 fn circles(pair: &Rolling, at: &Configuration) -> Vec<(Point, f64, bool)> {
     let round = |i: usize| {
         let centre = at.points[pair.centres()[i]?.0]?;
@@ -76,7 +81,7 @@ fn circles(pair: &Rolling, at: &Configuration) -> Vec<(Point, f64, bool)> {
     [0, 1].into_iter().filter_map(round).collect()
 }
 
-/// Points round the profile of a cam, one for each ten degrees.
+/// Returns points on the profile of a cam, one for every ten degrees.
 fn profile(c: &Cam, at: &Configuration) -> Vec<Point> {
     const STEPS: usize = 36;
     let (centre, points): (_, Vec<Vec2>) = match (&c.circle, &c.disc) {
@@ -94,7 +99,7 @@ fn profile(c: &Cam, at: &Configuration) -> Vec<Point> {
     points.into_iter().map(|p| centre + p).collect()
 }
 
-/// Width and height of the box around all places; zero where there are none.
+/// Returns width and height of the box around all places; zero if there are none.
 pub fn extent(places: impl Iterator<Item = Point>) -> [f64; 2] {
     let mut lo = Vec2::new(f64::INFINITY, f64::INFINITY);
     let mut hi = Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY);
@@ -105,9 +110,10 @@ pub fn extent(places: impl Iterator<Item = Point>) -> [f64; 2] {
     if lo.x <= hi.x { [hi.x - lo.x, hi.y - lo.y] } else { [0.0, 0.0] }
 }
 
-/// The smallest preferred μ (SI per mm), so the largest drawing, at which `extent` (SI) fits `room` (mm) in both directions.
+/// Returns the smallest preferred μ (SI per mm), that is the largest drawing, at which `extent`
+/// (SI) fits `room` (mm) in both directions.
 ///
-/// An extent of zero (all velocities vanish) fits any scale: 1 is taken.
+/// An extent of zero (all velocities vanish) fits any scale: the result is 1.
 pub fn choose(extent: [f64; 2], room: [f64; 2]) -> f64 {
     let need = (extent[0] / room[0]).max(extent[1] / room[1]);
     if !(need > 0.0 && need.is_finite()) {
@@ -117,7 +123,8 @@ pub fn choose(extent: [f64; 2], room: [f64; 2]) -> f64 {
     for e in [exponent - 1, exponent, exponent + 1] {
         for step in [1.0, 2.0, 2.5, 5.0] {
             let mu = decimal(step, e);
-            // A hair's breadth over the box is still in the box: 100 mm on 100 mm must not jump to the next scale.
+            // A rounding error over the box still counts as in the box: 100 mm on 100 mm must not
+            // take the next scale.
             if mu * (1.0 + 1e-9) >= need {
                 return mu;
             }
@@ -126,18 +133,20 @@ pub fn choose(extent: [f64; 2], room: [f64; 2]) -> f64 {
     decimal(1.0, exponent + 2)
 }
 
-/// The same, round in a unit of so many SI units: 0.2 (ft/s)/mm, and not 0.05 (m/s)/mm, where velocities are printed in ft/s.
+/// Returns the smallest preferred μ that is a round number in a given unit (SI): 0.2 (ft/s)/mm, and
+/// not 0.05 (m/s)/mm, if velocities are printed in ft/s.
 pub fn choose_in(unit: f64, extent: [f64; 2], room: [f64; 2]) -> f64 {
     choose(extent.map(|e| e / unit), room) * unit
 }
 
-/// The scale of a drawing (SI per mm): the one that the paper fixes for its kind, or the smallest preferred one at which `extent` (SI) fits
-/// `room` (mm).
+/// Returns the scale of a drawing (SI per mm): the scale that the paper fixes for its kind, or the
+/// smallest preferred one at which `extent` (SI) fits `room` (mm).
 pub fn fitted(paper: &Paper, kind: Kind, extent: [f64; 2], room: [f64; 2]) -> f64 {
     paper.scale(kind, |unit| choose_in(unit, extent, room))
 }
 
-/// The largest preferred μ, round in a unit of so many SI units, with which a drawing is at least `factor` times as large as with `mu`.
+/// Returns the largest preferred μ, round in a given unit (SI), with which a drawing is at least
+/// `factor` times as large as with `mu`.
 pub fn finer(unit: f64, mu: f64, factor: f64) -> f64 {
     let need = mu / unit / factor;
     if !(need > 0.0 && need.is_finite()) {
@@ -145,16 +154,17 @@ pub fn finer(unit: f64, mu: f64, factor: f64) -> f64 {
     }
     let exponent = libm::floor(libm::log10(need)) as i32;
     let series = [exponent + 1, exponent, exponent - 1].into_iter().flat_map(|e| [5.0, 2.5, 2.0, 1.0].map(|step| decimal(step, e)));
-    // The hair's breadth of `choose`, the other way.
+    // The rounding tolerance of `choose`, in the opposite direction.
     series.into_iter().find(|then| *then <= need * (1.0 + 1e-9)).unwrap_or(need) * unit
 }
 
-/// The smallest preferred μ, round in a unit, with which a drawing is at most a `factor`-th of the size that it has with `mu`.
+/// Returns the smallest preferred μ, round in a unit, with which a drawing has at most 1/`factor`
+/// of its size with `mu`.
 pub fn coarser(unit: f64, mu: f64, factor: f64) -> f64 {
     choose_in(unit, [mu * factor, 0.0], [1.0, 1.0])
 }
 
-/// step × 10^e as the nearest double to the decimal number (0.002, not 2 × 0.001000…02).
+/// Returns step × 10^e as the nearest double to the decimal number (0.002, not 2 × 0.001000…02).
 fn decimal(step: f64, e: i32) -> f64 {
     format!("{step}e{e}").parse().expect("a decimal number parses")
 }
@@ -184,7 +194,7 @@ mod tests {
         assert_eq!([finer(0.5, 0.1, 2.0), coarser(0.5, 0.1, 2.0), choose_in(0.5, [0.3, 0.1], [1.0, 1.0])], [0.05, 0.25, 0.5]);
     }
 
-    /// A hollow circle has room in the figure up to twice the size of all else, in any unit.
+    /// A ring gear gets space in the figure up to twice the size of everything else, in any unit.
     #[test]
     fn a_ring_has_room_unless_it_dwarfs_all_else() {
         for unit in [1e-3, 1.0, 1e3] {

@@ -1,4 +1,4 @@
-//! Lines on the diagram along which links are held, and the special points where two of them cross.
+//! Lines on the diagram that guide links, and the special points at which two of them cross.
 
 use super::board::{Board, path_key, vertex_key};
 use crate::construction::{Base, DiagramId, Direction, Line, LineId, MarkId, Name, Op};
@@ -14,7 +14,7 @@ impl Board<'_> {
         Some(to)
     }
 
-    /// A line along which a link is held.
+    /// Draws a line that guides a link.
     fn special_line(&mut self, on: DiagramId, line: &SpecialLine) -> Option<LineId> {
         Some(match *line {
             SpecialLine::Leg(line) => self.constraint_line(on, line),
@@ -25,7 +25,7 @@ impl Board<'_> {
         })
     }
 
-    /// The line on which a leg gives a locus for every point of the core.
+    /// Draws the line on which a leg gives a locus for every point of the core.
     pub(super) fn constraint_line(&mut self, on: DiagramId, line: ConstraintLine) -> LineId {
         let pin = self.joint(line.pin());
         let along = match line {
@@ -45,7 +45,8 @@ impl Board<'_> {
         line
     }
 
-    /// The line of centres at a contact, as drawn; of a straight track, and of a strand, its normal.
+    /// Returns the line of centres at a contact, as drawn; for a straight track and for a strand,
+    /// its normal.
     pub(super) fn contact_normal(&self, pair: RollingId) -> Direction {
         let pair = &self.scene.rolling[pair.0];
         match pair.touch() {

@@ -4,12 +4,12 @@ use super::{Equilibrium, Gives, GroupForces, Side};
 use crate::construction::{MarkId, Op};
 use hodograph_mechanism::force::Cause;
 
-/// A step of a group's equilibrium: one sentence, and its part of the polygon.
+/// A step of a group's equilibrium: one sentence, with its part of the polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Act {
-    /// The links are drawn apart from the others.
+    /// The links are drawn as free bodies.
     Free,
-    /// Friction follows from the reactions of the polygon before.
+    /// Friction follows from the reactions of the previous polygon.
     Friction,
     /// An equation of moments: its index in [`GroupForces::moments`].
     Moments(usize),
@@ -22,7 +22,8 @@ pub enum Act {
 }
 
 impl Equilibrium {
-    /// The steps of a group: its links apart, moments, the polygon side by side, what is measured on it, moments that follow.
+    /// Returns the steps of a group: its links as free bodies, moments, the sides of the polygon,
+    /// the measurements on it, moments that follow.
     pub fn acts(&self, group: &GroupForces) -> Vec<Act> {
         let mut out = vec![Act::Free];
         let rubs = |cause: Cause| matches!(cause, Cause::Friction(_));
@@ -51,7 +52,8 @@ impl Equilibrium {
         out
     }
 
-    /// The unknown sides and diagonals of a group's polygon; of two opposite reactions the first.
+    /// Returns the unknown sides and diagonals of a group's polygon; of two opposite reactions only
+    /// the first.
     pub fn measured(&self, group: &GroupForces) -> Vec<Side> {
         let unknown: Vec<Side> = group.sides.iter().filter(|s| !s.known).chain(&group.diagonals).copied().collect();
         let ends = |s: &Side| {

@@ -1,4 +1,4 @@
-//! The answers that a polygon gives, and what a group does to the links that hold it.
+//! The answers that a polygon gives, and the loads that a group puts on the links that hold it.
 
 use super::joints::{Hinge, HingeKind, Outer, party, sides};
 use super::scribe::{Acting, OnPin, Polygon, Scribe, square_to};
@@ -8,7 +8,8 @@ use hodograph_scene::quantity::parties;
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
 impl Scribe<'_> {
-    /// Puts the force of a hinge on a link among the answers, its opposite on what holds it, and hands that on.
+    /// Adds the force of a hinge on a link to the answers, and puts the opposite force on the
+    /// holding link or pin.
     pub fn pinned(&mut self, p: &mut Polygon, hinge: Hinge, on: LinkId, [from, to]: [MarkId; 2]) {
         let (own, back, at) = (self.measured(p, from, to), self.measured(p, to, from), hinge.at);
         let by = match hinge.kind {
@@ -30,7 +31,7 @@ impl Scribe<'_> {
                 if slot == on {
                     self.along_slot(p, (guide, driver), [to, from]);
                 } else {
-                    // The pin hands on what slot, driver and the other links put on it.
+                    // The pin transmits the forces of slot, driver and the other links.
                     self.held_at(p, at, on, [from, to]);
                     let loads = self.pin_loads(at, on);
                     let (last, sides) = (std::mem::replace(&mut p.last, from), p.sides.len());
@@ -52,7 +53,8 @@ impl Scribe<'_> {
         }
     }
 
-    /// The forces on a pin that a driver moves along a slot: the driver pushes along it, the slot presses square to it.
+    /// Resolves the force on a pin that a driver moves along a slot: the driver pushes along it,
+    /// the slot presses square to it.
     fn along_slot(&mut self, p: &mut Polygon, (guide, driver): (GuideId, usize), [from, to]: [MarkId; 2]) {
         let Some((along, at)) = self.push_along(guide) else { return };
         let Some(runner) = self.scene.carriers(at).next() else { return };
@@ -68,7 +70,8 @@ impl Scribe<'_> {
         p.drivers.push((driver, size));
     }
 
-    /// The force of a curved guide on its slider: its line passes through the centre of the arc.
+    /// Adds the force of a curved guide on its slider; its line of action passes through the centre
+    /// of the arc.
     fn on_arc(&mut self, p: &mut Polygon, hinge: Hinge, force: NumberId) {
         let Some((guide, place)) = hinge.arc().and_then(|guide| Some((guide, self.reference(guide)?))) else { return };
         let moment = Number::Moment { force: Base::Measured(force), at: self.mark(hinge.at), about: self.mark(place) };
@@ -76,14 +79,14 @@ impl Scribe<'_> {
         self.answers.guides.push((guide, force, Some(couple)));
     }
 
-    /// The force of an inner hinge on both links.
+    /// Adds the force of an inner hinge on both links.
     pub fn inner_pin(&mut self, p: &mut Polygon, hinge: Hinge, links: [LinkId; 2], [m1, x, m2]: [MarkId; 3]) {
         for (sides, ends) in [(links, [m1, x]), ([links[1], links[0]], [x, m2])] {
             self.inner_side(p, hinge, sides, ends);
         }
     }
 
-    /// The force of an inner hinge on the first of two links.
+    /// Adds the force of an inner hinge on the first of two links.
     pub fn inner_side(&mut self, p: &mut Polygon, hinge: Hinge, [link, other]: [LinkId; 2], ends: [MarkId; 2]) {
         let id = self.measured(p, ends[0], ends[1]);
         let at = hinge.at;
@@ -110,7 +113,8 @@ impl Scribe<'_> {
         self.diagonal(p, (Term::Reaction { of, on: link, part: Part::Whole }, at), ends);
     }
 
-    /// The force and couple of a guide on a link of the group: answers, and the load of the other link.
+    /// Adds the force and couple of a guide on a link of the group to the answers, and to the loads
+    /// of the other link.
     pub fn guided(&mut self, p: &mut Polygon, slide: Outer, ends: [MarkId; 2], couple: NumberId) {
         let Outer::Slide { guide, on, by, at } = slide else { return };
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
@@ -123,7 +127,7 @@ impl Scribe<'_> {
         }
     }
 
-    /// The force of a slot on a link of the group, or of its pin on a slot there.
+    /// Adds the force of a slot on a link of the group, or of a pin on the link's slot.
     pub fn slotted(&mut self, p: &mut Polygon, guide: GuideId, on: LinkId, by: Party, at: PointId, ends: [MarkId; 2]) {
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
         let runner = if self.scene.guides[guide.0].on == on { back } else { own };
@@ -138,7 +142,8 @@ impl Scribe<'_> {
         }
     }
 
-    /// The force of a pin that a slot or a cylinder holds on the last of its links: the forces of the others on it, then that of the slot or the cylinder.
+    /// Adds the force of a pin that a slot or a cylinder holds, on the last of its links; the pin
+    /// also has the forces of the others.
     pub fn held_at(&mut self, p: &mut Polygon, at: PointId, on: LinkId, ends: [MarkId; 2]) {
         if parties(self.scene, at) > 2 {
             let own = self.measured(p, ends[0], ends[1]);
@@ -146,12 +151,13 @@ impl Scribe<'_> {
         }
     }
 
-    /// The line of action of teeth, as a given vector: that of the force on the second link.
+    /// Returns the line of action of teeth as a given vector, in the sense of the force on the
+    /// second link.
     pub fn line_of_action(&self, rolling: RollingId) -> Base {
         Base::Given(Key::of(self.balance.index() + 1 + rolling.0))
     }
 
-    /// The force of a rolling pair on a link of the group, and its opposite on the other link.
+    /// Adds the force of a rolling pair on a link of the group, and its opposite on the other link.
     pub fn meshed(&mut self, p: &mut Polygon, rolling: RollingId, [on, by]: [LinkId; 2], at: PointId, ends: [MarkId; 2]) {
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
         self.answers.rolling.push((rolling, if self.scene.rolling[rolling.0].links[1] == on { own } else { back }));
@@ -161,7 +167,7 @@ impl Scribe<'_> {
         }
     }
 
-    /// The force of a cylinder on a link, and its opposite at the far pin.
+    /// Adds the force of a cylinder on a link, and its opposite at the far pin.
     pub fn pushed(&mut self, p: &mut Polygon, driver: usize, on: LinkId, [at, far]: [PointId; 2], ends: [MarkId; 2]) {
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
         let kind = &self.scene.drivers[driver].kind;
@@ -183,9 +189,10 @@ impl Scribe<'_> {
         self.at_pin[far.0].push(OnPin { of: Party::Cylinder(driver), force: back });
     }
 
-    /// The force of a driver along its guide on a link, and its opposite on the link that holds it.
+    /// Adds the force of a driver along its guide on a link, and its opposite on the link that
+    /// holds it.
     pub fn pushed_along(&mut self, p: &mut Polygon, (driver, guide): (usize, GuideId), [on, by]: [LinkId; 2], ends: [MarkId; 2]) {
-        // It counts on what slides, in the sense of the guide.
+        // The force is positive on the sliding part, in the sense of the guide.
         let [from, to] = if self.scene.guides[guide.0].on == on { [ends[1], ends[0]] } else { ends };
         let Some((along, at)) = self.push_along(guide) else { return };
         let size = self.number(&mut p.ops, Number::Along(from, to, Direction::of(along)));
@@ -198,7 +205,8 @@ impl Scribe<'_> {
         }
     }
 
-    /// A couple on a link that a driver's moment makes.
+    /// Adds the reaction of a driver's moment, a couple on the link to which the driven link's
+    /// motion is relative.
     pub fn turned(&mut self, p: &mut Polygon, against: LinkId, of: LinkId, moment: NumberId) {
         if against != self.scene.ground {
             let opposite = self.number(&mut p.ops, Number::Negative(moment));
@@ -207,7 +215,8 @@ impl Scribe<'_> {
         }
     }
 
-    /// The force of a joint that presses along one line. Of a wheel on its track the friction and the force of the path that holds it are parts of one force.
+    /// Returns the force of a joint that presses along one line. For a wheel on its track, the
+    /// friction and the force of the guiding path are parts of one force.
     pub fn pressing(&self, outer: &Outer) -> Option<Term> {
         if let Outer::Mesh { rolling, on, by, .. } = *outer
             && self.m.path_of(self.scene, rolling).is_some()
@@ -225,7 +234,7 @@ impl Scribe<'_> {
     }
 }
 
-/// The part of a reaction that an outer joint puts on its link.
+/// Returns the part of a reaction that an outer joint puts on its link.
 pub(super) fn reaction(outer: &Outer, part: Part) -> Option<Term> {
     let (of, on) = match *outer {
         Outer::Pin { on, by, .. } | Outer::Slot { on, by, .. } => (by, on),

@@ -1,4 +1,4 @@
-//! Equilibrium of all links together: the ground bears what the loads put on the mechanism.
+//! Equilibrium of all links together: the ground bears the loads of the mechanism.
 
 use super::Equilibrium;
 use hodograph_base::geom::Vec2;
@@ -9,14 +9,14 @@ use hodograph_scene::{GuideId, PointId, Scene};
 /// Forces on all links together (N).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Whole {
-    /// The sum of all loads, inertia and the balancing force among them.
+    /// The sum of all loads, including inertia and the balancing force.
     pub loads: Vec2,
-    /// The sum of what the ground and the drivers on it put on the links.
+    /// The sum of the forces of the ground, and of the drivers on it, on the links.
     pub ground: Vec2,
 }
 
 impl Whole {
-    /// The sums of a drawing; `None` where a reaction of the ground is not drawn.
+    /// Returns the sums of a drawing; `None` if a reaction of the ground is not drawn.
     pub fn of(scene: &Scene, at: &Configuration, of: &Equilibrium) -> Option<Whole> {
         let forces = &of.forces;
         let balance = unit_balance(scene, at).map_or(Some(Vec2::ZERO), |unit| Some(unit.wrench.force * forces.balance?))?;
@@ -67,7 +67,8 @@ impl Whole {
     }
 }
 
-/// The sense in which the ground presses at a guide: with the force on what runs there, or against it; `None` of a guide between moving links.
+/// Returns the sign of the ground's force at a guide: +1 along the force on the runner, −1 against
+/// it; `None` for a guide between moving links.
 fn side_of_ground(scene: &Scene, guide: GuideId, on_ground: impl Fn(&PointId) -> bool) -> Option<f64> {
     let g = &scene.guides[guide.0];
     if g.on == scene.ground {

@@ -1,4 +1,5 @@
-//! The joints of a group as forces see them: inside, and outside towards what it rests on.
+//! The joints of a group for the analysis of forces: inner joints, and outer joints to the links
+//! that hold the group.
 
 use super::Party;
 use hodograph_base::diag::{Both, both};
@@ -7,23 +8,23 @@ use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{met_at, parties};
 use hodograph_scene::{GuideId, GuidePath, LinkId, PointId, RollingId, Scene, Touch};
 
-/// A place about which one link turns on another.
+/// The centre about which one link turns on another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hinge {
     /// The pin, or the centre of the curved guide.
     pub at: PointId,
-    /// By what the links are held together there.
+    /// The kind of connection.
     pub kind: HingeKind,
 }
 
-/// By what two links turn on each other.
+/// The kind of connection at a hinge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HingeKind {
-    /// A pin of both.
+    /// A common pin.
     Pin,
-    /// A curved guide: its slider turns about the centre of the arc as about a pin.
+    /// A curved guide: its slider turns about the centre of the arc like about a pin.
     Arc(GuideId),
-    /// A pin of one in a slot of the other, along which a driver moves it.
+    /// A pin of one link in a slot of the other, along which a driver moves it.
     Driven {
         /// The slot.
         guide: GuideId,
@@ -33,7 +34,7 @@ pub enum HingeKind {
 }
 
 impl Hinge {
-    /// The pin, where it is one.
+    /// Returns the pin of a pinned hinge.
     pub fn pin(self) -> Option<PointId> {
         match self.kind {
             HingeKind::Pin | HingeKind::Driven { .. } => Some(self.at),
@@ -41,7 +42,7 @@ impl Hinge {
         }
     }
 
-    /// The curved guide, where it is one.
+    /// Returns the curved guide, if the hinge is one.
     pub fn arc(self) -> Option<GuideId> {
         if let HingeKind::Arc(guide) = self.kind { Some(guide) } else { None }
     }
@@ -53,7 +54,7 @@ impl From<PointId> for Hinge {
     }
 }
 
-/// A joint by which a group is held from outside.
+/// A joint by which other links hold a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outer {
     /// A hinge: two unknowns.
@@ -62,10 +63,10 @@ pub enum Outer {
         hinge: Hinge,
         /// The link of the group.
         on: LinkId,
-        /// The party that holds it there.
+        /// The party that holds the link there.
         by: Party,
     },
-    /// A straight guide with a slider: normal force and its place.
+    /// A straight guide with a slider: the unknowns are the normal force and its line of action.
     Slide {
         /// The guide.
         guide: GuideId,
@@ -73,7 +74,7 @@ pub enum Outer {
         on: LinkId,
         /// The other link.
         by: LinkId,
-        /// The point from which the place of the force counts.
+        /// The reference point for the line of action of the force.
         at: PointId,
     },
     /// A pin in a slot: a force square to the slot.
@@ -84,21 +85,23 @@ pub enum Outer {
         at: PointId,
         /// The link of the group.
         on: LinkId,
-        /// The other link; of a slot on the link of the group whose pin joins several links, the pin.
+        /// The other link, or the pin if the slot is on the group's link and its pin joins several
+        /// links.
         by: Party,
     },
-    /// Teeth in mesh, or the friction of a wheel: a force along the line of action. A path that holds the wheel in touch presses on its centre.
+    /// Teeth in mesh, or the friction of a wheel: a force along the line of action. A path that
+    /// keeps the wheel in contact presses on its centre.
     Mesh {
         /// The pair.
         rolling: RollingId,
-        /// The place of contact.
+        /// The point of contact.
         at: PointId,
         /// The link of the group.
         on: LinkId,
         /// The other link.
         by: LinkId,
     },
-    /// A cylinder without loads of its own: a force along its line.
+    /// A cylinder without loads on its parts: a force along its line.
     Cylinder {
         /// The driver.
         driver: usize,
@@ -115,10 +118,10 @@ pub enum Outer {
         driver: usize,
         /// The link of the group.
         on: LinkId,
-        /// The link against which it turns.
+        /// The link relative to which it turns.
         against: LinkId,
     },
-    /// The balancing force of a driver at a point, in a direction.
+    /// The balancing force of a driver at a point, in a given direction.
     Balance {
         /// The driver.
         driver: usize,
@@ -166,20 +169,20 @@ pub(super) fn turns_on(scene: &Scene, link: LinkId, hinge: Hinge) -> bool {
     }
 }
 
-/// A slider and the link that carries its guide.
+/// Returns a slider and the link that carries its guide.
 pub(super) fn sides(scene: &Scene, g: GuideId) -> Option<[LinkId; 2]> {
     let guide = &scene.guides[g.0];
     Some([guide.slider?, guide.on])
 }
 
-/// Joints of a group's links.
+/// The joints of a group's links.
 pub(super) struct Joints {
     pub outer: Vec<Outer>,
     pub inner: Vec<Pair>,
 }
 
 impl Joints {
-    /// The reason for which a group is not drawn: no method has its joints.
+    /// Returns the reason for which a group is not drawn: no method covers its joints.
     pub fn no_method(&self, scene: &Scene, links: &[LinkId]) -> Both {
         let point = |p: PointId| scene.point_name(p);
         let slider = |g: GuideId| {
@@ -205,13 +208,15 @@ impl Joints {
     }
 }
 
-/// The point from which the place of a guide's force counts: the pin that runs there, or the first at which the slider is met, where it is placed.
+/// Returns the reference point for the line of action of a guide's force: the pin that runs there,
+/// otherwise the slider's first placed joint.
 pub(super) fn reference(scene: &Scene, g: GuideId, placed: impl Fn(PointId) -> bool) -> Option<PointId> {
     let guide = &scene.guides[g.0];
     guide.pin.filter(|p| placed(*p)).or_else(|| met_at(scene, guide.slider?).find(|p| placed(*p)))
 }
 
-/// Party that presses on a link at a hinge: the other link, where there are no more; else the pin.
+/// Returns the party that presses on a link at a hinge: the other link if there is only one,
+/// otherwise the pin.
 pub(super) fn party(scene: &Scene, hinge: Hinge, on: LinkId) -> Party {
     let at = hinge.at;
     match hinge.kind {
@@ -230,7 +235,8 @@ pub(super) fn party(scene: &Scene, hinge: Hinge, on: LinkId) -> Party {
     }
 }
 
-/// The joints of links among themselves and with links that are not yet in equilibrium (`open`).
+/// Returns the joints of links among themselves and with links that are not yet in equilibrium
+/// (`open`).
 ///
 /// # Errors
 /// A joint for which there is no method.
@@ -250,14 +256,15 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         let rods: Vec<usize> = (0..scene.drivers.len())
             .filter(|d| ends_of(*d).is_some_and(|ends| ends.contains(&p)))
             .filter(|d| !cylinder(*d).iter().any(|l| mine(*l)))
-            // One that moves a link in equilibrium is a load of its pin.
+            // A cylinder that moves a link in equilibrium is a load of its pin.
             .filter(|d| ends_of(*d).into_iter().flatten().any(|q| q != p && scene.carriers(q).any(|l| mine(l) || upstream(l))))
             .collect();
         let rod_links: Vec<LinkId> = rods.iter().flat_map(|d| cylinder(*d)).copied().collect();
         let held: Vec<LinkId> = scene.carriers(p).filter(|l| upstream(*l) && !rod_links.contains(l)).collect();
         let pin = Hinge::from(p);
         match (&slots[..], &rods[..], &here[..]) {
-            // A cylinder on the pin of a link that still holds it belongs to the group of that link.
+            // A cylinder on the pin of a link that still holds the group belongs to the group of
+            // that link.
             ([], _, [..]) if !held.is_empty() => {
                 outer.extend(here.iter().map(|on| Outer::Pin { hinge: pin, on: *on, by: party(scene, pin, *on) }));
             }
@@ -268,7 +275,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                 let [a, b] = scene.drivers[*d].kind.ends().unwrap_or([p, p]);
                 outer.push(Outer::Cylinder { driver: *d, at: p, far: if a == p { b } else { a }, on: *on });
             }
-            // The slot holds the pin with the last of its links.
+            // The slot holds the pin together with the last of its links.
             ([g], [], [on]) if !held.is_empty() && !mine(scene.guides[*g].on) => {
                 outer.push(Outer::Pin { hinge: pin, on: *on, by: Party::Pin(p) });
             }
@@ -317,7 +324,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                     (false, false) => {}
                 }
             }
-            // The slot is on our link; its pin sits on a link that holds it.
+            // The slot is on a link of the group; its pin is on a link that holds the group.
             None => {
                 let Some(p) = guide.pin.filter(|_| mine(guide.on)) else { continue };
                 let hinge = driven(scene, id);
@@ -380,12 +387,12 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
     Ok(Joints { outer, inner })
 }
 
-/// The reason for which a pin has no construction.
+/// Returns the reason for which a pin has no construction.
 pub(super) fn too_many(scene: &Scene, pin: PointId) -> Both {
     both!("pin {} joins too many for a construction", "销 {} 连接的构件过多，无法作图", scene.point_name(pin))
 }
 
-/// The pin that a driver moves along a slot.
+/// Returns the pin that a driver moves along a slot.
 fn driven(scene: &Scene, guide: GuideId) -> Option<Hinge> {
     let g = &scene.guides[guide.0];
     let at = g.pin.filter(|_| g.slider.is_none() && scene.loads.balance.is_none())?;
@@ -393,10 +400,10 @@ fn driven(scene: &Scene, guide: GuideId) -> Option<Hinge> {
     Some(Hinge { at, kind: HingeKind::Driven { guide, driver } })
 }
 
-/// The balancing force on a driver's link, in place of its moment or its push.
+/// Returns the balancing force on a driver's link, which replaces the driver's moment or push.
 ///
 /// # Errors
-/// A balance that acts on another link.
+/// A balance on another link.
 fn balance(scene: &Scene, driver: usize, on: LinkId) -> Result<Option<Outer>, Both> {
     let Some(balance) = &scene.loads.balance else { return Ok(None) };
     if balance.link != on {

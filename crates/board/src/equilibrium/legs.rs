@@ -1,7 +1,8 @@
-//! A link on three legs: its equilibrium with all its legs in one polygon.
+//! The equilibrium of a link on three legs, with all its legs in one polygon.
 //!
-//! A leg presses along one line, that of its bar or square to its guide, but for what its own loads add. Moments of the whole group about the
-//! crossing of two such lines give the force along the third; the polygon crosses the other two.
+//! A leg presses along one line, along its bar or square to its guide, except for the part due to
+//! its own loads. Moments of the whole group about the crossing of two such lines give the force
+//! along the third line; the polygon crosses the other two.
 
 use super::answers::reaction;
 use super::joints::{Hinge, Joints, Outer, Pair, too_many, turns_on};
@@ -19,13 +20,13 @@ use hodograph_scene::{GuideId, LinkId, PointId};
 #[derive(Clone, Copy)]
 struct Leg {
     kind: Kind,
-    /// The joint at its far end, or that by which it touches the link.
+    /// The joint at its far end, or the joint between leg and link.
     outer: Outer,
     /// A point on its line of action.
     at: PointId,
-    /// The direction of the line.
+    /// The direction of the line of action.
     line: Base,
-    /// The direction in numbers, by which the lines that cross are chosen.
+    /// The direction in numbers, used to choose the lines that cross.
     along: Option<Vec2>,
 }
 
@@ -35,30 +36,30 @@ enum Kind {
     Bar { link: LinkId, near: Hinge },
     /// A slider in a guide outside the group, pinned to the link.
     Block { link: LinkId, near: Hinge },
-    /// A pinned block that slides on the link, or in which the link slides.
+    /// A pinned block that slides on the link, or a block in which the link slides.
     Sleeve { link: LinkId, guide: GuideId },
     /// A pin in a slot, teeth, or a cylinder.
     Touch,
 }
 
-/// A leg with what acts on it.
+/// A leg with its loads.
 struct Loaded {
     leg: Leg,
     loads: Vec<Acting>,
-    /// The force of the far pin square to the bar: its term, its amount, and the bar.
+    /// The force of the far pin square to the bar: its term, its magnitude, and the bar.
     across: Option<(Term, NumberId, Base)>,
-    /// The loads of the pin that joins it to the link.
+    /// The loads of the pin between leg and link.
     on_pin: Vec<Acting>,
 }
 
-/// The vertices between which a leg's forces stand.
+/// The ends of a leg's forces in the polygon.
 #[derive(Clone, Copy)]
 struct Ends {
     /// The reaction of its far joint.
     whole: [MarkId; 2],
-    /// The reaction of the link on it.
+    /// The reaction of the link on the leg.
     inner: [MarkId; 2],
-    /// That of the pin on the link.
+    /// The reaction of the pin on the link.
     opposite: [MarkId; 2],
 }
 
@@ -70,7 +71,7 @@ impl Leg {
         }
     }
 
-    /// The hinge that joins it to the link.
+    /// Returns the hinge between leg and link.
     fn near(&self) -> Option<Hinge> {
         match self.kind {
             Kind::Bar { near, .. } | Kind::Block { near, .. } => Some(near),
@@ -78,14 +79,14 @@ impl Leg {
         }
     }
 
-    /// The place at its far end.
+    /// Returns the place at the far end.
     fn far(&self) -> Hinge {
         if let Outer::Pin { hinge, .. } = self.outer { hinge } else { self.at.into() }
     }
 }
 
 impl Loaded {
-    /// The force along the line.
+    /// Returns the force along the line of action.
     fn axial(&self, scribe: &Scribe) -> Option<Term> {
         if self.across.is_some() { reaction(&self.leg.outer, Part::Normal) } else { scribe.pressing(&self.leg.outer) }
     }
@@ -119,7 +120,7 @@ impl Scribe<'_> {
         Ok(())
     }
 
-    /// The link that three legs hold, and the legs.
+    /// Returns the link that three legs hold, and the legs.
     fn legs(&self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Option<(LinkId, [Leg; 3])> {
         let has = |pair: &Pair, l: LinkId| match *pair {
             Pair::Pin(hinge) => turns_on(self.scene, l, hinge),
@@ -224,7 +225,7 @@ impl Scribe<'_> {
         self.finish(p, links, "III");
     }
 
-    /// A leg with its loads, and the force square to its bar.
+    /// Returns a leg with its loads, and the force square to its bar.
     fn loaded(&mut self, ops: &mut Vec<Op>, found: &mut Vec<super::Moments>, leg: Leg, core: LinkId) -> Loaded {
         let held: Vec<Hinge> = leg.near().into_iter().chain([leg.far()]).collect();
         let loads = leg.link().map_or_else(Vec::new, |link| self.all_on(link, &held));
@@ -239,7 +240,8 @@ impl Scribe<'_> {
         Loaded { leg, loads, across, on_pin }
     }
 
-    /// The force along the line of the third leg, by moments about the crossing of the other two lines.
+    /// Returns the force along the third leg's line, by moments about the crossing of the other two
+    /// lines.
     fn third(
         &mut self,
         ops: &mut Vec<Op>,
@@ -259,7 +261,7 @@ impl Scribe<'_> {
         self.crossings += 1;
         let crossing = self.c.mark(self.plane, Name::Image(Key::of(number)));
         ops.push(Op::Meet { lines, to: crossing });
-        // The loads of a block are handed to its pin; its guide takes their couple.
+        // The loads of a block act on its pin; its guide takes their couple.
         let mut all = own.to_vec();
         for l in legs {
             let at_pin = |a: &Acting| match l.leg.kind {
@@ -276,7 +278,8 @@ impl Scribe<'_> {
         let mut moments = self.moments(ops, links, &all, about, Gives::Force(given, three.leg.at));
         for l in legs {
             if let Some((term, value, bar)) = l.across {
-                // A unit force square to the bar turns by the part of its arm along the bar.
+                // The arm of a unit force square to the bar is the component of the connecting
+                // vector along the bar.
                 let arm = self.number(ops, Number::Along(crossing, self.mark(l.leg.at), Direction::of(bar)));
                 moments.of.push((term, l.leg.at, self.number(ops, Number::Product(value, arm))));
             }
@@ -295,7 +298,7 @@ impl Scribe<'_> {
         }
     }
 
-    /// Reactions of a leg: answers, and loads of what is on its other side.
+    /// Adds the reactions of a leg to the answers, and to the loads of the parts on its other side.
     fn leg_answers(&mut self, p: &mut Polygon, core: LinkId, l: &Loaded, ends: Ends) {
         let leg = &l.leg;
         if let (true, Some(term)) = (l.across.is_some(), reaction(&leg.outer, Part::Whole)) {

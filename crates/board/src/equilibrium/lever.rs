@@ -1,7 +1,9 @@
-//! Zhukovsky's lever: the velocity polygon, turned clockwise by a right angle, as a rigid lever about its pole.
+//! Zhukovsky's lever: the velocity polygon, turned clockwise by a right angle, as a rigid lever
+//! about its pole.
 //!
-//! A force F at a point of velocity v has about the pole the moment F·v/μ_v, a couple M on a link that turns with ω has Mω/μ_v. All loads with the balancing
-//! moment are in equilibrium on the lever, as their power is zero.
+//! A force F at a point of velocity v has the moment F·v/μ_v about the pole; a couple M on a link
+//! with angular velocity ω has the moment Mω/μ_v. All loads and the balancing moment are in
+//! equilibrium on the lever, because their power is zero.
 //!
 //! # Source
 //! N. E. Zhukovsky's theorem: 孙桓, 陈作模, 机械原理, the chapter on the forces of mechanisms.
@@ -13,7 +15,7 @@ use hodograph_mechanism::answer::Source;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{LinkId, PointId, Scene};
 
-/// The loads of an instant on the lever.
+/// The loads on the lever at an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lever {
     /// The scale of the velocity polygon ((m/s)/mm).
@@ -22,7 +24,7 @@ pub struct Lever {
     pub forces: Vec<LeverForce>,
     /// The couples: each load with its moment Mω/μ_v (N·mm).
     pub couples: Vec<(usize, f64)>,
-    /// Moment of all loads about the pole (N·mm), counter-clockwise positive.
+    /// The moment of all loads about the pole (N·mm), counter-clockwise positive.
     pub moment: f64,
 }
 
@@ -31,20 +33,21 @@ pub struct Lever {
 pub struct LeverForce {
     /// The load, an index into [`Equilibrium::loads`].
     pub load: usize,
-    /// Its point of application.
+    /// The point of application.
     pub point: PointId,
     /// The place of the point on the lever (mm from the pole).
     pub at: Point,
     /// The distance of the line of action from the pole (mm).
     pub arm_mm: f64,
-    /// Its moment about the pole (N·mm).
+    /// The moment about the pole (N·mm).
     pub moment: f64,
 }
 
 impl Lever {
-    /// The lever of a scene: `motion` has the velocities that were read off the polygon of scale `mu`. Further points of a link follow by images.
+    /// Returns the lever of a scene: `motion` has the velocities read from the polygon of scale
+    /// `mu`. Further points of a link follow by images.
     ///
-    /// `None` where the polygon does not give the velocity of a load.
+    /// `None` if the polygon does not give the velocity of a load.
     pub fn of(scene: &Scene, at: &Configuration, of: &Equilibrium, motion: &impl Source<f64>, mu: f64) -> Option<Lever> {
         let (mut forces, mut couples) = (Vec::new(), Vec::new());
         for (k, load) in of.loads.iter().enumerate() {
@@ -53,7 +56,7 @@ impl Lever {
             }
             if let (Some(point), Some(along)) = (load.at, load.wrench.force.unit()) {
                 let v = velocity(scene, at, motion, point, load.link)? * (1.0 / mu);
-                // Turned clockwise: v × F about the pole is then F·v.
+                // Turned clockwise: v × F about the pole then equals F·v.
                 let end = -v.perp();
                 let arm = end.cross(along);
                 forces.push(LeverForce { load: k, point, at: end.to_point(), arm_mm: arm.abs(), moment: arm * load.wrench.force.norm() });
@@ -63,14 +66,15 @@ impl Lever {
         Some(Lever { mu, forces, couples, moment })
     }
 
-    /// The balancing moment (N·m), or force (N), of the only driver; `None` where there are several, or where it is at rest.
+    /// Returns the balancing moment (N·m) or force (N) of the only driver; `None` for several
+    /// drivers, or for a driver at rest.
     pub fn balance(&self, scene: &Scene) -> Option<f64> {
         let [driver] = &scene.drivers[..] else { return None };
         (driver.rate.value != 0.0).then(|| -self.moment * self.mu / driver.rate.value)
     }
 }
 
-/// The velocity of a point of a link: as read off, or by the image of two other points.
+/// Returns the velocity of a point of a link: as read, or by the image of two other points.
 fn velocity(scene: &Scene, at: &Configuration, motion: &impl Source<f64>, p: PointId, link: LinkId) -> Option<Vec2> {
     let read = |p: PointId| motion.vector(Level::Velocity, p, Some(link));
     if let Some(v) = read(p) {
@@ -86,7 +90,7 @@ fn velocity(scene: &Scene, at: &Configuration, motion: &impl Source<f64>, p: Poi
         (size > 0.0).then(|| (base, *v_b - v_a, size))
     });
     match second {
-        // The triangle of the three points, turned and to another scale.
+        // The triangle of the three points, turned and at another scale.
         Some((base, image, size)) => Some(v_a + image * (base.dot(arm) / size) + image.perp() * (base.cross(arm) / size)),
         None => Some(v_a + arm.perp() * motion.turning(Level::Velocity, link)?),
     }

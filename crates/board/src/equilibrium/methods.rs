@@ -1,4 +1,4 @@
-//! The methods: for each kind of group its moments and its polygon.
+//! The methods: moments and polygon for each kind of group.
 
 use super::answers::reaction;
 use super::joints::{Hinge, Joints, Outer, Pair};
@@ -9,12 +9,12 @@ use hodograph_base::diag::Both;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{GuideId, LinkId, PointId};
 
-/// The direction of a straight guide.
+/// Returns the direction of a straight guide.
 pub(super) fn tangent(guide: GuideId) -> Base {
     Base::Tangent(Key::of(guide.0), None)
 }
 
-/// Square to a straight guide.
+/// Returns the direction square to a straight guide.
 pub(super) fn normal(guide: GuideId) -> Direction {
     square_to(tangent(guide))
 }
@@ -23,7 +23,7 @@ impl Scribe<'_> {
     /// Writes the equilibrium of a group by the method of its kind.
     ///
     /// # Errors
-    /// A kind for which there is none.
+    /// A kind without a method.
     pub(super) fn group(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
         match (links, &joints.inner[..], &joints.outer[..]) {
             ([a, b], [Pair::Pin(c)], [x, y]) => {
@@ -92,7 +92,8 @@ impl Scribe<'_> {
         }
     }
 
-    /// RRR, RRP, PRP: two links on an inner pin. Either may be two that a driver holds as one, the last of which has the pin.
+    /// Writes RRR, RRP, PRP: two links on an inner pin. Either may consist of two links that a
+    /// driver holds together; the last of them has the pin.
     fn on_a_pin(&mut self, bodies: [&[LinkId]; 2], inner: Hinge, outer: [Outer; 2]) {
         let kind = match outer.map(|o| matches!(o, Outer::Pin { .. })) {
             [true, true] => "RRR",
@@ -103,11 +104,13 @@ impl Scribe<'_> {
         self.finish(p, &bodies.concat(), kind);
     }
 
-    /// The polygon of two bodies on an inner pin, the loads of the last link of the first body, and the vertices around them and the force of the pin.
+    /// Returns the polygon of two bodies on an inner pin, the loads of the last link of the first
+    /// body, and the vertices around this link and around the force of the pin.
     pub(super) fn around_a_pin(&mut self, bodies: [&[LinkId]; 2], inner: Hinge, outer: [Outer; 2]) -> (Polygon, Vec<Acting>, [MarkId; 3]) {
         let held = |o: &Outer| if let Outer::Pin { hinge, .. } = *o { vec![hinge, inner] } else { vec![inner] };
         let links = bodies.map(|body| body[body.len() - 1]);
-        // The link with the inner pin stands beside it in the polygon.
+        // In the polygon, the forces on the link with the inner pin are adjacent to the pin's
+        // force.
         let pinned = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));
         let others = [0, 1].map(|k| {
             let others = &bodies[k][..bodies[k].len() - 1];
@@ -116,7 +119,7 @@ impl Scribe<'_> {
         let acting = [[&others[0][..], &pinned[0]].concat(), [&pinned[1][..], &others[1]].concat()];
         let mut ops = Vec::new();
         let mut moments = Vec::new();
-        // The part square to the bar, where something turns it about the inner pin.
+        // The part square to the bar, if a load has a moment about the inner pin.
         let parts = [0, 1].map(|k| {
             let Outer::Pin { hinge: Hinge { at, .. }, .. } = outer[k] else { return None };
             if acting[k].is_empty() {
@@ -200,7 +203,8 @@ impl Scribe<'_> {
         (p, loads, [between, before, x])
     }
 
-    /// The couple of an outer guide about its point, from all else that acts on its link; answers, and the load of the other link.
+    /// Finds the couple of an outer guide about its point from all other forces on its link, and
+    /// adds it to the answers and to the loads of the other link.
     pub(super) fn offset(&mut self, p: &mut Polygon, slide: Outer, acting: &[Acting], ends: [MarkId; 2]) {
         let Outer::Slide { guide, on, at, .. } = slide else { return };
         let mut moments = self.moments(&mut p.ops, &[on], acting, About::Point(at), Gives::Offset(guide));
@@ -210,7 +214,7 @@ impl Scribe<'_> {
         self.guided(p, slide, ends, couple);
     }
 
-    /// RPR: a slider pinned at `at` on a lever pinned at `pivot`.
+    /// Writes RPR: a slider pinned at `at` on a lever pinned at `pivot`.
     fn sliding(&mut self, links: [LinkId; 2], guide: GuideId, hinges: [Hinge; 2]) {
         let [slider, lever] = links;
         let [at, pivot] = hinges.map(|hinge| hinge.at);
@@ -224,7 +228,7 @@ impl Scribe<'_> {
         let part = |part| Term::Reaction { of, on: slider, part };
         let mut all: Vec<Acting> = acting.concat();
         if loaded != start {
-            // Along the guide nothing else acts on the slider.
+            // No other force acts on the slider along the guide.
             let loads = self.number(&mut p.ops, Number::Along(start, loaded, Direction::of(tangent(guide))));
             let along = self.number(&mut p.ops, Number::Negative(loads));
             self.laid(&mut p, (part(Part::Tangential), at), Direction::of(tangent(guide)).unit(), along);
@@ -258,7 +262,8 @@ impl Scribe<'_> {
         self.finish(p, &links, "RPR");
     }
 
-    /// The couple of an inner guide on a link pinned at `pin`, and its answers; the force counts at `place`. Returns the couple.
+    /// Finds the couple of an inner guide on a link pinned at `pin`, and adds it to the answers;
+    /// `place` is the reference point of the force. Returns the couple.
     pub(super) fn inner_guide(
         &mut self,
         p: &mut Polygon,
@@ -292,7 +297,8 @@ impl Scribe<'_> {
         couple
     }
 
-    /// RPP: the first link is pinned and slides on the second, which slides in an outer guide.
+    /// Writes RPP: the first link is pinned and slides on the second, which slides in an outer
+    /// guide.
     fn twice_sliding(&mut self, links: [LinkId; 2], guide: GuideId, outer: [Outer; 2]) {
         let (Outer::Pin { hinge, .. }, Outer::Slide { guide: outside, at: counted, .. }) = (outer[0], outer[1]) else { return };
         let ([pinned, sliding], at) = (links, hinge.at);
@@ -308,7 +314,7 @@ impl Scribe<'_> {
         if let Some(term) = reaction(&outer[1], Part::Whole) {
             self.side(&mut p, (term, counted), [end, x], false);
         }
-        // The pinned link: its loads from the crossing on, and the closing side.
+        // The pinned link: its loads from the crossing on, then the closing side.
         p.last = x;
         let inner = Term::Reaction { of: Party::Link(sliding), on: pinned, part: Part::Whole };
         self.diagonal(&mut p, (inner, place), [start, x]);
@@ -332,7 +338,7 @@ impl Scribe<'_> {
     }
 }
 
-/// The link of the group that an outer joint holds.
+/// Returns the link of the group that an outer joint holds.
 pub(super) fn carries(outer: &Outer) -> Option<LinkId> {
     match *outer {
         Outer::Pin { on, .. }
@@ -346,7 +352,7 @@ pub(super) fn carries(outer: &Outer) -> Option<LinkId> {
     }
 }
 
-/// A point on the line of action of an outer joint's force.
+/// Returns a point on the line of action of an outer joint's force.
 fn place(outer: &Outer) -> Option<PointId> {
     match *outer {
         Outer::Pin { hinge: Hinge { at, .. }, .. }

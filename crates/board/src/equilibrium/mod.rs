@@ -1,11 +1,15 @@
-//! Forces on the drawing board: the reactions of each group by moments and a force polygon, group after group in the reverse of the kinematic order.
+//! Forces on the drawing board: the reactions of each group by moments and a force polygon, group
+//! after group in the reverse of the kinematic order.
 //!
-//! A dyad's links give the parts of their outer reactions by moments, with arms measured on the mechanism; the polygon of all forces on both links
-//! crosses the other two. The forces on one link stand together in the polygon, so that the inner reaction is a diagonal. What a group does to those
-//! that it rests on is their load. The driver comes last, with the balancing moment.
+//! The links of a dyad give parts of their outer reactions by moments, with arms measured on the
+//! mechanism; the polygon of all forces on both links crosses the other two parts. The forces on
+//! one link are adjacent in the polygon, so that the inner reaction is a diagonal. The reactions of
+//! a group are loads of the links that hold it. The driver comes last, with the balancing moment.
 //!
-//! Methods: RRR, RRP, RPR, PRP and RPP dyads, a ram that moves a link, a link with a pivot or a slide and one line of action (a pin in a slot, teeth, a cylinder),
-//! a link on three legs, two links that two bars join, and drivers. A group of another kind is not drawn, and neither is what rests on its reactions; [`Equilibrium::undrawn`] names it.
+//! Methods: RRR, RRP, RPR, PRP and RPP dyads, a ram that moves a link, a link with a pivot or a
+//! slide and one line of action (a pin in a slot, teeth, a cylinder), a link on three legs, two
+//! links that two bars join, and drivers. A group of another kind is not drawn, and neither are
+//! groups that bear its reactions; [`Equilibrium::undrawn`] names it.
 //!
 //! # Source
 //! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4; R. L. Norton, *Design of Machinery*, ch. 11.
@@ -54,7 +58,7 @@ pub enum Term {
         of: Party,
         /// The link on which it presses.
         on: LinkId,
-        /// Which part of it.
+        /// The part of the reaction.
         part: Part,
     },
 }
@@ -75,11 +79,11 @@ pub enum Party {
 /// A part of a reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// All of it.
+    /// The whole reaction.
     Whole,
-    /// Along the bar; of a slide square to the guide.
+    /// Along the bar; for a slide, square to the guide.
     Normal,
-    /// Square to the bar; of a slide along the guide.
+    /// Square to the bar; for a slide, along the guide.
     Tangential,
 }
 
@@ -88,7 +92,7 @@ pub enum Part {
 pub struct Side {
     /// The force.
     pub term: Term,
-    /// A point on its line of action; of a guide that from which the place of its force counts.
+    /// A point on its line of action; for a guide, the reference point of its force.
     pub at: PointId,
     /// The vector.
     pub vector: VectorId,
@@ -113,36 +117,36 @@ pub enum About {
 /// An equation of moments about a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moments {
-    /// The links of which it is the equilibrium.
+    /// The links in equilibrium.
     pub links: Vec<LinkId>,
-    /// The point about which they turn.
+    /// The point about which moments are taken.
     pub about: About,
-    /// The forces that turn, each with its point of application and its moment (N·m).
+    /// The forces with a moment, each with its point of application and its moment (N·m).
     pub of: Vec<(Term, PointId, NumberId)>,
     /// The couples (N·m).
     pub couples: Vec<(Term, NumberId)>,
-    /// Its result.
+    /// The result.
     pub gives: Gives,
-    /// Its value: a force (N), a couple or moment (N·m).
+    /// The value of the result: a force (N), a couple or moment (N·m).
     pub value: NumberId,
 }
 
-/// Result of an equation of moments.
+/// The result of an equation of moments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gives {
     /// A force on a link, at a point.
     Force(Term, PointId),
-    /// The couple of a guide on its slider, and so the place of its force.
+    /// The couple of a guide on its slider, which gives the line of action of its force.
     Offset(GuideId),
     /// The balancing moment of a driver.
     Driver(usize),
-    /// A force that is tried twice; the moment that is left is linear in it.
+    /// A force that is assumed twice; the remaining moment is linear in it.
     Trial {
         /// The force.
         force: Term,
-        /// The amounts that are tried (N).
+        /// The assumed magnitudes (N).
         tried: [NumberId; 2],
-        /// The moments that are left (N·m).
+        /// The remaining moments (N·m).
         left: [NumberId; 2],
     },
 }
@@ -150,41 +154,41 @@ pub enum Gives {
 /// The equilibrium of a group.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GroupForces {
-    /// Its links.
+    /// The links.
     pub links: Vec<LinkId>,
-    /// Its kind: `RRR`, `driver`.
+    /// The kind: `RRR`, `driver`.
     pub kind: &'static str,
-    /// Its polygon.
+    /// The polygon.
     pub diagram: DiagramId,
-    /// The vertices in the order of the equation, each once.
+    /// The vertices in the order of the equation; each occurs once.
     pub vertices: Vec<MarkId>,
     /// The sides in the order of the equation.
     pub sides: Vec<Side>,
-    /// Reactions that are diagonals of the polygon, or whole reactions drawn as parts.
+    /// Reactions that are diagonals of the polygon, and whole reactions of which parts are drawn.
     pub diagonals: Vec<Side>,
-    /// Moments, in the order of drawing: those before the polygon, then those after it.
+    /// The moments, in the order of drawing: those before the polygon, then those after it.
     pub moments: Vec<Moments>,
-    /// Force that presses along a driver's guide or cylinder: the driver and the number (N).
+    /// The force along a driver's guide or cylinder: the driver and the number (N).
     pub drivers: Vec<(usize, NumberId)>,
 }
 
 /// A group that is not drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undrawn {
-    /// Its links.
+    /// The links.
     pub links: Vec<LinkId>,
     /// The reason.
     pub why: Both,
 }
 
-/// The forces of a scene as they are written for the board, and drawn.
+/// The forces of a scene, written for the board and drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
-    /// The loads, inertia with the accelerations of the polygon.
+    /// The loads; inertia follows from the accelerations of the polygon.
     pub loads: Vec<Load>,
     /// The acts.
     pub construction: Construction,
-    /// The groups, the last of the mechanism first.
+    /// The groups, the last group of the mechanism first.
     pub groups: Vec<GroupForces>,
     /// Groups that are not drawn.
     pub undrawn: Vec<Undrawn>,
@@ -194,11 +198,11 @@ pub struct Equilibrium {
     pub drawn: Drawn,
     /// Reactions and balancing moments that the drawing gives.
     pub forces: Forces,
-    /// The marks of the plane by point.
+    /// The marks of the points on the plane.
     pub places: Vec<Option<MarkId>>,
 }
 
-/// The numbers that a construction of forces finds, by what they are.
+/// The numbers that a construction of forces finds, by their meaning.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Answers {
     pins: Vec<(PointId, LinkId, NumberId)>,
@@ -209,10 +213,11 @@ struct Answers {
 }
 
 impl Equilibrium {
-    /// Draws the forces of a scene: `motion` has the accelerations and velocities that were read off the polygons, `mu_l` is the scale of the mechanism,
-    /// `room` the size (mm) that the largest polygon may have.
+    /// Draws the forces of a scene: `motion` has the accelerations and velocities read from the
+    /// polygons, `mu_l` is the scale of the mechanism, `room` the space (mm) for the largest
+    /// polygon.
     ///
-    /// `None` where a load cannot be told, because its motion is not drawn.
+    /// `None` if a load is unknown because its motion is not drawn.
     pub fn of(
         scene: &Scene,
         m: &Mechanism,
@@ -225,12 +230,13 @@ impl Equilibrium {
             return None;
         }
         let given = loads(scene, at, motion)?;
-        // A trial at 1 N/mm tells how large the polygons are.
+        // A trial at 1 N/mm gives the size of the polygons.
         let trial_scales: ByKind = [(Kind::Length, mu_l), (Kind::Force, 1.0)].into_iter().collect();
         let tried = |loads: Vec<Load>| {
             let written = scribe::written(scene, m, at, &loads);
             let mut senses = vec![1.0; scene.rolling.len()];
-            // Teeth press on one flank or the other; what a group does to its teeth does not depend on those before it.
+            // Teeth press on one flank or the other; the load that a group puts on its teeth does
+            // not depend on the previous groups.
             for _ in 0..=scene.rolling.len() {
                 let givens = Posed { scene, at, loads: &loads, senses: &senses, extent: at.extent() };
                 let drawn = draw(&written.construction, &givens, &trial_scales, &mut Exact).ok()?;
@@ -251,7 +257,8 @@ impl Equilibrium {
         let (power, Tried { loads, written, senses, drawn: trial, .. }) = if rubbing.is_empty() {
             ((!scene.loads.friction.is_empty()).then_some(smooth.forces.power), smooth)
         } else {
-            // Friction from the reactions of one polygon, the next polygon with this friction, until they stand.
+            // Iteration: friction from the reactions of one polygon, then the next polygon with
+            // this friction, until both agree.
             let under = |friction: &[Load]| tried(given.iter().chain(friction).copied().collect()).ok_or(());
             let read = |t: &Tried| (t.forces.pins.clone(), t.forces.guides.clone());
             (Some(smooth.forces.power), settled(scene, &rubbing, under, read).ok()??)
@@ -272,29 +279,29 @@ impl Equilibrium {
         Some(Equilibrium { loads, construction, groups, undrawn, scales, drawn, forces, places })
     }
 
-    /// The scale of the polygons (N per mm).
+    /// Returns the scale of the polygons (N per mm).
     pub fn mu(&self) -> f64 {
         self.scales.get(Kind::Force).unwrap_or(1.0)
     }
 
-    /// A vector on its paper (mm): tail and tip.
+    /// Returns a vector on its paper (mm): tail and tip.
     pub fn vector_mm(&self, vector: VectorId) -> Option<[Point; 2]> {
         let v = &self.construction.vectors[vector.index()];
         Some([self.drawn.marks[v.from.index()]?, self.drawn.marks[v.to.index()]?])
     }
 
-    /// A vector in N.
+    /// Returns a vector in N.
     pub fn force(&self, vector: VectorId) -> Option<Vec2> {
         let [from, to] = self.vector_mm(vector)?;
         Some((to - from) * self.mu())
     }
 
-    /// The drawing with its polygons to another scale (N per mm).
+    /// Returns the drawing with its polygons at another scale (N per mm).
     pub fn to_scale(&self, mu: f64) -> Equilibrium {
         self.scaled(Kind::Force, self.mu() / mu)
     }
 
-    /// The drawing with the mechanism so many times as large.
+    /// Returns the drawing with the mechanism `times` times as large.
     pub fn enlarged(&self, times: f64) -> Equilibrium {
         self.scaled(Kind::Length, times)
     }
@@ -311,17 +318,17 @@ impl Equilibrium {
         out
     }
 
-    /// The vertices of a group's polygon, seen from the first (N).
+    /// Returns the vertices of a group's polygon, relative to the first (N).
     pub fn vertices<'a>(&'a self, group: &'a GroupForces) -> impl Iterator<Item = Point> + 'a {
         group.vertices.iter().filter_map(|v| Some((self.drawn.marks[v.index()]?.to_vec2() * self.mu()).to_point()))
     }
 
-    /// The group of some links.
+    /// Returns the group of some links.
     pub fn group_of(&self, links: &[LinkId]) -> Option<&GroupForces> {
         self.groups.iter().find(|g| g.links == links)
     }
 
-    /// The largest factor by which a crossing magnifies rounding.
+    /// Returns the largest factor by which a crossing magnifies rounding errors.
     pub fn magnified(&self) -> f64 {
         self.drawn.met.iter().map(|met| met.rounding / (met.sine.abs() * met.sine.abs())).fold(1.0, f64::max)
     }
@@ -341,7 +348,7 @@ impl Source<f64> for Equilibrium {
     }
 }
 
-/// Polygons at 1 N/mm under some loads.
+/// The polygons at 1 N/mm under some loads.
 struct Tried {
     loads: Vec<Load>,
     written: scribe::Written,
@@ -350,16 +357,16 @@ struct Tried {
     forces: Forces,
 }
 
-/// Width and height of a polygon.
+/// Returns width and height of a polygon.
 fn extent_of(group: &GroupForces, drawn: &Drawn) -> [f64; 2] {
     crate::construct::scale::extent(group.vertices.iter().filter_map(|v| drawn.marks[v.index()]))
 }
 
-/// The forces that the drawing gives. Reactions of groups that are not drawn are missing.
+/// Returns the forces that the drawing gives. Reactions of groups that are not drawn are missing.
 fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answers: &Answers, drawn: &Drawn) -> Option<Forces> {
     let vector = |n: &NumberId| drawn.vector(*n);
     let mut pins: Vec<(PointId, LinkId, Vec2)> = answers.pins.iter().filter_map(|(p, l, n)| Some((*p, *l, vector(n)?))).collect();
-    // The last link on a pin of several bears what the others put on it.
+    // The last link on a pin of several links bears the forces of the others on the pin.
     for p in (0..scene.points.len()).map(PointId).filter(|p| parties(scene, *p) > 2 && parties(scene, *p) == scene.carriers(*p).count()) {
         let force = |l: LinkId| pins.iter().find(|(at, on, _)| (*at, *on) == (p, l)).map(|(.., force)| *force);
         let missing: Vec<LinkId> = scene.carriers(p).filter(|l| force(*l).is_none()).collect();
@@ -376,7 +383,8 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
             Some((*g, Wrench { force: vector(force)?, couple }))
         })
         .collect();
-    // A path that holds a wheel in touch presses beside the teeth or the friction: the two are one force.
+    // A path that keeps a wheel in contact presses at the same contact as the teeth or the
+    // friction: both are one force.
     let held = |r: RollingId| match m.path_of(scene, r) {
         Some(guide) => guides.iter().find(|(own, _)| *own == guide).map(|(_, w)| w.force),
         None => Some(Vec2::ZERO),
@@ -395,14 +403,14 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
     let mut loads = loads.to_vec();
     if let Some((unit, size)) = unit_balance(scene, at).zip(balance) {
         loads.push(Load { wrench: Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size }, ..unit });
-        // The drivers do nothing beside it.
+        // With a balancing force the drivers exert no force.
         drivers.fill(0.0);
     }
     let reactions = Forces { determinate: is_determined(scene, m), pins, guides, rolling, drivers, power, balance, ..Forces::none() };
     Some(completed(scene, at, &loads, reactions))
 }
 
-/// The sense in which each pair presses along its tangent.
+/// Returns the sense in which each pair presses along its tangent.
 fn senses_of(scene: &Scene, at: &Configuration, forces: &Forces) -> Vec<f64> {
     let sense = |r: RollingId| {
         let (_, force) = forces.rolling.iter().find(|(own, _)| *own == r)?;

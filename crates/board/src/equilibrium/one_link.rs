@@ -1,4 +1,5 @@
-//! A link in equilibrium by itself: a driver, or a link with a pivot or a guide and one line of action.
+//! A link in equilibrium by itself: a driver, or a link with a pivot or a guide and one line of
+//! action.
 
 use super::answers::reaction;
 use super::joints::{Hinge, Outer};
@@ -9,7 +10,7 @@ use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId, Op};
 use hodograph_scene::{GuideId, LinkId, PointId};
 
 impl Scribe<'_> {
-    /// A link on a pivot that a driver turns.
+    /// Writes a link on a pivot that a driver turns.
     pub(super) fn driven(&mut self, link: LinkId, hinge: Hinge, driver: usize, against: LinkId) {
         let pivot = hinge.at;
         let acting = self.all_on(link, &[hinge]);
@@ -33,13 +34,13 @@ impl Scribe<'_> {
         self.finish(p, &[link], "driver");
     }
 
-    /// The line along which a driver pushes a slider, and its point.
+    /// Returns the line along which a driver pushes a slider, and its point.
     pub(super) fn push_along(&self, guide: GuideId) -> Option<(Base, PointId)> {
         let at = self.reference(guide)?;
         Some((Base::Tangent(Key::of(guide.0), Some(Key::of(at.0))), at))
     }
 
-    /// The line of action of a joint that presses along one line, and a point of it.
+    /// Returns the line of action of a joint that presses along one line, and a point on it.
     fn line_of(&self, touch: &Outer) -> Option<(Base, PointId)> {
         match *touch {
             Outer::Slot { guide, at, .. } => Some((Base::Normal(Key::of(guide.0), self.mark(at)), at)),
@@ -51,7 +52,7 @@ impl Scribe<'_> {
         }
     }
 
-    /// A link on a pivot with one line of action.
+    /// Writes a link on a pivot with one line of action.
     pub(super) fn on_a_pivot(&mut self, link: LinkId, pin: Outer, touch: Outer) {
         let (Outer::Pin { hinge, .. }, Some((line, at)), Some(term)) = (pin, self.line_of(&touch), self.pressing(&touch)) else {
             return;
@@ -66,7 +67,7 @@ impl Scribe<'_> {
         let size = self.by_arm(&mut ops, turning, line, self.mark(at), self.mark(pivot));
         moments.value = size;
         if let Outer::Balance { driver, .. } = touch {
-            // The moment that the force has about the pivot gives the power.
+            // The moment of the force about the pivot gives the power.
             let pushed = hinge.arc().and_then(|guide| self.push_along(guide));
             let of_driver = pushed.map_or(turning, |(line, at)| self.by_arm(&mut ops, turning, line, self.mark(at), self.mark(pivot)));
             self.answers.drivers.push((driver, of_driver));
@@ -93,14 +94,15 @@ impl Scribe<'_> {
         self.finish(p, &[link], if matches!(touch, Outer::Balance { .. } | Outer::Push { .. }) { "driver" } else { "RH" });
     }
 
-    /// The forces of others on a pin at which a slot, a cylinder or a balancing force acts on the link.
+    /// Returns the forces of other links on a pin at which a slot, a cylinder or a balancing force
+    /// acts on the link.
     fn pin_loads_beside(&mut self, touch: &Outer, at: PointId, link: LinkId) -> Vec<Acting> {
         let pinned = self.scene.links[link.0].points.contains(&at);
         let counts = matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Balance { .. } | Outer::Push { .. });
         if pinned && counts { self.pin_loads(at, link) } else { Vec::new() }
     }
 
-    /// The force along a line through a mark that has a moment about another.
+    /// Returns the force along a line through a mark that has a given moment about another mark.
     pub(super) fn by_arm(&mut self, ops: &mut Vec<Op>, turning: NumberId, line: Base, at: MarkId, about: MarkId) -> NumberId {
         let unit = self.number(ops, Number::Moment { force: line, at, about });
         let length = self.c.number(Number::Length(line));
@@ -108,7 +110,8 @@ impl Scribe<'_> {
         self.number(ops, Number::Quotient(turning, arm))
     }
 
-    /// Answers of a joint that presses along one line, and the load of what is on its other side.
+    /// Adds the force of a joint that presses along one line to the answers, and to the loads of
+    /// the part on its other side.
     pub(super) fn touched(&mut self, p: &mut Polygon, touch: &Outer, ends: [MarkId; 2]) {
         match *touch {
             Outer::Slot { guide, at, on, by } => self.slotted(p, guide, on, by, at, ends),
@@ -119,7 +122,7 @@ impl Scribe<'_> {
         }
     }
 
-    /// A link in a guide with one more line of action.
+    /// Writes a link in a guide with one more line of action.
     pub(super) fn in_a_guide(&mut self, link: LinkId, slide: Outer, touch: Outer) {
         let (Outer::Slide { guide, at: counted, .. }, Some((line, at))) = (slide, self.line_of(&touch)) else { return };
         let moved = matches!(touch, Outer::Push { .. } | Outer::Balance { .. });

@@ -6,7 +6,7 @@ use hodograph_mechanism::force::{Load, pressure_angle, unit_balance};
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::{RollingId, Scene};
 
-/// Places, loads, guides, lines of action.
+/// The places, loads, guides and lines of action.
 pub(super) struct Posed<'a> {
     pub scene: &'a Scene,
     pub at: &'a Configuration,

@@ -1,4 +1,5 @@
-//! A ram written as its two links, a slider and its guide, that moves a third: the two are one body, in which the driver pushes along the guide.
+//! A ram with two separate links, a slider and its guide, that moves a third link: the two are one
+//! body, in which the driver pushes along the guide.
 
 use super::joints::{Hinge, Outer, turns_on};
 use super::methods::{carries, normal, tangent};
@@ -13,12 +14,13 @@ pub(super) struct Ram {
     guide: GuideId,
     /// The link with the pin that the ram moves.
     rod: LinkId,
-    /// The other.
+    /// The other link of the ram.
     barrel: LinkId,
 }
 
 impl Scribe<'_> {
-    /// The ram of a group of three links, the link that it moves, and the outer joints of both.
+    /// Returns the ram of a group of three links, the link that it moves, and the outer joints of
+    /// both.
     pub(super) fn ram(
         &self,
         links: &[LinkId],
@@ -26,7 +28,7 @@ impl Scribe<'_> {
         (guide, slider, on): (GuideId, LinkId, LinkId),
         outer: [Outer; 2],
     ) -> Option<(Ram, LinkId, [Outer; 2])> {
-        // A balancing force of its own does not hold the two as one.
+        // With a balancing force the driver does not hold the two links together.
         let driver =
             self.scene.drivers.iter().position(|d| d.kind.guide() == Some(guide)).filter(|_| self.scene.loads.balance.is_none())?;
         let pinned = |l: LinkId| turns_on(self.scene, l, inner);
@@ -37,12 +39,13 @@ impl Scribe<'_> {
         Some((Ram { driver, guide, rod, barrel }, moved, [held, far]))
     }
 
-    /// A dyad of a ram and the link that it moves.
+    /// Writes a dyad of a ram and the link that it moves.
     pub(super) fn on_a_ram(&mut self, ram: &Ram, moved: LinkId, inner: Hinge, outer: [Outer; 2]) {
         let Ram { driver, guide, rod, barrel } = *ram;
         let (mut p, loads, [from, _, x]) = self.around_a_pin([&[barrel, rod], &[moved]], inner, outer);
         let place = self.reference(guide).unwrap_or(inner.at);
-        // The force of the barrel on the rod closes the forces on the rod: along the guide the driver pushes, square to it the guide presses.
+        // The force of the barrel on the rod closes the forces on the rod: along the guide the
+        // driver pushes, square to it the guide presses.
         let lines = [self.line(&mut p, x, Direction::of(tangent(guide))), self.line(&mut p, from, normal(guide))];
         let corner = self.meet(&mut p, lines);
         let push = Term::Reaction { of: Party::Driver(driver), on: rod, part: Part::Whole };
@@ -52,7 +55,7 @@ impl Scribe<'_> {
         let pushed = Acting { term: push, force: Some((Base::Measured(force), place)), couple: None };
         let all: Vec<Acting> = loads.into_iter().chain([pushed]).collect();
         self.inner_guide(&mut p, guide, rod, (inner.at, place), &all, [corner, from]);
-        // It counts on what slides, in the sense of the guide.
+        // The force is positive on the sliding link, in the sense of the guide.
         let ends = if self.scene.guides[guide.0].slider == Some(rod) { [x, corner] } else { [corner, x] };
         let size = self.number(&mut p.ops, Number::Along(ends[0], ends[1], Direction::of(tangent(guide))));
         self.answers.drivers.push((driver, size));

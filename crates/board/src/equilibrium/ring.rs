@@ -1,8 +1,10 @@
-//! Links on a pivot each that bars or sliding blocks join in a ring: two with parallel bars or a block (class IV), three and more (class VI).
+//! Links, each on a pivot, that bars or sliding blocks join to a ring: two with parallel bars or a
+//! block (class IV), three and more (class VI).
 //!
-//! The force along one bar, or of one block square to its guide, is taken twice, as zero and as a handy amount. Moments of each link with its bar about its pivot give the force along
-//! that bar, link after link; those of the last link leave a remainder, which is linear in the first force. Then the polygon of each link with its bar closes with the reaction of
-//! its pivot.
+//! The force along one bar, or of one block square to its guide, is assumed twice, as zero and as a
+//! handy magnitude. Moments of each link with its bar about its pivot give the force along that
+//! bar, link after link; the moments of the last link leave a remainder, which is linear in the
+//! first force. Then the polygon of each link with its bar closes with the reaction of its pivot.
 
 use super::answers::reaction;
 use super::joints::{Hinge, Joints, Outer, Pair, too_many, turns_on};
@@ -19,7 +21,7 @@ struct RingLink {
     outer: Outer,
     pivot: Hinge,
     bar: LinkId,
-    /// The pin of the bar on the link.
+    /// The hinge between bar and link.
     near: Hinge,
     far: Far,
     next: LinkId,
@@ -34,7 +36,7 @@ enum Far {
     Slide(GuideId),
 }
 
-/// A bar with what acts on it.
+/// A bar with its loads.
 struct RingBar {
     loads: Vec<Acting>,
     /// The force of the next link square to the bar.
@@ -44,33 +46,34 @@ struct RingBar {
     moments: Vec<Moments>,
 }
 
-/// A link with its bar, before the force along any bar is known.
+/// A link with its bar, before the forces along the bars are known.
 struct RingMoments {
     loads: Vec<Acting>,
-    /// Moments about the pivot of all but the forces along bars, and their sum with the sign reversed.
+    /// The moments about the pivot without the forces along the bars, and their sum with the sign
+    /// reversed.
     moments: Moments,
     turning: NumberId,
-    /// Arms (m) of the bar before and of its own.
+    /// The arms (m) of the previous bar and of the link's own bar.
     arms: [NumberId; 2],
 }
 
 impl RingLink {
-    /// A point on the line of the bar, where the next link presses on it.
+    /// Returns a point on the line of the bar at which the next link presses on it.
     fn touch(&self) -> PointId {
         if let Far::Pin(p) = self.far { p } else { self.near.at }
     }
 
-    /// The force of the next link on the bar.
+    /// Returns the force of the next link on the bar.
     fn on_bar(&self, part: Part) -> Term {
         Term::Reaction { of: Party::Link(self.next), on: self.bar, part }
     }
 
-    /// The force of the bar on the next link.
+    /// Returns the force of the bar on the next link.
     fn on_next(&self, part: Part) -> Term {
         Term::Reaction { of: Party::Link(self.bar), on: self.next, part }
     }
 
-    /// The part of these forces along the line: all of it where a guide presses.
+    /// Returns the part of these forces along the line: the whole force if a guide presses.
     fn axial(&self) -> Part {
         if matches!(self.far, Far::Pin(_)) { Part::Normal } else { Part::Whole }
     }
@@ -127,7 +130,7 @@ impl Scribe<'_> {
         Ok(())
     }
 
-    /// The ring, by the first bars in the order of the links that close it.
+    /// Returns the ring, with the first bars in the order of the links that close it.
     fn ring(&self, links: &[LinkId], joints: &Joints) -> Option<Vec<RingLink>> {
         let pivots: Vec<(LinkId, Outer, Hinge)> = joints
             .outer
@@ -160,7 +163,7 @@ impl Scribe<'_> {
         (at.0 == pivots[0].0 && bars.is_empty()).then_some(out)
     }
 
-    /// The line of a bar, from the link to the next; square to its guide of a block.
+    /// Returns the line of a bar, from the link to the next one; for a block, square to its guide.
     fn line_of_bar(&self, core: &RingLink) -> Base {
         match core.far {
             Far::Pin(p) => Base::Arm { from: self.mark(core.near.at), to: self.mark(p), known: false },
@@ -189,7 +192,7 @@ impl Scribe<'_> {
         let gives = Gives::Force(core.on_bar(core.axial()), core.touch());
         let all = [&loads[..], &bars[1].loads].concat();
         let mut moments = self.moments(ops, &[core.link, core.bar], &all, about, gives);
-        // The bar before presses on the link against the force on it.
+        // The previous bar presses on the link, opposite to the force on the bar.
         for (on, bar, reversed) in [(before, bars[0], true), (core, bars[1], false)] {
             let mut signed = |s: &mut Self, value| if reversed { s.number(ops, Number::Negative(value)) } else { value };
             let term = |part| if reversed { on.on_next(part) } else { on.on_bar(part) };
@@ -197,7 +200,8 @@ impl Scribe<'_> {
                 moments.couples.push((term(Part::Whole), signed(self, couple)));
             }
             if let Some(value) = bar.across {
-                // A unit force square to the bar turns by the part of its arm along the bar.
+                // The arm of a unit force square to the bar is the component of the connecting
+                // vector along the bar.
                 let value = signed(self, value);
                 let arm = self.number(ops, Number::Along(pivot, self.mark(on.touch()), Direction::of(self.line_of_bar(on))));
                 moments.of.push((term(Part::Tangential), on.touch(), self.number(ops, Number::Product(value, arm))));
@@ -213,7 +217,8 @@ impl Scribe<'_> {
         RingMoments { loads, moments, turning, arms }
     }
 
-    /// The force of the next link along the bar of a link on which the bar before pushes, and the moment of that push.
+    /// Returns the force of the next link along a link's bar from the push of the previous bar on
+    /// the link, and the moment of that push.
     fn passed_on(&mut self, ops: &mut Vec<Op>, known: &RingMoments, push: NumberId) -> (NumberId, NumberId) {
         let turned = self.number(ops, Number::Product(push, known.arms[0]));
         let back = self.number(ops, Number::Negative(turned));
@@ -221,7 +226,8 @@ impl Scribe<'_> {
         (self.number(ops, Number::Quotient(sum, known.arms[1])), turned)
     }
 
-    /// The moment that is left on the first link of the ring where its bar pushes the next one with a force.
+    /// Returns the remaining moment on the first link of the ring, if its bar pushes the next link
+    /// with a given force.
     fn remainder(&mut self, ops: &mut Vec<Op>, known: &[RingMoments], amount: NumberId) -> NumberId {
         let mut push = amount;
         for k in &known[1..] {
@@ -237,7 +243,8 @@ impl Scribe<'_> {
         self.number(ops, Number::Sum(loads, bars))
     }
 
-    /// The polygon of a link and its bar: the bar before, the next link and the loads, closed by the reaction of the pivot.
+    /// Writes the polygon of a link and its bar: the previous bar, the next link and the loads,
+    /// closed by the reaction of the pivot.
     fn link_and_bar(
         &mut self,
         [(before, bar_before, push), (core, bar, own_push)]: [(&RingLink, &RingBar, NumberId); 2],

@@ -1,4 +1,4 @@
-//! Writes the construction: what acts on each link, and the acts of polygons and moments.
+//! Writes the construction: the forces on each link, and the acts of polygons and moments.
 
 use super::joints::{Hinge, joints, reference};
 use super::{About, Answers, Gives, GroupForces, Moments, Part, Party, Side, Term, Undrawn};
@@ -13,7 +13,7 @@ use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::ROUNDING;
 use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
-/// A construction with its meaning.
+/// A construction with the meaning of its numbers.
 pub(super) struct Written {
     pub construction: Construction,
     pub groups: Vec<GroupForces>,
@@ -30,7 +30,7 @@ pub(super) struct Acting {
     pub couple: Option<NumberId>,
 }
 
-/// A force on a pin, of a link in equilibrium or of the cylinder that moves one.
+/// A force on a pin, from a link in equilibrium or from the cylinder that moves one.
 #[derive(Clone, Copy)]
 pub(super) struct OnPin {
     pub of: Party,
@@ -48,11 +48,12 @@ pub(super) struct Scribe<'a> {
     groups: Vec<GroupForces>,
     pub one: NumberId,
     pub plane: DiagramId,
-    /// The direction of the balancing force among what is given; the lines of action of the rolling pairs follow.
+    /// The key of the balancing force's direction among the givens; the lines of action of the
+    /// rolling pairs follow it.
     pub balance: Key,
-    /// The crossings of lines of action on the mechanism.
+    /// The number of crossings of lines of action on the mechanism.
     pub crossings: usize,
-    /// The largest load (N), a couple as its force at the size of the mechanism.
+    /// The largest load (N); a couple counts as its force at the size of the mechanism.
     pub largest: f64,
 }
 
@@ -82,7 +83,7 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
     let largest = largest.max(couples / at.extent());
     let mut scribe =
         Scribe { scene, m, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane, balance, crossings: 0, largest };
-    // Links for which nothing calls have no loads and press on nothing.
+    // Links that no question needs have no loads and press on nothing.
     let mut open: Vec<bool> = (0..scene.links.len()).map(|l| at.poses[l].is_some() || l == scene.ground.0).collect();
     let mut broken = vec![false; scene.links.len()];
     let mut undrawn = Vec::new();
@@ -112,7 +113,7 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
     Written { construction, groups, undrawn, answers, places }
 }
 
-/// True if two links press on each other anywhere.
+/// True if two links press on each other at any joint.
 fn touches(scene: &Scene, a: LinkId, b: LinkId) -> bool {
     let pins = scene.links[a.0].points.iter().any(|p| scene.links[b.0].points.contains(p));
     let on = |l: LinkId, g: &hodograph_scene::Guide| {
@@ -131,7 +132,7 @@ fn touches(scene: &Scene, a: LinkId, b: LinkId) -> bool {
     pins || guides || between_slots || rods || turned || scene.rolling.iter().any(|r| r.links.contains(&a) && r.links.contains(&b))
 }
 
-/// A polygon that is being drawn.
+/// A polygon under construction.
 pub(super) struct Polygon {
     pub diagram: DiagramId,
     pub last: MarkId,
@@ -149,7 +150,7 @@ impl Scribe<'_> {
         self.places[p.0].expect("a joint of a placed group is placed")
     }
 
-    /// The point from which the place of a guide's force counts.
+    /// Returns the reference point of a guide's force.
     pub fn reference(&self, guide: GuideId) -> Option<PointId> {
         reference(self.scene, guide, |p| self.places[p.0].is_some())
     }
@@ -177,12 +178,12 @@ impl Scribe<'_> {
         mark
     }
 
-    /// Lays a known force off from the last vertex.
+    /// Lays off a known force from the last vertex.
     fn lay(&mut self, p: &mut Polygon, (term, at): (Term, PointId), force: Base) {
         self.laid(p, (term, at), Direction::of(force), self.one);
     }
 
-    /// Lays a part of a force off: its direction, a unit vector, times its amount.
+    /// Lays off a part of a force: its direction, a unit vector, times its magnitude.
     pub fn laid(&mut self, p: &mut Polygon, (term, at): (Term, PointId), along: Direction, times: NumberId) {
         let to = self.vertex(p);
         let vector = self.c.vector(Vector { terms: Vec::new(), from: p.last, to });
@@ -191,7 +192,7 @@ impl Scribe<'_> {
         p.last = to;
     }
 
-    /// Lays all forces of a link off.
+    /// Lays off all forces on a link.
     pub fn lay_all(&mut self, p: &mut Polygon, acting: &[Acting]) {
         for a in acting {
             if let Some((force, at)) = a.force {
@@ -200,14 +201,14 @@ impl Scribe<'_> {
         }
     }
 
-    /// A line through a vertex.
+    /// Draws a line through a vertex.
     pub fn line(&mut self, p: &mut Polygon, through: MarkId, along: Direction) -> LineId {
         let line = self.c.line(Line { on: p.diagram, through, along, moved: false, carries: Vec::new() });
         p.ops.push(Op::Rule(line));
         line
     }
 
-    /// The crossing of two lines, a vertex.
+    /// Adds a vertex: the crossing of two lines.
     pub fn meet(&mut self, p: &mut Polygon, lines: [LineId; 2]) -> MarkId {
         let to = self.vertex(p);
         p.ops.push(Op::Meet { lines, to });
@@ -221,7 +222,7 @@ impl Scribe<'_> {
         vector
     }
 
-    /// An unknown side of the polygon, in its place in the equation: first or last.
+    /// Adds an unknown side of the polygon, at its place in the equation: first or last.
     pub fn side(&mut self, p: &mut Polygon, (term, at): (Term, PointId), [from, to]: [MarkId; 2], first: bool) {
         let vector = self.show(p, from, to);
         let side = Side { term, at, vector, known: false };
@@ -232,7 +233,7 @@ impl Scribe<'_> {
         }
     }
 
-    /// A reaction that is a diagonal.
+    /// Adds a reaction that is a diagonal.
     pub fn diagonal(&mut self, p: &mut Polygon, (term, at): (Term, PointId), [from, to]: [MarkId; 2]) {
         let vector = self.show(p, from, to);
         p.diagonals.push(Side { term, at, vector, known: false });
@@ -252,7 +253,7 @@ impl Scribe<'_> {
         id
     }
 
-    /// The moments of what acts on links about a point.
+    /// Returns the moments of the forces on links about a point.
     pub fn moments(&mut self, ops: &mut Vec<Op>, links: &[LinkId], acting: &[Acting], about: About, gives: Gives) -> Moments {
         let mut out = Moments { links: links.to_vec(), about, of: Vec::new(), couples: Vec::new(), gives, value: self.one };
         for a in acting {
@@ -270,14 +271,15 @@ impl Scribe<'_> {
         out
     }
 
-    /// The sum of moments, with the sign reversed; zero of none.
+    /// Returns the sum of moments, with the sign reversed; zero if there are none.
     pub fn balancing(&mut self, ops: &mut Vec<Op>, moments: &Moments) -> NumberId {
         let all: Vec<NumberId> = moments.of.iter().map(|m| m.2).chain(moments.couples.iter().map(|c| c.1)).collect();
         let sum = all.into_iter().reduce(|a, b| self.c.number(Number::Sum(a, b))).unwrap_or_else(|| self.c.number(Number::Plain(0)));
         self.number(ops, Number::Negative(sum))
     }
 
-    /// The amount of a force square to a bar, at its end, that balances moments about its beginning; none where nothing turns.
+    /// Returns the magnitude of a force square to a bar, at its end, that balances moments about
+    /// its beginning; `None` if there are no moments.
     pub fn across(&mut self, ops: &mut Vec<Op>, found: &mut Vec<Moments>, mut of: Moments, bar: Base) -> Option<NumberId> {
         if of.of.is_empty() && of.couples.is_empty() {
             return None;
@@ -290,7 +292,7 @@ impl Scribe<'_> {
         Some(value)
     }
 
-    /// The forces that links in equilibrium put on a pin, as loads of one link.
+    /// Returns the forces that links in equilibrium put on a pin, as loads of one link.
     pub fn pin_loads(&mut self, at: PointId, on: LinkId) -> Vec<Acting> {
         let of = |load: &OnPin| Acting {
             term: Term::Reaction { of: load.of, on, part: Part::Whole },
@@ -300,7 +302,8 @@ impl Scribe<'_> {
         self.at_pin[at.0].iter().map(of).collect()
     }
 
-    /// All that acts on a link: its loads, and what presses on its pins other than those at which it is held.
+    /// Returns all forces on a link: its loads, and the forces on its pins other than those at
+    /// which it is held.
     pub fn all_on(&mut self, link: LinkId, held: &[Hinge]) -> Vec<Acting> {
         let mut acting = self.acting[link.0].clone();
         for p in self.scene.links[link.0].points.clone() {
@@ -311,7 +314,7 @@ impl Scribe<'_> {
         acting
     }
 
-    /// Appends acts of the plane before the polygon as a step of their own.
+    /// Adds acts of the plane before the polygon as a separate step.
     pub fn on_plane(&mut self, ops: Vec<Op>) {
         if !ops.is_empty() {
             self.c.step(self.plane, None, ops);
@@ -326,7 +329,7 @@ impl Scribe<'_> {
     }
 }
 
-/// A unit vector square to a vector of the plane.
+/// Returns a unit vector square to a vector of the plane.
 pub(super) fn square_to(base: Base) -> Direction {
     Direction::across(base).unit()
 }

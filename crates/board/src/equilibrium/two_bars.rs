@@ -1,8 +1,11 @@
-//! Two links on a pivot each that two bars join (class IV).
+//! Two links, each on a pivot, that two bars join (class IV).
 //!
-//! The bars pass on forces along their lines, but for what their own loads add square to them. About the crossing S of the lines the forces along them have no moment: moments
-//! of each link about S give the part of its outer reaction square to the arm from S, and the polygon of the whole group crosses the other two parts, as in a dyad with its
-//! inner pin in S. The diagonal between the first link and the rest is what the bars put on it; their lines divide it.
+//! The bars transmit forces along their lines, and square to them only parts due to their own
+//! loads. The forces along the lines have no moment about the crossing S of the lines: moments of
+//! each link about S give the part of its outer reaction square to the arm from S, and the polygon
+//! of the whole group crosses the other two parts, as in a dyad with its inner pin in S. The
+//! diagonal between the first link and the rest is the force of the bars on it; it is resolved
+//! along their lines.
 
 use super::answers::reaction;
 use super::joints::{Hinge, Joints, Outer, Pair, turns_on};
@@ -20,7 +23,7 @@ struct Bar {
     pins: [Hinge; 2],
 }
 
-/// A bar with its loads and the forces square to it that the links put on it; none without loads.
+/// A bar with its loads and the forces of the links on it square to the bar; `None` without loads.
 struct Loaded {
     bar: Bar,
     loads: Vec<Acting>,
@@ -35,11 +38,12 @@ struct Joined {
     bars: [Bar; 2],
 }
 
-/// Lines that cross under less (sine) are parallel.
+/// The smallest sine of the angle at which two lines cross; below it they count as parallel.
 const PARALLEL: f64 = 1e-6;
 
 impl Scribe<'_> {
-    /// Writes the equilibrium of two links that two bars join; of parallel bars, or with a block for a bar, as a ring.
+    /// Writes the equilibrium of two links that two bars join; with parallel bars, or with a block
+    /// instead of a bar, as a ring.
     ///
     /// # Errors
     /// A group of another kind; a further group at one of their pins.
@@ -126,14 +130,15 @@ impl Scribe<'_> {
             }
             self.pinned(&mut p, pivot, group.links[k], whole);
         }
-        // The force of the bars on the first link runs from `between` to `x`: that of the first bar to `y`, that of the second from there on.
+        // The force of the bars on the first link runs from `between` to `x`: the force of the
+        // first bar to `y`, then the force of the second.
         let from = self.shifted(&mut p, between, &one, (group.links[0], false));
         let to = self.shifted(&mut p, x, &two, (group.links[0], true));
         let along = [&one, &two].map(|l| Direction::of(self.along(l, 0)));
         let lines = [self.line(&mut p, from, along[0]), self.line(&mut p, to, along[1])];
         let y = self.meet(&mut p, lines);
         self.bar_sides(&mut p, &one.bar, group.links, [y, between, after_one]);
-        // The loads of the second bar once more, behind the force of the first link on it.
+        // The loads of the second bar a second time, after the force of the first link on it.
         p.last = y;
         let sides = p.sides.len();
         self.lay_all(&mut p, &two.loads);
@@ -143,18 +148,18 @@ impl Scribe<'_> {
         self.finish(p, links, "IV");
     }
 
-    /// From the pin on the other link to that on one.
+    /// Returns the arm to one pin of the bar from the other.
     fn along(&self, l: &Loaded, k: usize) -> Base {
         Base::Arm { from: self.mark(l.bar.pins[1 - k].at), to: self.mark(l.bar.pins[k].at), known: false }
     }
 
-    /// The force of a link on a bar, or that of the bar on the link, square to the bar.
+    /// Returns the force of a link on a bar, or of the bar on the link, square to the bar.
     fn square_term(l: &Loaded, link: LinkId, on_bar: bool) -> Term {
         let (of, on) = if on_bar { (link, l.bar.link) } else { (l.bar.link, link) };
         Term::Reaction { of: Party::Link(of), on, part: Part::Tangential }
     }
 
-    /// A bar with its loads: the forces square to it by moments about its pins.
+    /// Returns a bar with its loads; the forces square to it follow by moments about its pins.
     fn loaded_bar(&mut self, ops: &mut Vec<Op>, found: &mut Vec<Moments>, bar: Bar, links: [LinkId; 2]) -> Loaded {
         let loads = self.all_on(bar.link, &bar.pins);
         let mut l = Loaded { bar, loads, across: [None, None] };
@@ -167,7 +172,8 @@ impl Scribe<'_> {
         l
     }
 
-    /// The part of a link's outer reaction square to its arm from the crossing of the bars, by moments about it.
+    /// Returns the part of a link's outer reaction square to its arm from the crossing of the bars,
+    /// by moments about the crossing.
     fn square_to_arm(
         &mut self,
         ops: &mut Vec<Op>,
@@ -183,7 +189,8 @@ impl Scribe<'_> {
         let mut moments = self.moments(ops, &[link], own, About::Crossing { at: crossing, of: axial }, gives);
         for l in bars {
             let (Some(value), pin) = (l.across[k], l.bar.pins[k]) else { continue };
-            // A unit force square to the bar turns by the part of its arm along the bar; the bar presses the other way.
+            // The arm of a unit force square to the bar is the component of the connecting vector
+            // along the bar; the bar presses in the opposite sense.
             let arm = self.number(ops, Number::Along(crossing, self.mark(pin.at), Direction::of(self.along(l, k))));
             let turned = self.number(ops, Number::Product(value, arm));
             moments.of.push((Self::square_term(l, link, false), pin.at, self.number(ops, Number::Negative(turned))));
@@ -198,7 +205,8 @@ impl Scribe<'_> {
         }
     }
 
-    /// The end of the force square to a bar between it and the first link, laid off from a vertex: that on the bar, or that on the link.
+    /// Returns the end of the force between a bar and the first link square to the bar, on the bar
+    /// or on the link, laid off from a vertex.
     fn shifted(&mut self, p: &mut Polygon, from: MarkId, l: &Loaded, (link, on_bar): (LinkId, bool)) -> MarkId {
         let Some(value) = l.across[0] else { return from };
         let times = if on_bar { value } else { self.number(&mut p.ops, Number::Negative(value)) };
@@ -209,7 +217,8 @@ impl Scribe<'_> {
         std::mem::replace(&mut p.last, last)
     }
 
-    /// The forces at both pins of a bar: that of the first link on it runs between the first two vertices, its loads from the second to the third.
+    /// Adds the forces at both pins of a bar: the force of the first link on it runs between the
+    /// first two vertices, its loads from the second to the third.
     fn bar_sides(&mut self, p: &mut Polygon, bar: &Bar, links: [LinkId; 2], [a, b, c]: [MarkId; 3]) {
         for (k, [from, to]) in [(0, [a, b]), (1, [c, a])] {
             self.inner_side(p, bar.pins[k], [bar.link, links[k]], [from, to]);

@@ -1,8 +1,10 @@
-//! What is read between two images: which vector a question means on paper, and what has to be drawn for it.
+//! Readings between two images: the vector on paper that a question means, and the lines that must
+//! be drawn for it.
 //!
-//! A reading is an edge of the drawing or the distance of two of its marks. Most of what is asked stands in an equation; what does not
-//! (v_EA of two points that no chain joins, aⁿ of points found by an image, aʳ where its edge is merged with another) is drawn between
-//! the two images afterwards ([`Between`]), and so is aᵗ where a turning is measured from it.
+//! A reading is an edge of the drawing or the distance of two of its marks. Most questions ask for
+//! a term of an equation. The other vectors are drawn between their two images afterwards
+//! ([`Between`]): v_EA of two points that no chain joins, aⁿ of points found by an image, aʳ if its
+//! edge is merged with another, and aᵗ if an angular acceleration is measured from it.
 
 use super::build::{Builder, slot};
 use super::{Between, Body, By, GroupSteps, Plan, Rate, Spot, Stage, Step, Term, TermKind, Vertex, VertexId, canonical};
@@ -10,37 +12,39 @@ use hodograph_mechanism::mechanism::{Joined, Level, Mechanism, Need, Passive, St
 use hodograph_scene::quantity::{Frame, Meaning, Seen, Split};
 use hodograph_scene::{Asked, DiagramKind, GuidePath, LinkId, OnLink, PointId, Scene};
 
-/// What a question of motion means on paper.
+/// The vector on paper that a question of motion means.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Asking {
     /// The vector from the pole to an image; `reversed`: from the image to the pole.
     Vector {
-        /// Whose image.
+        /// The vertex of the image.
         of: VertexId,
-        /// Whether a fixed point is seen from it.
+        /// True if the vector belongs to a fixed point, relative to this vertex.
         reversed: bool,
     },
     /// One edge, or consecutive ones, of these terms.
     Terms(Vec<Term>),
 }
 
-/// What a question means on a plan's paper; `None` for turnings and positions, and for points that the plan does not have.
+/// Returns the vector on a plan's paper that a question means; `None` for angular quantities and
+/// positions, and for points that the plan does not have.
 pub fn asking(scene: &Scene, m: &Mechanism, plan: &Plan, what: &Asked) -> Option<Asking> {
     asking_of(scene, m, &plan.vertices, what)
 }
 
-/// The vertex of a point (of a link).
+/// Returns the vertex of a point (of a link).
 pub(super) fn find_vertex(vertices: &[Vertex], scene: &Scene, p: PointId, on: Option<LinkId>) -> Option<VertexId> {
     let on = canonical(scene, p, on);
     vertices.iter().position(|v| v.spot == Spot::Point(p) && v.on == on).map(VertexId)
 }
 
-/// The body with which a link turns.
+/// Returns the body with which a link turns.
 pub(crate) fn body_of(scene: &Scene, m: &Mechanism, l: LinkId) -> Body {
     match m.passive[l.0] {
         Some(Passive::Cylinder(d)) => Body::Cylinder(d),
-        // A block on the ground turns as little as that does, and is not called by its number.
+        // A block on the ground never turns, like the ground itself, but is not called by the
+        // ground's number.
         Some(Passive::Block(_) | Passive::Held(..)) | None if m.never_turns[l.0] => Body::Link(l),
         Some(Passive::Block(_) | Passive::Held(..)) | None => Body::Link(m.turns_as(scene, l)),
     }
@@ -81,7 +85,7 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
         }
         Meaning::Relative(Split::Sliding, a, b) => match (joined(scene, &a, &b)?, level) {
             (Joined::Guide(g), Level::Position | Level::Velocity) => terms(&a, &b, &[Slide], guide(g)),
-            // What is driven at a constant rate has no acceleration along its way.
+            // A slide driven at a constant rate has no acceleration along its path.
             (Joined::Guide(g), Level::Acceleration) => match (arc(g), even(g)) {
                 (true, true) => terms(&a, &b, &[SlideNormal], guide(g)),
                 (true, false) => terms(&a, &b, &[SlideNormal, Slide], guide(g)),
@@ -122,7 +126,8 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
             let (seat, by) = (frame.transport_point(a), By::Frame { body, about });
             match (seen, body, about) {
                 (Seen::Relative, _, Some(_)) => terms(&a, &seat, &[SlideNormal, Slide], by),
-                // A frame that only translates adds nothing to what the one point does against the other.
+                // In a translating frame, the relative motion is that of one point relative to the
+                // other.
                 (Seen::Relative, None, None) => terms(&a, &seat, &[Relative], By::Apart),
                 (Seen::Relative, Some(_), None) => terms(&a, &seat, &[Slide], by),
                 (Seen::Coriolis, Some(_), _) => terms(&a, &seat, &[Coriolis], by),
@@ -138,7 +143,8 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
 }
 
 impl Term {
-    /// Whether two terms are one vector, or opposite ones: `Some(true)` where their points are exchanged. Who gives a sliding does not matter.
+    /// Returns `Some(false)` if two terms are the same vector, `Some(true)` if they are opposite,
+    /// with their points exchanged. The driver of a sliding does not matter.
     pub fn is_same(&self, other: &Term) -> Option<bool> {
         let by = match (self.by, other.by) {
             (By::Guide { guide: g, .. }, By::Guide { guide: h, .. }) => g == h,
@@ -153,7 +159,7 @@ impl Term {
     }
 }
 
-/// Whether a row of drawn terms holds these, one after another.
+/// True if a row of drawn terms contains these terms, one after another.
 fn holds(drawn: &[Term], wanted: &[Term]) -> bool {
     drawn.windows(wanted.len()).any(|w| {
         let same: Vec<Option<bool>> = w.iter().zip(wanted).map(|(t, u)| t.is_same(u)).collect();
@@ -161,7 +167,8 @@ fn holds(drawn: &[Term], wanted: &[Term]) -> bool {
     })
 }
 
-/// The edges that a step draws, chain by chain: unknown terms along one line are one edge together, and none by itself.
+/// Returns the edges that a step draws, chain by chain: several unknown terms along one line are a
+/// single edge, and none of them is an edge by itself.
 fn rows(step: &Step) -> impl Iterator<Item = Vec<Term>> + '_ {
     step.chains().iter().map(|c| {
         let alone = if c.unknown.len() == 1 { &c.unknown[..] } else { &[] };
@@ -169,7 +176,7 @@ fn rows(step: &Step) -> impl Iterator<Item = Vec<Term>> + '_ {
     })
 }
 
-/// The point whose acceleration a question asks in parts.
+/// Returns the point if a question asks for a part of its acceleration.
 fn parts_of(scene: &Scene, what: &Asked) -> Option<Need> {
     match what.meaning(scene)? {
         Meaning::Relative(Split::Along | Split::Across, a, _) => Some(Need::Point(a.point, a.link)),
@@ -183,14 +190,15 @@ fn parts_of(scene: &Scene, what: &Asked) -> Option<Need> {
 }
 
 impl Builder<'_> {
-    /// Among the points asked for behind a group, those of which the parts are asked come first: an equation from a known point shows them,
-    /// an image does not.
+    /// Moves points with wanted parts to the front of the points found after a group: an equation
+    /// from a known point shows the parts, an image does not.
     pub(super) fn parts_first(&mut self) {
         let parts: Vec<Need> = self.scene.find.iter().flat_map(|f| parts_of(self.scene, &f.what)).collect();
         self.due.iter_mut().for_each(|due| due.sort_by_key(|(need, _)| !parts.contains(need)));
     }
 
-    /// Writes what is drawn between images at a level: for turnings that are measured from a part, and for questions.
+    /// Writes the vectors drawn between images at a level: for angular quantities measured from a
+    /// part, and for questions.
     pub(super) fn draw_between(&mut self, level: Level) {
         let measured: Vec<(usize, Body, VertexId, VertexId)> = self
             .list(level)
@@ -205,7 +213,8 @@ impl Builder<'_> {
         for (group, body, of, to) in measured {
             let kind = match (level, body) {
                 (Level::Acceleration, _) => TermKind::Tangential,
-                // The line of a cylinder turns by the part square to it; that of a link by the whole.
+                // The angular velocity of a cylinder's line follows from the part square to it;
+                // that of a link from the whole vector.
                 (_, Body::Cylinder(_)) => TermKind::Relative,
                 (_, Body::Link(_)) => continue,
             };
@@ -214,7 +223,7 @@ impl Builder<'_> {
         let scene = self.scene;
         for find in scene.find.iter().filter(|f| f.what.level() == level) {
             for p in find.what.points(scene) {
-                // A fixed point may not have been met yet.
+                // A fixed point may not have a vertex yet.
                 if p.link.map_or_else(|| scene.links[scene.ground.0].points.contains(&p.point), |l| l == scene.ground) {
                     self.vertex_of(&p);
                 }
@@ -239,7 +248,7 @@ impl Builder<'_> {
         &mut self.stages[stage].groups
     }
 
-    /// Draws terms between their two images behind a group, unless an edge shows them already.
+    /// Draws terms between their two images after a group, unless an edge shows them already.
     fn between(&mut self, level: Level, group: usize, terms: &[Term]) {
         let Term { of, to, .. } = terms[0];
         let drawn = |g: &GroupSteps| {
@@ -296,7 +305,7 @@ impl Builder<'_> {
         Some(Between::LayOff { known: chain.known, rest: chain.unknown })
     }
 
-    /// Whether a vertex has its image at a level.
+    /// True if a vertex has its image at a level.
     pub(super) fn is_known(&self, level: Level, v: VertexId) -> bool {
         self.vertices[v.0].fixed || self.known[slot(level)].contains(&v)
     }

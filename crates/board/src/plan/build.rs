@@ -1,4 +1,5 @@
-//! Writes the equations of all groups in solving order, those of velocities before those of accelerations.
+//! Writes the equations of all groups in solving order, those of velocities before those of
+//! accelerations.
 
 use super::between::body_of;
 use super::names::small_letters;
@@ -7,24 +8,25 @@ use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use hodograph_scene::{Guide, GuideId, LinkId, PointId, Scene};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-/// The choices by which the groups of a scene are drawn in a pose.
+/// The choices for drawing the groups of a scene in a pose.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Ways {
-    /// Groups that cannot be drawn: they, and those that rest on them, count as undrawable.
+    /// Groups that cannot be drawn: they, and the groups that depend on them, count as undrawable.
     pub left_out: Vec<usize>,
-    /// For groups of higher class the way that draws them, where it is not the first of [`Plan`]'s order: special points, common points of two links, then
-    /// trial polygons, each with another rate that is tried or another bar that is left out.
+    /// The way of drawing for groups of higher class, if it is not the first in the order of
+    /// [`Plan`]: special points, common points of two links, then trial polygons, each with a
+    /// different assumed rate or a different removed bar.
     pub way: BTreeMap<usize, usize>,
 }
 
-/// The plan of a scene's demand.
+/// Returns the plan of a scene's demand.
 ///
-/// Needs no positions: the same topology with other lengths gives the same plan.
+/// It needs no positions: the same topology with other lengths gives the same plan.
 pub fn plan(scene: &Scene, m: &Mechanism, demand: &Demand) -> Plan {
     plan_with(scene, m, demand, &Ways::default())
 }
 
-/// The plan with the ways that a pose calls for.
+/// Returns the plan with the ways that a pose requires.
 pub fn plan_with(scene: &Scene, m: &Mechanism, demand: &Demand, ways: &Ways) -> Plan {
     let mut b = Builder {
         scene,
@@ -48,7 +50,8 @@ pub fn plan_with(scene: &Scene, m: &Mechanism, demand: &Demand, ways: &Ways) -> 
             b.walk(level);
         }
     }
-    // From the last level down: what accelerations lay off may need a turning of the velocity level.
+    // From the last level down: the acceleration terms may need an angular velocity of the velocity
+    // level.
     for level in Level::RATES.into_iter().rev() {
         b.draw_between(level);
     }
@@ -75,17 +78,17 @@ pub(super) struct Builder<'a> {
     pub(super) vertices: Vec<Vertex>,
     specials: Vec<Special>,
     pub(super) stages: Vec<Stage>,
-    /// Where each vertex stands in the list.
+    /// The index of each vertex in the list.
     interned: HashMap<(Spot, Option<LinkId>), VertexId>,
-    /// Known vertices at each level.
+    /// The known vertices at each level.
     pub(super) known: [HashSet<VertexId>; 2],
-    /// How each body's turning can be found at each level, once its group is done.
+    /// The source of each body's angular quantity at each level, once its group is done.
     pub(super) sources: [Vec<(Body, Rate)>; 2],
-    /// Steps of the group being written.
+    /// The steps of the group in progress.
     pub(super) pending: Vec<Step>,
     undrawable: Vec<usize>,
     pub(super) way: &'a BTreeMap<usize, usize>,
-    /// For each group the things asked for that can be told once it is done, with their level.
+    /// For each group, the demands that can be answered once it is done, with their level.
     pub(super) due: Vec<Vec<(Need, Level)>>,
 }
 
@@ -97,7 +100,7 @@ pub(super) fn slot(level: Level) -> usize {
 }
 
 impl Builder<'_> {
-    /// Runs an attempt at writing steps; where it finds no way, nothing that it wrote remains.
+    /// Attempts to write steps; if the attempt fails, everything that it wrote is discarded.
     pub(super) fn attempt<T>(&mut self, write: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         let (vertices, specials) = (self.vertices.len(), self.specials.len());
         let (stages, known, sources, pending) = (self.stages.clone(), self.known.clone(), self.sources.clone(), self.pending.clone());
@@ -130,7 +133,7 @@ impl Builder<'_> {
         id
     }
 
-    /// The vertex of a trial that stands for another.
+    /// Returns the vertex of a trial that represents another vertex.
     pub(super) fn tried(&mut self, v: VertexId, trial: Trial) -> VertexId {
         let vertex = Vertex { fixed: false, trial: Some(trial), ..self.vertices[v.0] };
         let known = self.vertices.iter().position(|own| *own == vertex);
@@ -140,7 +143,8 @@ impl Builder<'_> {
         }))
     }
 
-    /// A pin gets a number when a moving link has a point of its own at the same place.
+    /// Returns the number of a pin: a pin has one if a moving link has a separate point at the same
+    /// place.
     fn number_of_pin(&self, p: PointId) -> Option<LinkId> {
         let runs = |(i, g): &(usize, &Guide)| g.pin == Some(p) && g.on != self.scene.ground && self.m.guide_holds(g, GuideId(*i));
         let guides: Vec<_> = self.scene.guides.iter().enumerate().filter(runs).map(|(_, g)| g).collect();
@@ -150,7 +154,7 @@ impl Builder<'_> {
         guides.iter().find_map(|g| g.slider).or_else(|| self.scene.carriers(p).find(|l| !self.m.is_passive(*l)))
     }
 
-    /// The vertex of a special point: the same at both levels.
+    /// Returns the vertex of a special point, the same at both levels.
     pub(super) fn special(&mut self, special: Special) -> VertexId {
         let known = self.specials.iter().position(|s| *s == special);
         let index = known.unwrap_or_else(|| {
@@ -160,17 +164,17 @@ impl Builder<'_> {
         self.intern(Spot::Special(index), None)
     }
 
-    /// The vertex of a pin, or of a point that belongs to one link.
+    /// Returns the vertex of a pin, or of a point that belongs to one link.
     pub(super) fn pin(&mut self, p: PointId) -> VertexId {
         self.intern(Spot::Point(p), None)
     }
 
-    /// The point of link `l` that lies at `p`.
+    /// Returns the point of link `l` at the place of `p`.
     pub(super) fn coincident(&mut self, p: PointId, l: LinkId) -> VertexId {
         self.intern(Spot::Point(p), canonical(self.scene, p, Some(l)))
     }
 
-    /// The point of link `l` at the place of another vertex.
+    /// Returns the point of link `l` at the place of another vertex.
     pub(super) fn on_link(&mut self, v: VertexId, l: LinkId) -> VertexId {
         match self.vertices[v.0].spot {
             Spot::Point(p) => self.coincident(p, l),
@@ -184,7 +188,8 @@ impl Builder<'_> {
         }
     }
 
-    /// The first two known points of a link at a level: its own points come first, then coincident ones. No construction needs more.
+    /// Returns the first two known points of a link at a level: the link's own points first, then
+    /// coincident ones. No construction needs more.
     fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
         let own = self.scene.links[l.0].points.iter().filter(|p| !self.m.is_opened(&Opened::Pin(**p, l)));
         let carried = own.filter_map(|p| self.interned.get(&(Spot::Point(*p), None)).copied());
@@ -192,7 +197,7 @@ impl Builder<'_> {
         carried.chain(coincident).filter(|v| self.is_known(level, *v)).take(2).collect()
     }
 
-    /// Whether α of a body vanishes for topological reasons.
+    /// True if α of a body vanishes for topological reasons.
     pub(super) fn alpha_is_zero(&self, body: Body) -> bool {
         let Body::Link(l) = body else { return false };
         if self.m.never_turns[l.0] {
@@ -207,12 +212,13 @@ impl Builder<'_> {
         }
     }
 
-    /// Asks for ω of a body, for the terms of the acceleration level.
+    /// Requests ω of a body, for the terms of the acceleration level.
     pub(super) fn need_rate(&mut self, body: Body) {
         self.need_rate_at(Level::Velocity, body);
     }
 
-    /// Asks for the turning of a body at a level: the step is written behind the group that gave it.
+    /// Requests the angular quantity of a body at a level: the step is written after the group that
+    /// gives it.
     pub(super) fn need_rate_at(&mut self, level: Level, body: Body) {
         let source = if let Body::Link(l) = body
             && self.m.never_turns[l.0]
@@ -228,7 +234,8 @@ impl Builder<'_> {
             Rate::Measured { .. } | Rate::Given { .. } | Rate::Zero => {}
         }
         let group = match body {
-            // What only follows has no group: its turning is read off after those of its pins and of the link that carries it.
+            // A passive link has no group: its angular quantity is read after those of its pins and
+            // of the link that carries it.
             Body::Link(l) if self.m.passive[l.0].is_some() => {
                 let nodes = hodograph_mechanism::mechanism::nodes_of(self.scene, self.m, Need::Turning(l));
                 nodes.into_iter().filter_map(|n| self.m.group_of(n)).max()
@@ -240,7 +247,8 @@ impl Builder<'_> {
             }
         };
         let list = self.list(level);
-        // The group under way has its entry already; rates without a group (ground) belong to the first.
+        // The group in progress already has its entry; rates without a group (ground) belong to the
+        // first.
         let entry = match group {
             Some(g) => list.iter_mut().find(|s| s.group == g),
             None => list.first_mut(),
@@ -252,7 +260,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Whether a body's turning can be told from what is known by now.
+    /// True if a body's angular quantity follows from what is known so far.
     fn turning_is_known(&self, level: Level, body: Body) -> bool {
         match self.sources[slot(level)].iter().find(|(b, _)| *b == body) {
             Some((_, Rate::Measured { of, to })) => self.is_known(level, *of) && self.is_known(level, *to),
@@ -268,7 +276,8 @@ impl Builder<'_> {
         }
     }
 
-    /// Makes a vertex of a known link known: by image, by translation, or by its turning.
+    /// Finds a vertex of a known link: by an image, by translation, or by the link's angular
+    /// quantity.
     pub(super) fn ensure(&mut self, level: Level, v: VertexId) {
         if self.is_known(level, v) {
             return;
@@ -277,7 +286,8 @@ impl Builder<'_> {
         let link = match (vertex.on, vertex.spot) {
             (Some(l), _) => l,
             (None, Spot::Point(p)) => {
-                // Two known points serve an image; one serves if the link's turning is known without this point.
+                // Two known points suffice for an image; one suffices if the link's angular
+                // quantity is known without this point.
                 let serves = |l: &LinkId| match self.known_on(level, *l).len() {
                     0 => 0,
                     1 => usize::from(self.turning_is_known(level, self.body(*l))),
@@ -292,7 +302,7 @@ impl Builder<'_> {
             (None, Spot::Special(_)) => return,
         };
         for p in self.scene.links[link.0].points.clone() {
-            // Fixed pivots are known without ever having been asked for.
+            // Fixed pivots are known without a request.
             if self.scene.links[self.scene.ground.0].points.contains(&p) {
                 self.pin(p);
             }
@@ -351,13 +361,13 @@ impl Builder<'_> {
         }
     }
 
-    /// The body with which a link turns.
+    /// Returns the body with which a link turns.
     fn body(&self, l: LinkId) -> Body {
         body_of(self.scene, self.m, l)
     }
 
-    /// A block on a curved guide turns as a bar from the centre of curvature to its pin would, and a link that only repeats what others
-    /// fix with two of its pins: that is its source.
+    /// Adds the source of a passive link's angular quantity: a block on a curved guide turns like a
+    /// bar from the centre of curvature to its pin; a redundant link turns with its two pins.
     fn source_of_follower(&mut self, level: Level, l: LinkId) {
         let (of, to) = if let Some((pin, centre, on)) = self.m.curved_block(self.scene, l) {
             (self.pin(pin), self.coincident(centre, on))
@@ -371,13 +381,14 @@ impl Builder<'_> {
         self.source(level, Body::Link(l), Rate::Measured { of, to });
     }
 
-    /// Gives each thing asked for to the last group that it needs.
+    /// Assigns each demand to the last group that it needs.
     fn assign_needs(&mut self) {
         for (need, level) in &self.demand.needs {
             let nodes = hodograph_mechanism::mechanism::nodes_of(self.scene, self.m, *need);
             if let Some(g) = nodes.into_iter().filter_map(|n| self.m.group_of(n)).max() {
                 self.due[g].push((*need, *level));
-                // A point of a block on a curved guide other than its pin is found by the block's turning, whose ω its acceleration needs.
+                // A point of a block on a curved guide, other than its pin, is found by the block's
+                // rotation: its acceleration needs the block's ω.
                 if let (Need::Point(p, on), Level::Acceleration) = (*need, *level)
                     && let Some(l) = canonical(self.scene, p, on)
                     && self.m.curved_block(self.scene, l).is_some_and(|(pin, ..)| pin != p)
@@ -388,7 +399,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Points and angular rates of this group that are asked for.
+    /// Finds the wanted points and angular quantities of this group.
     fn answer_needs(&mut self, level: Level, g: usize) {
         for i in 0..self.due[g].len() {
             let (need, wanted) = self.due[g][i];
@@ -405,7 +416,7 @@ impl Builder<'_> {
                     self.source_of_follower(level, l);
                     self.need_rate_at(level, body);
                 }
-                // They are no part of a velocity or acceleration polygon.
+                // Forces are not part of a velocity or acceleration polygon.
                 Need::Forces => {}
             }
         }

@@ -1,11 +1,15 @@
 //! Two unknown links that two legs join: their common point.
 //!
-//! Each leg, a bar or a slot, allows relative motion square to its line alone; so the crossing S of the two lines is the relative instant centre of the links, and v_S is the
-//! same on both. With the known pins of the links it is the crossing of two loci. Of accelerations α of the first link is taken as 0 in a trial: from its point at S both legs
-//! lead to the point of the other link at S, with all that is unknown square to their lines. The true α moves that point square to the arm of S on the first link.
+//! Each leg, a bar or a slot, allows relative motion square to its line only. The crossing S of the
+//! two lines is therefore the relative instant centre of the links, and v_S is the same on both.
+//! With the known pins of the links it is the crossing of two loci. For accelerations, α of the
+//! first link is assumed as 0 in a trial: from the point of the first link at S both legs lead to
+//! the point of the other link at S, with all unknowns square to their lines. The true α moves that
+//! point square to the arm of S on the first link.
 //!
 //! # Source
-//! Assur points: N. Rosenauer, A. H. Willis, *Kinematics of Mechanisms* (1953); the difference of the accelerations at S follows from the equations of the two legs.
+//! Assur points: N. Rosenauer, A. H. Willis, *Kinematics of Mechanisms* (1953); the difference of
+//! the accelerations at S follows from the equations of the two legs.
 
 use super::build::Builder;
 use super::reduce::Member;
@@ -38,7 +42,7 @@ impl Joining {
 }
 
 impl Builder<'_> {
-    /// The steps of a group by the common point of two links.
+    /// Returns the steps of a group by the common point of two links.
     pub(super) fn by_common_point(&mut self, level: Level, g: usize, members: &[Member], common: &Common) -> Option<Vec<Step>> {
         let [first, second] = common.links;
         let links = common.links.map(|k| members[k].link);
@@ -75,7 +79,8 @@ impl Builder<'_> {
         Some(std::mem::take(&mut self.pending))
     }
 
-    /// The chain along a leg, from the point of one link at S to that of the other, while the first does not turn faster or slower.
+    /// Returns the chain along a leg, from the point of one link at S to the point of the other, if
+    /// the first link has no angular acceleration.
     fn along_leg(&mut self, level: Level, leg: Joining, links: [LinkId; 2], [from, to]: [VertexId; 2]) -> Chain {
         let ends = match leg {
             Joining::Bar { pins, .. } => pins.map(|p| self.pin(p)),
@@ -94,10 +99,10 @@ impl Builder<'_> {
     }
 }
 
-/// The trial in which the first link has no angular acceleration.
+/// The trial without angular acceleration of the first link.
 const FIRST: Trial = Trial { run: 1, mate: false };
 
-/// Pairs of links with a known pin each that two legs join.
+/// Returns the pairs of links with a known pin each that two legs join.
 pub(super) fn commons(members: &[Member]) -> Vec<Common> {
     let hinged: Vec<usize> = (0..members.len()).filter(|k| members[*k].is_hinged()).collect();
     let pairs = hinged.iter().enumerate().flat_map(|(n, &i)| hinged[n + 1..].iter().map(move |&j| [i, j]));

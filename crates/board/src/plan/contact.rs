@@ -1,4 +1,5 @@
-//! Words of a contact: along which line its two points differ, and by how much.
+//! Texts for a contact: the line along which its two points differ, and the magnitude of the
+//! difference.
 
 use super::Term;
 use super::names::{name_label, point_label};
@@ -6,7 +7,7 @@ use super::text::Writer;
 use hodograph_scene::{Normal, RollingId, Touch};
 
 impl Writer<'_> {
-    /// The normal at a contact: the line of centres, or square to a straight track.
+    /// Returns the normal at a contact: the line of centres, or the normal of a straight track.
     pub(super) fn normal_line(&self, pair: RollingId) -> String {
         let pair = &self.scene.rolling[pair.0];
         let p = |q: hodograph_scene::PointId| point_label(self.scene.point_name(q));
@@ -17,8 +18,9 @@ impl Writer<'_> {
         }
     }
 
-    /// The way along the normal at a contact on which Ω²δ lies of a point against the other: to the centre of its own contour, of a hollow or a straight
-    /// one away from the centre of the other.
+    /// Returns the sense along the normal of Ω²δ of a point relative to the other: toward the
+    /// centre of its own contour; for a hollow or straight contour, away from the centre of the
+    /// other.
     pub(super) fn toward_centre(&self, pair: RollingId, t: &Term) -> String {
         let rolling = &self.scene.rolling[pair.0];
         let own = usize::from(self.plan.vertex(t.of).on == Some(rolling.links[1]));
@@ -34,7 +36,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Ω²δ at a contact, by the radii of both links.
+    /// Returns Ω²δ at a contact, with the radii of both links.
     pub(super) fn of_contact(&self, pair: RollingId) -> String {
         let rolling = &self.scene.rolling[pair.0];
         let [a, b] = rolling.links.map(|l| name_label(self.scene.link_name(l)));
@@ -49,7 +51,8 @@ impl Writer<'_> {
                 format!("{omega} r_{{{a}}} r_{{{b}}}/({sum})")
             }
             Touch::Point(Normal::Square { .. }) => format!("{omega} r_{{{b}}}"),
-            // Two wheels in a belt have no such term: what their rims differ by is never known beforehand.
+            // Two wheels in a belt have no such term: the difference across the strand is never
+            // known beforehand.
             Touch::Strand { .. } => String::new(),
         }
     }

@@ -1,10 +1,10 @@
-//! Which effects a plan considers, whether each is in or out, and why.
+//! The effects that a plan considers: whether each counts, and the reason.
 
 use super::{By, Effect, Plan, Reason, Step, TermKind};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_scene::{DiagramKind, GuideId, Scene};
 
-/// What was considered, and why it is in or out.
+/// Returns the effects considered, each with true if it counts, and the reason.
 pub(super) fn considered(scene: &Scene, m: &Mechanism, demand: &Demand, plan: &Plan) -> Vec<(Effect, bool, Reason)> {
     let mut out = Vec::new();
     for (effect, level) in [(Effect::Velocities, Level::Velocity), (Effect::Accelerations, Level::Acceleration)] {

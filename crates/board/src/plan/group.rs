@@ -1,4 +1,4 @@
-//! The equations of one group, by what its core is.
+//! The equations of one group, by the kind of its core.
 
 use super::build::{Builder, slot};
 use super::common::{Common, commons};
@@ -19,7 +19,8 @@ enum Way<'a> {
 }
 
 impl Builder<'_> {
-    /// The alternatives of one group; leaves its results known. `None` where it is not drawn.
+    /// Returns the alternatives of one group and marks its results as known. `None` if it is not
+    /// drawn.
     pub(super) fn group(&mut self, level: Level, g: usize) -> Option<Vec<Vec<Step>>> {
         Some(match self.m.groups[g].core.clone() {
             Core::Pin { pin, legs } => {
@@ -31,7 +32,9 @@ impl Builder<'_> {
         })
     }
 
-    /// The steps of a group without a core: by special points, by the common point of two links, by trial polygons; where the pose asks for a later way, by that or the next one that opens it.
+    /// Returns the steps of a group without a core: by special points, by the common point of two
+    /// links, or by trial polygons. If the pose requires a later way, that one or the next one that
+    /// succeeds is taken.
     fn higher(&mut self, level: Level, g: usize) -> Option<Vec<Step>> {
         let members = members(self.scene, self.m, g)?;
         let (commons, choices) = (commons(&members), choices(&members));
@@ -50,7 +53,7 @@ impl Builder<'_> {
         let target = self.pin(pin);
         let holds = Entry::of(legs).holds;
         if holds.is_empty() {
-            // The pin is carried by a known link.
+            // A known link carries the pin.
             return self.ensure(level, target);
         }
         let chains: Vec<Chain> = holds.iter().map(|h| self.chain(level, None, h, None)).collect();
@@ -61,7 +64,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Why the equation of a pin is written as it is.
+    /// Returns the method of a pin's equation.
     fn method_of_pin(&self, holds: &[Hold]) -> Method {
         let method = |hold: &Hold| match *hold {
             Hold::Guide { driver: Some(_), .. } => Method::Driven,
@@ -80,7 +83,8 @@ impl Builder<'_> {
     }
 
     pub(super) fn equation(&mut self, level: Level, target: VertexId, chains: Vec<Chain>, method: Method) {
-        // The chain that starts in the pole comes first: its terms stand on the left of the equals sign.
+        // The chain that starts in the pole comes first: its terms are on the left of the equals
+        // sign.
         let mut chains = chains;
         if chains.len() == 2 && !self.vertices[chains[0].start.0].fixed && self.vertices[chains[1].start.0].fixed {
             chains.swap(0, 1);
@@ -91,14 +95,14 @@ impl Builder<'_> {
         }
     }
 
-    /// What a strut turns with, once both its ends are known.
+    /// Adds the source of a strut's angular quantity, for known ends.
     pub(super) fn sources_of(&mut self, level: Level, hold: &Hold) {
         let Hold::Distance { near, far, strut } = *hold else { return };
         let (body, of) = match strut {
             Strut::Bar(link) => (Body::Link(link), self.pin(near)),
             Strut::Cylinder(driver) => (Body::Cylinder(driver), self.pin(near)),
-            // The carried point under the runner. The Coriolis term of the sliding needs the link's ω at the acceleration level; it is
-            // measured at the velocity level from this very point.
+            // The carried point under the runner. The Coriolis term of the sliding needs the link's
+            // ω at the acceleration level; ω is measured at the velocity level from this point.
             Strut::Ram { link, .. } => (Body::Link(link), self.coincident(near, link)),
         };
         let to = self.pin(far);
@@ -123,7 +127,7 @@ impl Builder<'_> {
             self.source(level, body, rate);
         }
         match (pivot, angle, &holds[..]) {
-            // A crank, or a lever locked to a known link: its points follow when they are needed.
+            // A crank, or a lever locked to a known link: its points follow on request.
             (Some(_), Some(_), _) => {}
             (Some(pin), None, [hold]) => {
                 let pivot = self.pin(pin);
@@ -145,7 +149,7 @@ impl Builder<'_> {
             (None, Some(_), [a, b]) if [a, b].into_iter().any(|h| self.rolled(level, link, h).is_some()) => {
                 let target = [a, b].into_iter().find_map(|h| self.near(link, h)).expect("a contact is a point of the link");
                 for hold in [a, b] {
-                    // Its points on known links: the accelerations need what slides there.
+                    // Adds the points on known links: the accelerations need the sliding there.
                     let _ = self.chain(level, Some(link), hold, Some(target));
                 }
                 self.ensure(level, target);
@@ -157,7 +161,7 @@ impl Builder<'_> {
                 }
             }
             (None, Some(_), [a, b]) => {
-                // A leg with a point of its own leads; a gliding leg serves any point.
+                // A leg with a point of its own comes first; a gliding leg serves any point.
                 let (a, b) = if matches!(a, Hold::Glide { .. }) { (b, a) } else { (a, b) };
                 let target = match self.near(link, a) {
                     Some(v) => v,
@@ -186,9 +190,10 @@ impl Builder<'_> {
         vec![std::mem::take(&mut self.pending)]
     }
 
-    /// The velocity of the point of a link at which it rolls on a known one, or at which a strand between axes that stand reaches it: it is that of
-    /// the other's point there, whatever else holds the link. `None` for accelerations, of which the two points differ across the contact or the
-    /// strand, and where nothing rolls.
+    /// Finds the velocity of a link's point at which it rolls on a known link, or at which a strand
+    /// between fixed axes meets it: it equals the velocity of the other link's point there,
+    /// independent of the other constraints. `None` for accelerations, which differ across the
+    /// contact or the strand, and if nothing rolls.
     pub(super) fn rolled(&mut self, level: Level, link: LinkId, hold: &Hold) -> Option<VertexId> {
         let Hold::Rolls { pair, other, .. } = *hold else { return None };
         let alike = match self.scene.rolling[pair.0].touch() {
@@ -198,7 +203,7 @@ impl Builder<'_> {
         (alike && level == Level::Velocity).then(|| self.at_contact(level, link, (pair, other)))
     }
 
-    /// The point of a link at its contact with a known one, by all that the two points differ in.
+    /// Finds the point of a link at its contact with a known one, with all terms of the difference.
     fn at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId)) -> VertexId {
         let rolling = &self.scene.rolling[pair.0];
         let (own, from) = (self.coincident(rolling.at_of(link), link), self.coincident(rolling.at_of(other), other));
@@ -208,7 +213,7 @@ impl Builder<'_> {
         own
     }
 
-    /// Why the points of two links that roll on one another, or run in one belt, have something in common.
+    /// Returns the method for two links that roll on one another, or are wheels of one belt.
     fn touching(&self, pair: RollingId) -> Method {
         match self.scene.rolling[pair.0].touch() {
             Touch::Point(_) => Method::Coincident,
@@ -216,8 +221,9 @@ impl Builder<'_> {
         }
     }
 
-    /// The velocities of a link on three legs that rolls on a known link: its point at the contact is known, a second one is known by another contact or
-    /// by a leg whose line does not run through the first. Whether they are found so.
+    /// Finds the velocities of a link on three legs that rolls on a known link: its point at the
+    /// contact is known, and a second point follows from another contact or from a leg with a line
+    /// that does not run through the first. Returns true if they are found in this way.
     fn by_contacts(&mut self, level: Level, link: LinkId, holds: &[Hold], nears: &[VertexId]) -> bool {
         let scene = self.scene;
         let touches = |h: &Hold| matches!(*h, Hold::Rolls { pair, .. } if scene.rolling[pair.0].contact().is_some());
@@ -241,8 +247,8 @@ impl Builder<'_> {
         true
     }
 
-    /// A link that touches a known one and rolls on it: at the contact both have one velocity, and of their accelerations the difference is
-    /// known, as if it were pinned there.
+    /// Writes a link that touches a known link and rolls on it: at the contact both have the same
+    /// velocity, and the difference of their accelerations is known, like at a pin.
     fn pinned_at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId), third: &Hold) {
         let own = self.at_contact(level, link, (pair, other));
         let near = self.near(link, third).expect("a leg of a triad has a point on the core");
@@ -255,7 +261,7 @@ impl Builder<'_> {
         self.sources_of(level, third);
     }
 
-    /// Some point of a link that has none of its own in this group.
+    /// Returns any point of a link that has no point of its own in this group.
     fn any_point(&mut self, link: LinkId) -> VertexId {
         let own = self.scene.links[link.0].points.first().copied();
         let runner = self.scene.guides.iter().filter(|g| g.on == link).find_map(|g| g.pin);
@@ -265,13 +271,14 @@ impl Builder<'_> {
         }
     }
 
-    /// A link on three legs: by the special point of each pair of legs in turn.
+    /// Returns the alternatives of a link on three legs: by the special point of each pair of legs
+    /// in turn.
     fn triad(&mut self, level: Level, g: usize, link: LinkId, holds: &[Hold]) -> Vec<Vec<Step>> {
         let body = Body::Link(link);
         let nears: Vec<VertexId> = holds.iter().map(|h| self.near(link, h).expect("a leg of a triad has a point on the core")).collect();
         let mut alternatives = Vec::new();
         let before = self.known[slot(level)].clone();
-        // What the chains need of known links is written once, ahead of every alternative.
+        // The chains' requests for known links are written once, before every alternative.
         for hold in holds {
             let _ = self.chain(level, Some(link), hold, None);
         }
@@ -311,7 +318,7 @@ impl Builder<'_> {
             }
             alternatives.push(std::mem::take(&mut self.pending));
         }
-        // Special points are for this group only.
+        // Special points are valid for this group only.
         self.known[slot(level)] = before;
         for v in base {
             self.learn(level, v);
@@ -322,14 +329,16 @@ impl Builder<'_> {
         for hold in holds {
             self.sources_of(level, hold);
         }
-        // Two slots over one pin have one near point: the turning is measured between two that differ.
+        // Two slots over one pin have the same near point: the angular quantity is measured between
+        // two different points.
         let of = nears.iter().copied().find(|v| self.vertices[v.0].spot != self.vertices[nears[0].0].spot);
         self.source(level, body, Rate::Measured { of: of.unwrap_or(nears[1]), to: nears[0] });
         alternatives
     }
 }
 
-/// The pair by which a link both touches a known one and rolls on it, that link, and which of its three legs is another.
+/// Returns the pair by which a link both touches a known link and rolls on it, the known link, and
+/// the index of the remaining leg.
 fn in_contact(scene: &Scene, holds: &[Hold]) -> Option<(RollingId, LinkId, usize)> {
     let (pair, other) = holds.iter().find_map(|h| if let Hold::Rolls { pair, other, .. } = *h { Some((pair, other)) } else { None })?;
     let touches = |h: &Hold| match *h {
@@ -341,8 +350,8 @@ fn in_contact(scene: &Scene, holds: &[Hold]) -> Option<(RollingId, LinkId, usize
     (holds.len() == 3 && holds.iter().any(touches)).then_some((pair, other, third))
 }
 
-/// Which of two legs rolls, where the other is a bar that carries both centres: the bar's line and the tangent at the contact cross in the
-/// point of contact itself.
+/// Returns the rolling one of two legs (0 or 1), if the other is a bar that carries both centres:
+/// the bar's line and the tangent at the contact cross in the point of contact.
 fn contact_on_bar(scene: &Scene, a: &Hold, b: &Hold) -> Option<usize> {
     let (pair, bar, which) = match (*a, *b) {
         (Hold::Rolls { pair, .. }, bar) => (pair, bar, 0),

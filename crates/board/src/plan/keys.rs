@@ -1,13 +1,15 @@
-//! Names of vectors for programs: keys of which ids are made (`normal-C-B`), and quantities as `find` writes them (`an_CB`).
+//! Names of vectors for programs: keys that form ids (`normal-C-B`), and quantities in the notation
+//! of `find` (`an_CB`).
 //!
-//! Both are made from terms and vertices alone, so that they are the same in every language and notation. [`Writer::symbol`] gives two vectors one
-//! symbol exactly where they have one key.
+//! Both are made from terms and vertices alone, so that they are the same in every language and
+//! notation. [`Writer::symbol`] gives two vectors the same symbol exactly if they have the same
+//! key.
 
 use super::text::{Writer, vertex_name};
 use super::{Body, By, Spot, Term, TermKind, VertexId};
 use hodograph_scene::{DiagramKind, Scene};
 
-/// The part of a relative motion that a vector is.
+/// The part of a relative motion that a vector represents.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Part {
     Whole,
@@ -21,7 +23,7 @@ enum Part {
 }
 
 impl Part {
-    /// The word of a key; that of a whole vector depends on its ends.
+    /// Returns the word of a key; the word of a whole vector depends on its ends.
     fn word(self) -> &'static str {
         match self {
             Part::Whole => "rel",
@@ -35,7 +37,8 @@ impl Part {
         }
     }
 
-    /// The letters that `find` writes behind `v` or `a`; of the last one, which `find` does not know, letters of its own.
+    /// Returns the letters that `find` writes after `v` or `a`; `find` does not have the last part,
+    /// which gets letters of its own.
     fn letters(self) -> &'static str {
         match self {
             Part::Whole => "",
@@ -51,17 +54,17 @@ impl Part {
 }
 
 impl Writer<'_> {
-    /// The key of the whole vector of a vertex: `abs-B`, `abs-B3`.
+    /// Returns the key of the whole vector of a vertex: `abs-B`, `abs-B3`.
     pub fn vector_key(&self, v: VertexId) -> String {
         format!("abs-{}", self.vertex(v))
     }
 
-    /// The whole vector of a vertex as `find` writes it: `v_B`, `a_B3`.
+    /// Returns the whole vector of a vertex in the notation of `find`: `v_B`, `a_B3`.
     pub fn vector_quantity(&self, on: DiagramKind, v: VertexId) -> String {
         format!("{}_{}", on.letter(), self.vertex(v))
     }
 
-    /// The key of a term: `abs-C`, `rel-C-B`, `normal-C-B`, `coriolis-A3-A2`.
+    /// Returns the key of a term: `abs-C`, `rel-C-B`, `normal-C-B`, `coriolis-A3-A2`.
     pub fn key(&self, on: DiagramKind, t: &Term) -> String {
         let part = self.part_of(on, t);
         match (part, self.is_absolute(on, t)) {
@@ -71,7 +74,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A term as `find` writes it: `v_CB`, `an_CB`, `ak_A3A2`, `arn_A/2`.
+    /// Returns a term in the notation of `find`: `v_CB`, `an_CB`, `ak_A3A2`, `arn_A/2`.
     pub fn quantity(&self, on: DiagramKind, t: &Term) -> String {
         let part = self.part_of(on, t);
         let head = format!("{}{}_{}", on.letter(), part.letters(), self.vertex(t.of));
@@ -98,7 +101,7 @@ impl Writer<'_> {
         vertex_name(self.scene, self.plan, v)
     }
 
-    /// The part of a relative motion that a term is: the cases of its superscript.
+    /// Returns the part of a relative motion that a term represents: the cases of its superscript.
     fn part_of(&self, on: DiagramKind, t: &Term) -> Part {
         let acceleration = on == DiagramKind::Acceleration;
         let along_arc = match t.by {
@@ -125,7 +128,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Returns true if two names written one after the other can be read in one way only.
+    /// Returns true if two names written one after the other can be read in only one way.
     fn runs_on(&self, of: &str, to: &str, t: &Term) -> bool {
         let numbered = |v: VertexId| self.plan.vertex(v).number.is_some();
         if [of, to].iter().any(|n| n.contains(',')) || [t.of, t.to].iter().any(|v| matches!(self.plan.vertex(*v).spot, Spot::Special(_))) {
@@ -139,7 +142,7 @@ impl Writer<'_> {
     }
 }
 
-/// 0 for the name of a point, 1 for that of a point with a link.
+/// Returns 0 for the name of a point, 1 for the name of a point with a link.
 fn is_vertex(scene: &Scene, text: &str) -> Option<usize> {
     let link = |name: &str| scene.links.iter().any(|l| l.name == name);
     if scene.points.iter().any(|p| p.name == text) {

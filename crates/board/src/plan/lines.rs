@@ -6,11 +6,12 @@ use super::names::{name_label, point_label};
 use super::text::Writer;
 use hodograph_scene::{Angle, Direction, Guide, GuideId, GuidePath, PointId, Through};
 
-/// Directions nearer than this are one.
+/// Directions that differ by less than this coincide.
 const PARALLEL_RAD: f64 = 1e-9;
 
 impl Writer<'_> {
-    /// The name of a guide's direction where it runs along no line of two points and no axis: t–t, that of link 3 t₃.
+    /// Returns the name of a guide's direction if it runs along no line of two points and no axis:
+    /// t–t, or t₃ for a guide of link 3.
     pub fn tangent(&self, g: GuideId) -> Option<String> {
         use Direction::{Along, Instant, Own, Slid};
         let guide = &self.scene.guides[g.0];
@@ -24,7 +25,8 @@ impl Writer<'_> {
         }
     }
 
-    /// A guide of link 3: t₃, and where the link has others in other directions, with what runs in it.
+    /// Returns the name of a guide of link 3: t₃; if the link has other guides in other directions,
+    /// with the name of the runner.
     fn carried(&self, g: GuideId) -> String {
         let guide = &self.scene.guides[g.0];
         let link = name_label(self.scene.link_name(guide.on));
@@ -33,10 +35,10 @@ impl Writer<'_> {
         format!("t_{{{link}{}}}", runner.unwrap_or_default())
     }
 
-    /// Whether the scene says of two guides of one link that they are parallel; arcs have no direction.
+    /// True if the scene defines two guides of one link as parallel; arcs have no direction.
     fn parallel(&self, a: &Guide, b: &Guide) -> bool {
         let (GuidePath::Line { direction: a, .. }, GuidePath::Line { direction: b, .. }) = (&a.path, &b.path) else { return true };
-        // From what each angle is counted, and the angle.
+        // The reference of each angle, and the angle.
         let said = |d: &Direction| match d {
             Direction::Instant(angle) => (0, None, angle.value.radians()),
             Direction::Along(p, q, angle) => (1, Some((*p, *q)), angle.as_ref().map_or(0.0, |a| a.value.radians())),
@@ -48,7 +50,8 @@ impl Writer<'_> {
         (a, of_a) == (b, of_b) && apart.min(PI - apart) < PARALLEL_RAD
     }
 
-    /// An oblique guide of the ground: t–t, and where there are several, each by what runs in it.
+    /// Returns the name of an oblique guide of the ground: t–t; if there are several, each with the
+    /// name of its runner.
     fn oblique(&self, g: GuideId) -> String {
         let of_ground = |k: &usize| {
             let guide = &self.scene.guides[*k];
@@ -64,7 +67,7 @@ impl Writer<'_> {
         format!("t_{{{}}}", runner.unwrap_or_default())
     }
 
-    /// The axis along which a guide that stands still runs.
+    /// Returns the axis along which a fixed guide runs.
     fn axis(&self, g: GuideId) -> Option<&'static str> {
         let guide = &self.scene.guides[g.0];
         match &guide.path {
@@ -77,7 +80,8 @@ impl Writer<'_> {
         }
     }
 
-    /// The name of a guide's direction: the line of two points it runs along, an axis, else t.
+    /// Returns the name of a guide's direction: the line of two points that it runs along, an axis,
+    /// otherwise t.
     pub fn guide_line(&self, g: GuideId) -> String {
         if let Some(own) = self.axis(g).map(str::to_owned).or_else(|| self.tangent(g)) {
             return own;
@@ -88,7 +92,7 @@ impl Writer<'_> {
         match &guide.path {
             GuidePath::Line { direction: Direction::Along(a, b, _), .. } => format!("{}{}", p(*a), p(*b)),
             GuidePath::Line { through: Through::Point(a), .. } => from(*a),
-            // Without two points a guide has been named above.
+            // A guide without two points has its name from above.
             GuidePath::Line { .. } => String::new(),
             GuidePath::Arc { centre, .. } => from(*centre),
         }

@@ -1,8 +1,10 @@
-//! From what a leg holds to a chain of terms: the table of holds and loci, for velocities and accelerations.
+//! The chain of terms that a leg's constraint gives: the table of holds and loci, for velocities
+//! and accelerations.
 //!
 //! # Source
-//! Relative-motion method (基点法, 重合点法) as in any text on mechanisms; the acceleration terms are those of the rigid body
-//! and of motion against a turning guide: a_B2 = a_B1 + 2ω₁ × v_B2B1 + aʳ_B2B1.
+//! Relative-motion method (基点法, 重合点法) as in any text on mechanisms; the acceleration terms are
+//! those of the rigid body and of motion relative to a turning guide: a_B2 = a_B1 + 2ω₁ × v_B2B1 +
+//! aʳ_B2B1.
 
 use super::build::Builder;
 use super::{Body, By, Chain, Term, TermKind, VertexId};
@@ -10,7 +12,8 @@ use hodograph_mechanism::mechanism::{Hold, Level, Strut};
 use hodograph_scene::{GuideId, GuidePath, LinkId, PointId, RollingId, Touch};
 
 impl Builder<'_> {
-    /// Terms of a turning body between two of its points: known ones and, unless the rate is known, the unknown one.
+    /// Returns the terms of a turning body between two of its points: known ones and, unless the
+    /// rate is known, the unknown one.
     pub(super) fn turning(&mut self, level: Level, body: Body, of: VertexId, to: VertexId, rate_known: bool) -> (Vec<Term>, Vec<Term>) {
         let by = By::Turning(body);
         let term = |kind, known| Term { kind, of, to, by, known };
@@ -31,7 +34,8 @@ impl Builder<'_> {
         }
     }
 
-    /// Terms of sliding along a guide. `of`/`to` are the coincident points; `carrier` is the link that carries the guide.
+    /// Returns the terms of sliding along a guide. `of`/`to` are the coincident points; `carrier`
+    /// is the link that carries the guide.
     pub(super) fn sliding(
         &mut self,
         level: Level,
@@ -64,7 +68,8 @@ impl Builder<'_> {
         }
     }
 
-    /// The point of the core for whose vector a hold gives a locus without further ado; none for a gliding link, where any will do.
+    /// Returns the point of the core for which a hold directly gives a locus; `None` for a gliding
+    /// link, for which any point serves.
     pub(super) fn near(&mut self, core: LinkId, hold: &Hold) -> Option<VertexId> {
         match *hold {
             Hold::Distance { near, .. } => Some(self.pin(near)),
@@ -75,7 +80,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The chain that a hold gives for its near point (for a gliding link: for `at`).
+    /// Returns the chain that a hold gives for its near point (for a gliding link: for `at`).
     pub(super) fn chain(&mut self, level: Level, core: Option<LinkId>, hold: &Hold, at: Option<VertexId>) -> Chain {
         match *hold {
             Hold::Distance { near, far, strut } => self.strut(level, near, far, strut),
@@ -97,8 +102,9 @@ impl Builder<'_> {
         }
     }
 
-    /// What the ends of a strand differ by along it: nothing of the velocities; of the accelerations the normal part that the arm's turning gives
-    /// the strand. Across it they differ by what else turning and bending make, as two points at a contact do.
+    /// Returns the difference of the two ends of a strand along it: nothing for velocities; for
+    /// accelerations the normal part due to the rotation of the arm with the strand. The difference
+    /// across the strand is unknown, as for two points at a contact.
     fn along_strand(&mut self, level: Level, pair: RollingId, of: VertexId, to: VertexId) -> Vec<Term> {
         match (self.scene.rolling[pair.0].touch(), level) {
             (Touch::Strand { arm, .. }, Level::Acceleration) if !self.m.never_turns[arm.0] => {
@@ -110,7 +116,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The chain of `near` from the far end of a bar, a cylinder or a ram.
+    /// Returns the chain of `near` from the far end of a bar, a cylinder or a ram.
     pub(super) fn strut(&mut self, level: Level, near: PointId, far: PointId, strut: Strut) -> Chain {
         match strut {
             Strut::Bar(link) => {
@@ -156,14 +162,15 @@ impl Builder<'_> {
         Chain { start: to, known, unknown }
     }
 
-    /// Extends a chain for `near` to the special point `s` of the same link: the unknown parts lie in one line.
+    /// Extends a chain for `near` to the special point `s` of the same link: the unknown parts are
+    /// along one line.
     pub(super) fn extend_to_special(&mut self, level: Level, chain: &mut Chain, link: LinkId, s: VertexId, near: VertexId) {
         let (known, unknown) = self.turning(level, Body::Link(link), s, near, false);
         chain.known.extend(known);
         chain.unknown.extend(unknown);
     }
 
-    /// Carries a chain over to another point of a link whose turning is known.
+    /// Extends a chain to another point of a link with known angular quantity.
     pub(super) fn shift(&mut self, level: Level, chain: &mut Chain, link: LinkId, to_point: VertexId, near: VertexId) {
         if to_point == near || self.m.never_turns[link.0] {
             return;

@@ -1,11 +1,13 @@
-//! The vector equations in solving order: what a person would write before taking up the ruler.
+//! The vector equations in solving order, as a person writes them before drawing.
 //!
-//! A [`Plan`] is made from topology and the demand alone and **holds no numbers**: changing a length does not change it.
-//! Where the drawing must choose by the numbers (which two constraint lines of a triad cross most squarely), the plan
-//! holds all alternatives and the drawing board picks one.
+//! A [`Plan`] is made from topology and the demand alone and **holds no numbers**: changing a
+//! length does not change it. If the drawing must choose by the numbers (the two constraint lines
+//! of a triad that cross most squarely), the plan holds all alternatives and the drawing board
+//! chooses one.
 //!
-//! Each group is entered by its legs ([`hodograph_mechanism::mechanism::Leg`]); [`locus`] turns what one holds into a chain of terms with one
-//! unknown magnitude, two chains for one point make an equation, and further points follow by images.
+//! Each group is entered by its legs ([`hodograph_mechanism::mechanism::Leg`]); [`locus`] converts
+//! each leg's constraint to a chain of terms with one unknown magnitude; two chains for one point
+//! make an equation, and further points follow by images.
 
 mod between;
 mod build;
@@ -42,14 +44,15 @@ pub struct VertexId(pub usize);
 pub enum Body {
     /// A link.
     Link(LinkId),
-    /// The cylinder of a driver (index), whether its parts are numbered or not.
+    /// The cylinder of a driver (index), with or without numbered parts.
     Cylinder(usize),
 }
 
-/// What makes a term.
+/// The cause of a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TermKind {
-    /// v_BA = ω × r, square to AB; of accelerations the whole of a_BA, which only a joined line shows.
+    /// v_BA = ω × r, square to AB; for accelerations the whole of a_BA, which only a joined line
+    /// shows.
     Relative,
     /// aⁿ_BA = ω² l, from B to A.
     Normal,
@@ -57,73 +60,76 @@ pub enum TermKind {
     Tangential,
     /// Sliding along a guide: v_r or aʳ (on an arc its tangential part), along the tangent.
     Slide,
-    /// v_r²/ρ on an arc: toward the centre for a pin against the carrying link, away from it the other way round.
+    /// v_r²/ρ on an arc: toward the centre for a pin relative to the carrying link, away from it in
+    /// the opposite case.
     SlideNormal,
     /// 2 ω × v_r with the ω of the body that carries the guide (or of the cylinder).
     Coriolis,
     /// The given rate of a cylinder, along its line.
     Extension,
-    /// In a trial polygon, from the image of a pin of the bar that is left out to its mate, along the bar; seen from the bar's other pin.
+    /// In a trial polygon, from the image of a pin of the removed bar to its mate, along the bar,
+    /// relative to the bar's other pin.
     Gap,
-    /// Between the two points at a contact of rolling links, along its normal: nothing of the velocities, (ω₂ − ω₁)² ρ₁ρ₂/(ρ₁ + ρ₂) of the
-    /// accelerations.
+    /// The difference of the two points at a contact of rolling links, along its normal: zero for
+    /// velocities, (ω₂ − ω₁)² ρ₁ρ₂/(ρ₁ + ρ₂) for accelerations.
     Roll,
 }
 
-/// By what the two points of a term are connected.
+/// The connection between the two points of a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// A body that turns.
     Turning(Body),
-    /// A guide, with the link that carries it; `driver` where the sliding is given.
+    /// A guide, with the link that carries it; `driver` if the sliding is given.
     Guide {
         /// The guide.
         guide: GuideId,
-        /// The driver that gives its sliding, if one does.
+        /// The driver that gives the sliding, if there is one.
         driver: Option<usize>,
     },
     /// A cylinder (driver index).
     Cylinder(usize),
     /// The contact of a rolling pair.
     Contact(RollingId),
-    /// Nothing but the frame from which the one is seen.
+    /// The frame of the relative motion only.
     Frame {
         /// The body with which the frame turns, if it does.
         body: Option<Body>,
-        /// The centre of the path in the frame, where it is a circle.
+        /// The centre of the path in the frame, if it is a circle.
         about: Option<PointId>,
     },
-    /// Nothing: two points of different links, of which the difference alone is asked.
+    /// No connection: two points of different links; only their difference is asked for.
     Apart,
 }
 
 /// One vector of an equation: of `of` relative to `to`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Term {
-    /// What makes it.
+    /// The cause of the term.
     pub kind: TermKind,
-    /// The point whose motion it is.
+    /// The point with this motion.
     pub of: VertexId,
-    /// The point from which it is seen.
+    /// The reference point.
     pub to: VertexId,
     /// The connection.
     pub by: By,
-    /// Whether its magnitude is known (its direction always is).
+    /// True if its magnitude is known (its direction always is).
     pub known: bool,
 }
 
-/// A locus for a point's vector: a known start, known terms, then unknown ones in one common direction.
+/// A locus for a point's vector: a known start, known terms, then unknown ones in one common
+/// direction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Chain {
-    /// A vertex known before; fixed vertices start in the pole.
+    /// The known vertex at the start; a fixed vertex starts at the pole.
     pub start: VertexId,
     /// Known terms, in drawing order.
     pub known: Vec<Term>,
-    /// Terms of unknown magnitude, all along one line; none where the chain leads all the way.
+    /// Terms of unknown magnitude, all along one line; empty if known terms lead all the way.
     pub unknown: Vec<Term>,
 }
 
-/// Why an equation is written as it is.
+/// The method of an equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// A driven point: everything is known.
@@ -145,57 +151,62 @@ pub enum Method {
 /// One step of a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Step {
-    /// A vector equation; with two chains a crossing, with one a point reached by known terms.
+    /// A vector equation; with two chains a crossing, with one chain a point reached by known
+    /// terms.
     Equation {
         /// The point found.
         target: VertexId,
-        /// Its one or two chains.
+        /// One or two chains.
         chains: Vec<Chain>,
-        /// Why so.
+        /// The method.
         method: Method,
     },
-    /// A point found by its image: the triangle with two known points of its link.
+    /// A point found by an image: the triangle with two known points of its link.
     Image {
         /// The link.
         link: LinkId,
         /// The point found.
         target: VertexId,
-        /// The two known ones.
+        /// The two known points.
         from: (VertexId, VertexId),
     },
-    /// A point on the line through its images of two trials, where that line meets the line through their mates.
+    /// A point on the line through its images of two trials, at the crossing with the line through
+    /// their mates.
     Trials {
         /// The point found.
         target: VertexId,
-        /// Its vertices of both trials.
+        /// The point's vertices in both trials.
         images: [VertexId; 2],
-        /// Their mates.
+        /// The mates of these vertices.
         mates: [VertexId; 2],
     },
-    /// A point of a link that does not turn: the same vector as a known point of it.
+    /// A point of a link that does not turn: it has the same vector as a known point of the link.
     Same {
         /// The link.
         link: LinkId,
         /// The point found.
         target: VertexId,
-        /// The known one.
+        /// The known point.
         from: VertexId,
     },
 }
 
-/// A vector between two images that no equation draws, and that is asked or needed for a turning: it is drawn between them.
+/// A vector between two images that no equation draws, and that a question or an angular quantity
+/// needs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Between {
     /// The two images are joined: the whole relative vector.
     Join(Term),
-    /// The perpendicular from the image of the first point on the line through the image of the second along the arm: aⁿ and aᵗ.
+    /// The perpendicular from the image of the first point to the line through the image of the
+    /// second along the arm: aⁿ and aᵗ.
     Perpendicular {
         /// aⁿ, from the image of the second point to the foot.
         normal: Term,
-        /// aᵗ, from the foot to the image of the first.
+        /// aᵗ, from the foot to the image of the first point.
         tangential: Term,
     },
-    /// The known parts are laid off from the image of the second point; the rest is what joins them to the image of the first.
+    /// The known parts are laid off from the image of the second point; the rest joins them to the
+    /// image of the first.
     LayOff {
         /// Known terms, in drawing order.
         known: Vec<Term>,
@@ -205,7 +216,7 @@ pub enum Between {
 }
 
 impl Between {
-    /// Its terms, each of which is an edge; of several in `rest` together one.
+    /// Returns the terms; each is an edge, but several in `rest` are a single edge.
     pub fn terms(&self) -> Vec<Term> {
         match self {
             Between::Join(t) => vec![*t],
@@ -214,7 +225,7 @@ impl Between {
         }
     }
 
-    /// The two points: of the first relative to the second.
+    /// Returns the two points: the first, relative to the second.
     pub fn ends(&self) -> (VertexId, VertexId) {
         let t = match self {
             Between::Join(t) | Between::Perpendicular { normal: t, .. } => t,
@@ -224,51 +235,52 @@ impl Between {
     }
 }
 
-/// How the turning (ω, α) of a body is found.
+/// The source of a body's angular velocity or acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rate {
-    /// From the relative vector of two of its points, carried back to the link.
+    /// Measured from the relative vector of two points, transferred to the link.
     Measured {
-        /// One point.
+        /// The first point.
         of: VertexId,
-        /// The other.
+        /// The reference point.
         to: VertexId,
     },
-    /// Given by a driver, against another link.
+    /// Given by a driver, relative to another link.
     Given {
         /// The driver.
         driver: usize,
-        /// The link against which it turns.
+        /// The link to which the driver's motion is relative.
         against: LinkId,
     },
-    /// The same as that of another link.
+    /// Equal to that of another link.
     Same(LinkId),
-    /// It does not turn.
+    /// Zero: the body does not turn.
     Zero,
 }
 
 /// The steps of one group on one diagram.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GroupSteps {
-    /// The group.
+    /// The index of the group.
     pub group: usize,
-    /// The alternatives, equal in result: one for most groups; for a triad one for each pair of legs.
+    /// The alternatives, with equal results: one for most groups, for a triad one for each pair of
+    /// legs.
     pub alternatives: Vec<Vec<Step>>,
-    /// Vectors drawn between two images, each as soon as both are there.
+    /// Vectors drawn between two images, each as soon as both images exist.
     pub between: Vec<Between>,
-    /// Angular rates that are asked for or needed later, found after the steps.
+    /// Angular quantities that are asked for or needed later, found after the steps.
     pub rates: Vec<(Body, Rate)>,
-    /// Further points that are asked for, found last: by images and by the angular rates.
+    /// Further points that are asked for, found last: by images and by angular quantities.
     pub further: Vec<Step>,
 }
 
 impl GroupSteps {
-    /// The alternative that is drawn when the board's choice for the group is `chosen`.
+    /// Returns the alternative that is drawn if the board's choice for the group is `chosen`.
     pub fn drawn(&self, chosen: usize) -> usize {
         chosen.min(self.alternatives.len().saturating_sub(1))
     }
 
-    /// The steps of one alternative, further points included.
+    /// Returns the steps of one alternative, further points included.
     pub fn steps(&self, alternative: usize) -> impl Iterator<Item = &Step> {
         self.alternatives.get(alternative).into_iter().flatten().chain(&self.further)
     }
@@ -279,18 +291,18 @@ impl GroupSteps {
 pub struct Stage {
     /// The diagram.
     pub on: DiagramKind,
-    /// Its steps, group after group.
+    /// The steps, group after group.
     pub groups: Vec<GroupSteps>,
 }
 
-/// An effect that was considered.
+/// An effect that the plan considers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
-    /// Velocities at all.
+    /// Velocities in general.
     Velocities,
-    /// Accelerations at all.
+    /// Accelerations in general.
     Accelerations,
-    /// The motion of a driver: considered where its rate is 0.
+    /// The motion of a driver, considered if its rate is 0.
     DriverRate(usize),
     /// The tangential acceleration of a turning driver, or the acceleration of a sliding one.
     DriverAcceleration(usize),
@@ -300,12 +312,12 @@ pub enum Effect {
     Group(usize),
 }
 
-/// Why an effect is in or out.
+/// The reason for which an effect counts or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// A question calls for it.
+    /// A question needs it.
     Asked,
-    /// No question calls for it.
+    /// No question needs it.
     NotAsked,
     /// The driver has an acceleration.
     Accelerated,
@@ -317,69 +329,70 @@ pub enum Reason {
     GuideTurns,
     /// The guide does not turn.
     GuideDoesNotTurn,
-    /// The group's guide belongs to what no question calls for.
+    /// The guide belongs to a part that no question needs.
     GuideNotReached,
 }
 
 /// The equations of a scene, in solving order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// All points whose vectors occur.
+    /// All points with a vector in the plan.
     pub vertices: Vec<Vertex>,
     /// The special points among them.
     pub specials: Vec<Special>,
-    /// The steps of each diagram, in the order of drawing; a diagram of which nothing is planned has none.
+    /// The steps of each diagram, in the order of drawing; a diagram without steps has no stage.
     pub stages: Vec<Stage>,
-    /// For each link, whether it keeps its direction for topological reasons.
+    /// For each link, true if it keeps its direction for topological reasons.
     pub still: Vec<bool>,
-    /// What stands still because a driver does.
+    /// The parts at rest because a driver is at rest.
     pub rest: Rest,
-    /// For each point, the letters of its image.
+    /// The letters of each point's image.
     letters: Vec<String>,
-    /// How far the questions go.
+    /// The highest level of the questions.
     pub level: Level,
-    /// Effects considered: what, in or out, why.
+    /// The effects considered: the effect, true if it counts, and the reason.
     pub effects: Vec<(Effect, bool, Reason)>,
-    /// Groups that are not drawn, and those that rest on them: of a class that no way opens, or left out of [`Ways`].
+    /// Groups that are not drawn, and those that depend on them: no way opens their class, or
+    /// [`Ways`] leaves them out.
     pub undrawable: Vec<usize>,
-    /// Of a wrong solution (`attempts`): the guide whose Coriolis acceleration is laid off with the turning of another link than
-    /// that which carries it.
+    /// In a wrong solution (`attempts`): the guide with a Coriolis acceleration laid off with the
+    /// angular velocity of a link other than its carrier, and that link.
     pub coriolis_by: Option<(GuideId, LinkId)>,
 }
 
 impl Plan {
-    /// Whether a body never turns.
+    /// True if a body never turns.
     pub fn is_still(&self, body: Body) -> bool {
         matches!(body, Body::Link(l) if self.still[l.0])
     }
 
-    /// Returns true for a group that is drawn by two trials.
+    /// True if a group is drawn by two trials.
     pub fn is_tried(&self, g: usize) -> bool {
         let steps = self.stages.iter().flat_map(|s| &s.groups).filter(|s| s.group == g).flat_map(|s| s.steps(0));
         steps.into_iter().any(|s| matches!(s, Step::Trials { .. }))
     }
 
-    /// The vertex.
+    /// Returns the vertex with this index.
     pub fn vertex(&self, v: VertexId) -> &Vertex {
         &self.vertices[v.0]
     }
 
-    /// The steps of a diagram, group after group.
+    /// Returns the steps of a diagram, group after group.
     pub fn steps(&self, on: DiagramKind) -> &[GroupSteps] {
         self.stages.iter().find(|s| s.on == on).map_or(&[], |s| &s.groups)
     }
 
-    /// The steps of a diagram, to be changed.
+    /// Returns the steps of a diagram for modification.
     pub fn steps_mut(&mut self, on: DiagramKind) -> &mut [GroupSteps] {
         self.stages.iter_mut().find(|s| s.on == on).map_or(&mut [], |s| &mut s.groups)
     }
 
-    /// The vertex of a point (of a link), if the plan has it.
+    /// Returns the vertex of a point (of a link), if the plan has it.
     pub fn find_vertex(&self, scene: &Scene, p: PointId, on: Option<LinkId>) -> Option<VertexId> {
         between::find_vertex(&self.vertices, scene, p, on)
     }
 
-    /// The special point that a vertex is, if it is one.
+    /// Returns the special point of a vertex, if it is one.
     pub fn special(&self, v: VertexId) -> Option<&Special> {
         match self.vertex(v).spot {
             Spot::Special(k) => self.specials.get(k),
@@ -387,7 +400,8 @@ impl Plan {
         }
     }
 
-    /// The special point that a step introduces: it is the target, and its equation is not one of a trial or carried over from another link.
+    /// Returns the special point that a step introduces: the target is a special point, and its
+    /// equation is neither part of a trial nor transferred from another link.
     pub fn introduced(&self, step: &Step) -> Option<&Special> {
         match step {
             Step::Equation { target, method: Method::Special, .. } => self.special(*target),
@@ -395,7 +409,8 @@ impl Plan {
         }
     }
 
-    /// The terms of all chains and of all vectors drawn between images on a diagram, alternatives included.
+    /// Returns the terms of all chains and of all vectors drawn between images on a diagram,
+    /// alternatives included.
     pub fn terms(&self, on: DiagramKind) -> impl Iterator<Item = Term> + '_ {
         self.steps(on).iter().flat_map(|g| {
             let chains = g.alternatives.iter().flatten().chain(&g.further).flat_map(Step::chains);
@@ -404,13 +419,15 @@ impl Plan {
         })
     }
 
-    /// Number of vector equations (with two chains) written for a diagram, in the first alternatives.
+    /// Returns the number of vector equations (with two chains) written for a diagram, in the first
+    /// alternatives.
     pub fn equations(&self, on: DiagramKind) -> usize {
         self.steps(on).iter().flat_map(|g| g.steps(0)).filter(|s| matches!(s, Step::Equation { chains, .. } if chains.len() == 2)).count()
     }
 }
 
-/// A point of a link that carries the point is the pin itself; only a point that merely coincides is told apart.
+/// Returns the link in a vertex's key: `None` for a link that carries the point, because its point
+/// is the pin itself; only a coincident point keeps its link.
 pub(crate) fn canonical(scene: &Scene, p: PointId, on: Option<LinkId>) -> Option<LinkId> {
     on.filter(|l| !scene.links[l.0].points.contains(&p))
 }

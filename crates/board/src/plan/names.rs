@@ -1,14 +1,16 @@
 //! Names of points and links in the label language.
 //!
-//! A scene names its points and links freely (`O2`, `A'`, `B_1`, `滑块`); in the label language an underscore begins a subscript
-//! and a prime stands on what precedes it. Every name that is put into a label goes through this file.
+//! A scene names its points and links freely (`O2`, `A'`, `B_1`, `滑块`); in the label language an
+//! underscore begins a subscript and a prime follows the sign that it marks. Every name in a label
+//! passes through this file.
 
 use super::{Plan, Spot};
 use std::collections::HashMap;
 
 use hodograph_scene::{PointId, Scene};
 
-/// A name, or several run together (`O2B`, `3/2`), as it stands among other signs: `B_1` → `B\_1`.
+/// Returns a name, or several run together (`O2B`, `3/2`), as part of a longer label: `B_1` →
+/// `B\_1`.
 ///
 /// ```
 /// use hodograph_board::plan::names::name_label;
@@ -17,7 +19,7 @@ use hodograph_scene::{PointId, Scene};
 /// ```
 pub fn name_label(names: &str) -> String {
     let mut out = String::with_capacity(names.len());
-    // A prime needs something to stand on: a letter, a digit, another prime on one of these.
+    // A prime needs a preceding sign: a letter, a digit, or another prime on one of these.
     let mut hosted = false;
     for c in names.chars() {
         match c {
@@ -30,7 +32,7 @@ pub fn name_label(names: &str) -> String {
     out
 }
 
-/// A point's name where it stands alone: `O2` → `O_{2}`, `A1'` → `A'_{1}`, `B` → `B`.
+/// Returns the label of a single point's name: `O2` → `O_{2}`, `A1'` → `A'_{1}`, `B` → `B`.
 pub fn point_label(name: &str) -> String {
     match Parts::of(name) {
         Parts { head, digits: "", primes } => format!("{}{primes}", name_label(head)),
@@ -38,13 +40,14 @@ pub fn point_label(name: &str) -> String {
     }
 }
 
-/// The image of a point in a polygon: `B` → `b`, `O2` → `o_{2}`, the point of link 3 at B → `b_{3}`, each with `prime`.
+/// Returns the image of a point in a polygon: `B` → `b`, `O2` → `o_{2}`, the point of link 3 at B →
+/// `b_{3}`, each with `prime`.
 pub(super) fn image_label(letters: &[String], point: PointId, link: Option<&str>, prime: &str) -> String {
     image_of(&letters[point.0], link, prime)
 }
 
-/// The names of all points in the small letters that images bear. A point that has the name of another in another case keeps its own, as
-/// that one does.
+/// Returns the names of all points in the small letters of images. If two points have the same name
+/// except for case, both keep their case.
 pub(super) fn small_letters(scene: &Scene) -> Vec<String> {
     let lower: Vec<String> = scene.points.iter().map(|p| p.name.to_lowercase()).collect();
     let mut of: HashMap<&str, usize> = HashMap::new();
@@ -54,7 +57,7 @@ pub(super) fn small_letters(scene: &Scene) -> Vec<String> {
     scene.points.iter().zip(&lower).map(|(p, l)| if of[l.as_str()] > 1 { p.name.clone() } else { l.clone() }).collect()
 }
 
-/// The image of what bears this name, which is in the case of images.
+/// Returns the image label of a name that is already in the case of images.
 pub(super) fn image_of(name: &str, link: Option<&str>, prime: &str) -> String {
     let Parts { head, digits, primes } = Parts::of(name);
     let link = link.map(name_label).unwrap_or_default();
@@ -64,7 +67,8 @@ pub(super) fn image_of(name: &str, link: Option<&str>, prime: &str) -> String {
     if sub.is_empty() { head } else { format!("{head}_{{{sub}}}") }
 }
 
-/// A point's name with the number of a link run on, parted by a comma where it would be read as another: `B3`, `O2,3`.
+/// Returns a point's name followed by the number of a link, with a comma if it could be read
+/// differently: `B3`, `O2,3`.
 pub(super) fn numbered(scene: &Scene, name: String, link: Option<&str>) -> String {
     let Some(link) = link else { return name };
     let run = format!("{name}{link}");
@@ -72,14 +76,15 @@ pub(super) fn numbered(scene: &Scene, name: String, link: Option<&str>) -> Strin
     if unclear { format!("{name},{link}") } else { run }
 }
 
-/// The letter of points that are constructed on the mechanism: S, or the next one that no point of the scene has, in either case and with or
-/// without a number.
+/// Returns the letter of points constructed on the mechanism: S, or the next one that no point of
+/// the scene has, in either case and with or without a number.
 pub fn crossing_letter(scene: &Scene) -> &'static str {
     let taken = |letter: &str| scene.points.iter().any(|p| Parts::of(&p.name).head.eq_ignore_ascii_case(letter));
     ["S", "T", "U", "W", "Z"].into_iter().find(|l| !taken(l)).unwrap_or("S")
 }
 
-/// A label with the number of a trial in its subscript: `b` → `b_{(1)}`, `b_{3}` and `b_3` → `b_{3(1)}`.
+/// Returns a label with the number of a trial in its subscript: `b` → `b_{(1)}`, `b_{3}` and `b_3`
+/// → `b_{3(1)}`.
 pub(super) fn of_trial(label: &str, run: u8) -> String {
     match (label.split_once('_'), label.strip_suffix('}').filter(|_| label.contains("_{"))) {
         (_, Some(head)) => format!("{head}({run})}}"),
@@ -88,16 +93,19 @@ pub(super) fn of_trial(label: &str, run: u8) -> String {
     }
 }
 
-/// The letter of the mates of trial polygons: X, or the next one that no point of the scene has.
+/// Returns the letter of the mates of trial polygons: X, or the next one that no point of the scene
+/// has.
 pub fn mate_letter(scene: &Scene) -> &'static str {
     let taken = |letter: &str| scene.points.iter().any(|p| Parts::of(&p.name).head.eq_ignore_ascii_case(letter));
     ["X", "Y", "Z", "W", "U"].into_iter().find(|l| !taken(l)).unwrap_or("X")
 }
 
-/// Name of a special point (by its place in the plan's list): [`crossing_letter`], numbered where several are drawn. The special points of one triad, of which one is drawn, share a name.
+/// Returns the name of a special point (by its index in the plan's list): [`crossing_letter`],
+/// numbered if several are drawn. The special points of one triad share a name, because only one of
+/// them is drawn.
 pub fn special_name(scene: &Scene, plan: &Plan, special: usize) -> String {
     let letter = crossing_letter(scene);
-    // Of a triad by the group, of a reduction by the link.
+    // Counted by the group for a triad, by the link for a reduction.
     let key = |k: usize| {
         let s = &plan.specials[k];
         (s.group, s.legs.is_none().then_some(s.link))
@@ -111,7 +119,8 @@ pub fn special_name(scene: &Scene, plan: &Plan, special: usize) -> String {
     }
 }
 
-/// The letter of poles: that of the notation, or the first of `p`, `o`, `q`, `z` that no image of a moving point bears.
+/// Returns the letter of poles: that of the notation, or the first of `p`, `o`, `q`, `z` that no
+/// image of a moving point has.
 pub(super) fn pole_letter(scene: &Scene, plan: &Plan, usual: &str) -> String {
     let taken = |letter: &str| {
         let named = |s: Spot| matches!(s, Spot::Point(p) if scene.point_name(p).to_lowercase() == letter);
@@ -120,7 +129,7 @@ pub(super) fn pole_letter(scene: &Scene, plan: &Plan, usual: &str) -> String {
     [usual, "p", "o", "q", "z"].into_iter().find(|l| !taken(l)).unwrap_or("z").to_owned()
 }
 
-/// Whether the image of something that moves bears this letter, with or without a number.
+/// True if the image of a moving point has this letter, with or without a number.
 pub(super) fn is_image(scene: &Scene, plan: &Plan, letter: &str) -> bool {
     let bears = |s: Spot| match s {
         Spot::Point(p) => Parts::of(scene.point_name(p)).head.eq_ignore_ascii_case(letter),
@@ -129,8 +138,8 @@ pub(super) fn is_image(scene: &Scene, plan: &Plan, letter: &str) -> bool {
     plan.vertices.iter().any(|v| !v.fixed && bears(v.spot))
 }
 
-/// A name that ends in a number: what stands before, the number, the primes after it. Others are all head; in those, the primes
-/// are part of the head too.
+/// A name that ends in a number: the head before the number, the number, and the primes after it.
+/// Any other name is only a head, primes included.
 struct Parts<'a> {
     head: &'a str,
     digits: &'a str,
@@ -142,7 +151,8 @@ impl Parts<'_> {
         let bare = name.trim_end_matches('\'');
         let head = bare.trim_end_matches(|c: char| c.is_ascii_digit());
         let digits = &bare[head.len()..];
-        // A number becomes a subscript of letters; after an underscore, a prime or another number it stays where it is.
+        // A number becomes a subscript if letters precede it; after an underscore, a prime or
+        // another number it stays in place.
         if digits.is_empty() || head.is_empty() || !head.chars().all(char::is_alphabetic) {
             return Parts { head: name, digits: "", primes: "" };
         }

@@ -1,62 +1,67 @@
 //! Groups higher than class III drawn by their special points.
 //!
-//! A link that two lines hold moves, as far as velocities go, as if pinned where they cross; with its other pins it is then a bar of a
-//! smaller group. Reduced so link after link, a group that has no core is drawn by crossings of two loci. Accelerations go the same way,
-//! their normal parts being known from the velocities. Two links of the group that roll on one another are pinned in the same sense at their
-//! contact: there both have one velocity, and of their accelerations the difference Ω²δ along the normal is known from the velocities.
-//! What no link's two lines open stays to the loop equations.
+//! For velocities, a link held along two lines moves like a link pinned at their crossing; with its
+//! other pins it is then a bar of a smaller group. Reduced link after link in this way, a group
+//! without a core is drawn by crossings of two loci. Accelerations follow in the same way, because
+//! their normal parts are known from the velocities. Two links of the group that roll on one
+//! another are, in the same sense, pinned at their contact: there both have the same velocity, and
+//! the difference Ω²δ of their accelerations along the normal is known from the velocities. If no
+//! two lines of any link open a group, only the loop equations solve it.
 //!
 //! # Source
-//! Assur points (特殊点): N. Rosenauer, A. H. Willis, *Kinematics of Mechanisms* (1953), §§ on auxiliary points.
+//! Assur points (特殊点): N. Rosenauer, A. H. Willis, *Kinematics of Mechanisms* (1953), §§ on
+//! auxiliary points.
 
 use super::build::Builder;
 use super::{Body, By, Chain, Method, Rate, Special, SpecialLine, Spot, Step, Term, TermKind, VertexId};
 use hodograph_mechanism::mechanism::{Form, Hold, Level, Runner, Strut};
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
-/// A link of the group that is no mere bar from a known pin.
+/// A link of the group that is not merely a bar from a known pin.
 pub(super) struct Member {
     pub link: LinkId,
-    /// Its pins that other members carry too.
+    /// The pins that other members carry too.
     pub shared: Vec<PointId>,
-    /// What known bodies hold of it.
+    /// The constraints by known bodies.
     pub holds: Vec<Hold>,
-    /// Known pins on which it turns.
+    /// The known pins on which the member turns.
     pub pivots: Vec<PointId>,
-    /// Pairs by which it rolls on other members.
+    /// The pairs by which the member rolls on other members.
     pub rolls: Vec<RollingId>,
-    /// Holds by other members, each of use as soon as that member is known.
+    /// The constraints by other members; each can be used once that member is known.
     pub inner: Vec<(usize, Hold)>,
 }
 
 impl Member {
-    /// All that holds it along lines, now or later.
+    /// Returns all constraints along lines, by known bodies and by other members.
     fn legs(&self) -> impl Iterator<Item = &Hold> {
         self.holds.iter().chain(self.inner.iter().map(|(_, hold)| hold))
     }
 
-    /// Returns true for a member that turns on one known pin, while nothing else known holds it.
+    /// Returns true for a member that turns on one known pin and has no other constraint by known
+    /// bodies.
     pub fn is_hinged(&self) -> bool {
         self.holds.is_empty() && self.rolls.is_empty() && self.pivots.len() == 1
     }
 
-    /// Returns true for a member that only pins join to others.
+    /// Returns true for a member with no other joints to members or known bodies than pins.
     pub fn is_pinned_only(&self) -> bool {
         self.holds.is_empty() && self.rolls.is_empty() && self.inner.is_empty()
     }
 }
 
-/// How far a member is known.
+/// The known part of a member.
 #[derive(Clone, Default)]
 pub(super) struct State {
     /// Points whose vectors are known.
     pub known: Vec<VertexId>,
-    /// The lines that its special point lies on: they say nothing more.
+    /// The lines on which its special point lies: they give no further information.
     used: Vec<Line>,
     pub done: bool,
 }
 
-/// A line that holds a member: of one of its own legs, or through a shared pin from the special point of a neighbour.
+/// A line along which a member is held: of one of its own legs, or through a shared pin from the
+/// special point of a neighbour.
 #[derive(Clone, Copy, PartialEq)]
 enum Line {
     Leg(Hold),
@@ -65,7 +70,7 @@ enum Line {
         special: VertexId,
         link: LinkId,
     },
-    /// Through a contact from the special point of the member that rolls there.
+    /// Through a contact, from the special point of the member that rolls there.
     Contact {
         pair: RollingId,
         special: VertexId,
@@ -74,7 +79,7 @@ enum Line {
 }
 
 impl Line {
-    /// Whether both run through one shared pin, or through one contact.
+    /// True if both run through the same shared pin or the same contact.
     fn passes_with(&self, other: &Line) -> bool {
         match (*self, *other) {
             (Line::Neighbour { pin: a, .. }, Line::Neighbour { pin: b, .. }) => a == b,
@@ -83,7 +88,7 @@ impl Line {
         }
     }
 
-    /// The special point from which it comes.
+    /// Returns the special point from which the line comes.
     fn from(&self) -> Option<VertexId> {
         match *self {
             Line::Leg(_) => None,
@@ -93,7 +98,8 @@ impl Line {
 }
 
 impl Builder<'_> {
-    /// The steps of a group without a core; `None` where its links are not reduced by special points.
+    /// Returns the steps of a group without a core; `None` if special points do not reduce its
+    /// links.
     pub(super) fn reduced(&mut self, level: Level, g: usize, members: &[Member]) -> Option<Vec<Step>> {
         let mut states = self.states(members);
         if !self.open_all(level, g, members, &mut states) {
@@ -103,12 +109,12 @@ impl Builder<'_> {
         Some(std::mem::take(&mut self.pending))
     }
 
-    /// Members of which only the pivots are known.
+    /// Returns the initial states of members, with known pivots only.
     pub(super) fn states(&mut self, members: &[Member]) -> Vec<State> {
         members.iter().map(|m| State { known: m.pivots.iter().map(|pin| self.pin(*pin)).collect(), ..State::default() }).collect()
     }
 
-    /// Opens link after link; whether all are known in the end.
+    /// Opens one link after another; returns true if all are known in the end.
     pub(super) fn open_all(&mut self, level: Level, g: usize, members: &[Member], states: &mut [State]) -> bool {
         while !states.iter().all(|s| s.done) {
             if !(0..members.len()).any(|i| !states[i].done && self.advance(level, g, members, states, i)) {
@@ -118,14 +124,14 @@ impl Builder<'_> {
         true
     }
 
-    /// The turning of all that holds the members.
+    /// Adds the sources of the angular quantities of the parts that hold the members.
     pub(super) fn sources_of_members(&mut self, level: Level, members: &[Member]) {
         for hold in members.iter().flat_map(|member| &member.holds) {
             self.sources_of(level, hold);
         }
     }
 
-    /// Finds a further point of a member, or all of it; whether there was one to find.
+    /// Finds a further point of a member, or all of it; returns true if there was one to find.
     fn advance(&mut self, level: Level, g: usize, members: &[Member], states: &mut [State], i: usize) -> bool {
         let member = &members[i];
         if let [a, b, ..] = states[i].known[..] {
@@ -136,12 +142,13 @@ impl Builder<'_> {
         let ends: Vec<[Option<VertexId>; 2]> = lines.iter().map(|l| [l.from(), Some(self.near_of(member.link, l))]).collect();
         match states[i].known[..] {
             [start] => {
-                // Known at one point and held along a line: a second one follows.
+                // With one known point and one line, a second point follows.
                 let through = |k: &usize| !self.in_line(&[&ends[*k][..], &[Some(start)]].concat());
                 let Some(line) = (0..lines.len()).find(through).map(|k| &lines[k]) else { return false };
                 let near = self.near_of(member.link, line);
                 let rolls = if let Line::Leg(hold) = line { self.rolled(level, member.link, hold) } else { None };
-                // The points on known links are found in any case: the accelerations need what slides there.
+                // The points on known links are found in any case: the accelerations need the
+                // sliding there.
                 let second = self.chain_of(level, member.link, line);
                 if rolls.is_none() {
                     let (known, unknown) = self.turning(level, Body::Link(member.link), near, start, false);
@@ -156,7 +163,7 @@ impl Builder<'_> {
                 let crossing = pairs.into_iter().find(|&(k, l)| !self.in_line(&[ends[k], ends[l]].concat()));
                 let Some((k, l)) = crossing else { return false };
                 let (a, b) = (&lines[k], &lines[l]);
-                // The tangent at a contact and the line of its centres cross in the contact itself.
+                // The tangent at a contact and the line of its centres cross in the contact.
                 let contact = [(k, l), (l, k)].into_iter().find(|&(k, l)| {
                     let tangent = matches!(lines[k], Line::Leg(Hold::Rolls { .. }));
                     tangent && ends[l][0].is_some() && self.in_line(&[ends[k][1], ends[l][0], ends[l][1]])
@@ -186,7 +193,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A member of which two points are known: all its pins are, by images.
+    /// Finds all pins of a member with two known points, by images.
     fn finish(&mut self, level: Level, members: &[Member], states: &mut [State], i: usize, [a, b]: [VertexId; 2]) {
         let member = &members[i];
         self.source(level, Body::Link(member.link), Rate::Measured { of: b, to: a });
@@ -218,7 +225,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A point of contact that is known on one of two members is known on the other.
+    /// Finds the point of contact on one member from the known point of contact on the other.
     fn across(&mut self, level: Level, members: &[Member], states: &mut [State], found: VertexId) {
         for member in members {
             for &pair in &member.rolls {
@@ -237,7 +244,8 @@ impl Builder<'_> {
         }
     }
 
-    /// What the point of a link at a contact has beyond that of the other: nothing of the velocity, Ω²δ of the acceleration.
+    /// Returns the difference between the points of two links at a contact: nothing for the
+    /// velocity, Ω²δ for the acceleration.
     pub(super) fn roll(&mut self, level: Level, pair: RollingId, of: VertexId, to: VertexId) -> Vec<Term> {
         if level == Level::Velocity {
             return Vec::new();
@@ -248,7 +256,8 @@ impl Builder<'_> {
         vec![Term { kind: TermKind::Roll, of, to, by: By::Contact(pair), known: true }]
     }
 
-    /// Whether points lie on the line of centres of one contact for good: no two loci cross there.
+    /// True if points are permanently on the line of centres of one contact: no two loci cross
+    /// there.
     fn in_line(&self, points: &[Option<VertexId>]) -> bool {
         let points: Option<Vec<PointId>> = points
             .iter()
@@ -264,7 +273,7 @@ impl Builder<'_> {
         })
     }
 
-    /// A pin that is known is known on all members that carry it.
+    /// Marks a known pin as known on all members that carry it.
     pub(super) fn known_at(&mut self, states: &mut [State], members: &[Member], v: VertexId, found_on: usize) {
         for (k, (member, state)) in members.iter().zip(states.iter_mut()).enumerate() {
             let shares = member.shared.iter().any(|p| self.pin(*p) == v);
@@ -274,13 +283,13 @@ impl Builder<'_> {
         }
     }
 
-    /// The lines along which a member is held by what is known.
+    /// Returns the lines along which known parts hold a member.
     fn lines(&mut self, members: &[Member], states: &[State], i: usize) -> Vec<Line> {
         let inner = members[i].inner.iter().filter(|(other, _)| states[*other].done).map(|(_, hold)| hold);
         let own = members[i].holds.iter().chain(inner).map(|h| Line::Leg(*h));
         let through = members[i].shared.iter().flat_map(|&pin| {
             let others = members.iter().zip(states).enumerate().filter(move |(k, (m, _))| *k != i && m.shared.contains(&pin));
-            // The line back to where a neighbour's point came from holds nothing new.
+            // The line back to the source of a neighbour's point gives nothing new.
             others.filter_map(move |(_, (m, s))| match s.known[..] {
                 [special] => {
                     let line = Line::Neighbour { pin, special, link: m.link };
@@ -304,7 +313,7 @@ impl Builder<'_> {
         lines.into_iter().filter(|l| !used(l)).collect()
     }
 
-    /// The point of a member that a line holds.
+    /// Returns the point of a member on a line.
     fn near_of(&mut self, link: LinkId, line: &Line) -> VertexId {
         match line {
             Line::Leg(hold) => self.near(link, hold).expect("a leg with a line has a point on the link"),
@@ -340,15 +349,16 @@ fn special_line(scene: &Scene, line: &Line) -> SpecialLine {
     }
 }
 
-/// The members of a group and what holds them; `None` where a pair of the group is no bar, guide, slot, cylinder or contact between a
-/// member and a known body, and no pin, slot or contact between members.
+/// Returns the members of a group with their constraints; `None` if the group has a pair that is
+/// neither a bar, guide, slot, cylinder or contact between a member and a known body, nor a pin,
+/// slot or contact between members.
 pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
     let group = &m.groups[g];
     let forms: Vec<Form> = group.constraints.iter().map(|&c| m.constraints[c].form()).collect();
     let on =
         |l: LinkId| -> Vec<PointId> { forms.iter().filter_map(Form::meets).filter(|(_, link)| *link == l).map(|(pin, _)| pin).collect() };
     let inner = |p: &PointId| group.pins.contains(p);
-    // A bar from a known pin that nothing else holds is a leg of the link at its other end.
+    // A bar from a known pin without other constraints is a leg of the link at its other end.
     let alone = |l: LinkId| {
         !forms.iter().any(|form| match form {
             Form::OnPath { runner: Runner::Pin(_), .. } | Form::Related { .. } => form.joins(l),
@@ -373,18 +383,19 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
         members.iter_mut().find(|m| m.link == l)?.holds.push(hold);
         Some(())
     };
-    // What holds a pin holds the first member that carries it: the others are pinned to that one.
+    // A constraint on a pin belongs to the first member that carries it: the others are pinned to
+    // that member.
     for &(link, near, far) in &bars {
         add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Bar(link) })?;
     }
     let mut contacts: Vec<(RollingId, [LinkId; 2])> = Vec::new();
     let mut slots: Vec<(PointId, GuideId, [LinkId; 2])> = Vec::new();
-    // Of two ends that of the group, and the known one.
+    // Index of the end in the group, if the other end is known.
     let ends = |[a, b]: [bool; 2]| if a == b { None } else { Some(usize::from(b)) };
     for form in &forms {
         match *form {
             Form::Meet { .. } => {}
-            // At a contact between members this is said already.
+            // The rolling pair already records a contact between members.
             Form::OnPath { guide, .. } if scene.guides[guide.0].rolling.is_some_and(between_members) => {}
             Form::OnPath { runner: Runner::Pin(pin), guide, on } => {
                 if let Some(&carrier) = holder(pin).first()
@@ -407,7 +418,8 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
                 add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Cylinder(driver) })?;
             }
             Form::Related { pair, links } if links.iter().all(|l| group.links.contains(l)) => {
-                // Of a strand between two unknown links neither end tells the other: it turns with an arm.
+                // For a strand between two unknown links, neither end determines the other: the
+                // strand turns with an arm.
                 scene.rolling[pair.0].contact()?;
                 contacts.push((pair, links));
             }

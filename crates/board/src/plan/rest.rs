@@ -1,19 +1,21 @@
-//! What stands still at the instant because a driver is given the rate 0.
+//! The parts at rest at the instant because a driver has the rate 0.
 //!
-//! Such terms are written, with the magnitude 0, for the next instant they will count; the drawing board does not lay them
-//! off. Whether a driver is at rest is part of the question, as whether it has an acceleration, and no matter of size: only
-//! the rate 0 as it is written counts.
+//! Such terms are written, with the magnitude 0, because they count at the next instant; the
+//! drawing board does not lay them off. The question states whether a driver is at rest, as it
+//! states whether it has an acceleration. The magnitude of the rate is irrelevant: only the rate 0
+//! as written counts.
 
 use super::{Body, By, Plan, Term, TermKind};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{DiagramKind, Driver, GuidePath, Scene};
 
-/// What is at rest.
+/// The parts at rest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rest {
-    /// For each driver, whether its rate is 0.
+    /// For each driver, true if its rate is 0.
     pub drivers: Vec<bool>,
-    /// For each link, whether it does not turn: for topological reasons, or because its driver is at rest.
+    /// For each link, true if it does not turn: for topological reasons, or because its driver is
+    /// at rest.
     pub links: Vec<bool>,
 }
 
@@ -22,7 +24,7 @@ fn is_held(d: &Driver) -> bool {
 }
 
 impl Rest {
-    /// What is at rest in a scene.
+    /// Returns the parts of a scene at rest.
     pub fn of(scene: &Scene, m: &Mechanism) -> Rest {
         let drivers: Vec<bool> = scene.drivers.iter().map(is_held).collect();
         let mut links = m.never_turns.clone();
@@ -34,13 +36,13 @@ impl Rest {
         Rest { drivers, links }
     }
 
-    /// Whether no driver moves, so that nothing does.
+    /// True if no driver moves, so that nothing moves.
     pub fn is_all(&self) -> bool {
         self.drivers.iter().all(|held| *held)
     }
 }
 
-/// Rest goes from link to link over drivers at rest and over sliders that keep their direction.
+/// Spreads rest from link to link over drivers at rest and over sliders that keep their direction.
 fn spread(scene: &Scene, drivers: &[bool], links: &mut [bool]) -> bool {
     let turns = scene.drivers.iter().zip(drivers).filter(|(_, held)| **held).filter_map(|(d, _)| d.kind.turned());
     let sliders = scene.guides.iter().filter_map(|g| match g.path {
@@ -57,13 +59,13 @@ fn spread(scene: &Scene, drivers: &[bool], links: &mut [bool]) -> bool {
 }
 
 impl Plan {
-    /// Whether a term vanishes at the instant because a driver is at rest.
+    /// True if a term vanishes at the instant because a driver is at rest.
     pub fn vanishes(&self, scene: &Scene, on: DiagramKind, t: &Term) -> bool {
         let rest = &self.rest;
         if rest.is_all() {
             return on == DiagramKind::Velocity || matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis);
         }
-        // What is found by the drawing may come out as nothing, but is not known to.
+        // An unknown term may turn out to be zero in the drawing, but is not known to vanish.
         if !t.known {
             return false;
         }

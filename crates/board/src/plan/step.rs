@@ -1,17 +1,18 @@
-//! Accessors of a step: its vertex, its chains, the guides along which its terms slide, the body whose turning makes its Coriolis part.
+//! Accessors of a step: its vertex, its chains, the guides along which its terms slide, the link
+//! that gives the angular velocity of its Coriolis part.
 
 use super::{By, Chain, Plan, Step, VertexId};
 use hodograph_scene::{DiagramKind, GuideId, LinkId, Scene};
 
 impl Step {
-    /// The vertex that it finds.
+    /// Returns the vertex that the step finds.
     pub fn target(&self) -> VertexId {
         match self {
             Step::Equation { target, .. } | Step::Image { target, .. } | Step::Trials { target, .. } | Step::Same { target, .. } => *target,
         }
     }
 
-    /// The chains of an equation; none of other steps.
+    /// Returns the chains of an equation; empty for other steps.
     pub fn chains(&self) -> &[Chain] {
         match self {
             Step::Equation { chains, .. } => chains,
@@ -19,7 +20,7 @@ impl Step {
         }
     }
 
-    /// The vertices that it starts from.
+    /// Returns the vertices from which the step starts.
     pub fn sources(&self) -> Vec<VertexId> {
         match self {
             Step::Equation { chains, .. } => chains.iter().map(|c| c.start).collect(),
@@ -29,7 +30,7 @@ impl Step {
         }
     }
 
-    /// Whether a term of the step slides along a guide.
+    /// True if a term of the step slides along a guide.
     pub fn slides_along(&self, guide: GuideId) -> bool {
         let mut terms = self.chains().iter().flat_map(|c| c.known.iter().chain(&c.unknown));
         terms.any(|t| matches!(t.by, By::Guide { guide: g, .. } if g == guide))
@@ -37,10 +38,10 @@ impl Step {
 }
 
 impl Plan {
-    /// The images of a vertex in two trials, and their mates.
+    /// Returns the images of a vertex in two trials, and their mates.
     ///
     /// # Panics
-    /// For a vertex that no trials give.
+    /// If the vertex is not found by trials.
     pub fn trials(&self, on: DiagramKind, v: VertexId) -> [[VertexId; 2]; 2] {
         let steps = self.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten());
         let mut found = steps.filter_map(|step| {
@@ -50,7 +51,7 @@ impl Plan {
         found.next().expect("trials give the vertex")
     }
 
-    /// The vertex of the polygon that is sought, for that of a trial.
+    /// Returns the vertex of the final polygon that corresponds to a trial's vertex.
     pub fn untried(&self, v: VertexId) -> VertexId {
         let tried = self.vertex(v);
         if tried.trial.is_none() {
@@ -59,7 +60,8 @@ impl Plan {
         self.vertices.iter().position(|own| own.trial.is_none() && own.is_at(tried)).map_or(v, VertexId)
     }
 
-    /// The link with whose turning the Coriolis acceleration at a guide is laid off: that which carries it.
+    /// Returns the link with the angular velocity that the Coriolis acceleration at a guide uses:
+    /// the guide's carrier, or the link that a wrong solution uses instead.
     pub fn coriolis_link(&self, scene: &Scene, guide: GuideId) -> LinkId {
         match self.coriolis_by {
             Some((wrong, by)) if wrong == guide => by,

@@ -1,6 +1,8 @@
-//! Words and symbols of a plan, in the label language: `v_{CB}`, `a^n_{B3}`, `\perp BC`, `2\omega_3 v_{B3B2}`.
+//! Texts and symbols of a plan, in the label language: `v_{CB}`, `a^n_{B3}`, `\perp BC`, `2\omega_3
+//! v_{B3B2}`.
 //!
-//! A vector that starts at a fixed point is written as an absolute one (v_C, not v_CD), as every textbook does.
+//! A vector that starts at a fixed point is written as an absolute one (v_C, not v_CD), as in every
+//! textbook.
 
 pub use super::names::point_label;
 use super::names::{image_label, image_of, is_image, mate_letter, name_label, numbered, of_trial, pole_letter, special_name};
@@ -9,35 +11,35 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::notation::Notation;
 use hodograph_scene::{DiagramKind, GuideId, GuidePath, Lang, PointId, Scene};
 
-/// What the texts are written for.
+/// The context of the texts.
 #[derive(Clone, Copy, Debug)]
 pub struct Writer<'a> {
     /// The scene, for names.
     pub scene: &'a Scene,
     /// The plan.
     pub plan: &'a Plan,
-    /// Marks.
+    /// The notation of the marks.
     pub notation: &'a Notation,
-    /// Language of words.
+    /// The language of the words.
     pub lang: Lang,
 }
 
 /// One column of an equation table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// What stands before it: nothing, `=` or `+`.
+    /// The sign before the column: nothing, `=` or `+`.
     pub joint: &'static str,
     /// The vector's symbol.
     pub symbol: String,
-    /// Its direction.
+    /// The direction.
     pub direction: String,
-    /// Its magnitude.
+    /// The magnitude.
     pub magnitude: String,
-    /// The term, if it is one (not for a whole known vector).
+    /// The term, if the column is one (not for a whole known vector).
     pub term: Option<Term>,
 }
 
-/// Name of a vertex in capitals, as diagnostics use it: `C`, `B3`, `S`.
+/// Returns the name of a vertex in capitals, as in diagnostics: `C`, `B3`, `S`.
 pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     let vertex = plan.vertex(v);
     let name = match (vertex.spot, vertex.trial) {
@@ -49,7 +51,7 @@ pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     vertex.trial.map_or(name.clone(), |t| format!("{name}({})", t.run))
 }
 
-/// Name of a line in plain letters, its ends in the order of the scene: `AB`.
+/// Returns the name of a line in plain letters, with its ends in the order of the scene: `AB`.
 pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String {
     let (a, b) = ordered(plan, a, b);
     let plain = |v: VertexId| match plan.vertex(v).spot {
@@ -59,7 +61,8 @@ pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String
     format!("{}{}", plain(a), plain(b))
 }
 
-/// What leaves a term's direction open, in words of diagnostics: `link 3 (CD)`, `the guide on link 4`.
+/// Returns the link, cylinder, guide or contact that gives a term its direction, in words of
+/// diagnostics: `link 3 (CD)`, `the guide on link 4`.
 pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
     let line = || line_name(scene, plan, t.to, t.of);
     match t.by {
@@ -74,7 +77,8 @@ pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
     }
 }
 
-/// The ends of a line in the order of the scene, so that one line has one name: AB, never BA.
+/// Returns the ends of a line in the order of the scene, so that a line has only one name: AB,
+/// never BA.
 fn ordered(plan: &Plan, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
     let rank = |v: VertexId| match plan.vertex(v).spot {
         Spot::Point(p) => p.0,
@@ -84,12 +88,13 @@ fn ordered(plan: &Plan, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
 }
 
 impl Writer<'_> {
-    /// Name of a vertex in capitals, in the label language.
+    /// Returns the name of a vertex in capitals, in the label language.
     pub fn name(&self, v: VertexId) -> String {
         name_label(&vertex_name(self.scene, self.plan, v))
     }
 
-    /// The place of a vertex: `B`, `O_2`, without the number that tells coincident points apart.
+    /// Returns the place of a vertex, `B`, `O_2`, without the number that distinguishes coincident
+    /// points.
     pub fn spot(&self, v: VertexId) -> String {
         match self.plan.vertex(v).spot {
             Spot::Point(p) => point_label(self.scene.point_name(p)),
@@ -97,35 +102,38 @@ impl Writer<'_> {
         }
     }
 
-    /// Name of a line through two vertices: `AB`; coincident numbers are dropped, for a line is a place.
+    /// Returns the name of a line through two vertices, `AB`, without the numbers of coincident
+    /// points, because a line is a place.
     pub fn line(&self, a: VertexId, b: VertexId) -> String {
         let (a, b) = ordered(self.plan, a, b);
         format!("{}{}", self.spot(a), self.spot(b))
     }
 
-    /// The length of a line: `l_{AB}`.
+    /// Returns the length of a line: `l_{AB}`.
     pub fn length(&self, a: VertexId, b: VertexId) -> String {
         format!("l_{{{}}}", name_label(&line_name(self.scene, self.plan, a, b)))
     }
 
-    /// Symbol of a whole vector of a vertex: `v_{B3}`.
+    /// Returns the symbol of a whole vector of a vertex: `v_{B3}`.
     pub fn vector(&self, on: DiagramKind, v: VertexId) -> String {
         format!("{}_{{{}}}", on.letter(), self.name(v))
     }
 
-    /// From a fixed point a vector is absolute; a cylinder's parts are always told as relative, for the other chain of
-    /// their equation may start at a fixed point as well.
+    /// True if a term is written as an absolute vector, from a fixed point. The parts of a cylinder
+    /// are always relative, because the other chain of their equation may start at a fixed point as
+    /// well.
     pub(super) fn is_absolute(&self, on: DiagramKind, t: &Term) -> bool {
         let whole = |t: &Term| match t.by {
             By::Cylinder(_) | By::Turning(Body::Cylinder(_)) => false,
-            // Over a fixed point of a guide that turns, sliding is the whole of the velocity, but beside the Coriolis term only a part of
-            // the acceleration.
+            // Over a fixed point of a turning guide, sliding is the whole velocity, but with the
+            // Coriolis term only a part of the acceleration.
             By::Guide { guide, .. } => on == DiagramKind::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
             By::Turning(Body::Link(_)) | By::Contact(_) | By::Apart => true,
             By::Frame { .. } => false,
         };
         let absolute = |t: &Term| self.plan.vertex(t.to).fixed && whole(t);
-        // A point held from two fixed ones (a part of the mechanism that cannot move) has the same vector by two names.
+        // A point held from two fixed ones (a part of the mechanism that cannot move) has two names
+        // for the same vector.
         absolute(t) && !self.plan.terms(on).any(|u| u.of == t.of && u.to != t.to && absolute(&u))
     }
 
@@ -133,7 +141,7 @@ impl Writer<'_> {
         if self.is_absolute(on, t) { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
     }
 
-    /// The sliding velocity that makes a Coriolis or normal part of sliding.
+    /// Returns the sliding velocity in a Coriolis or normal part of sliding.
     fn sliding(&self, t: &Term) -> String {
         let [of, to] = [t.of, t.to].map(|v| self.plan.untried(v));
         if let By::Frame { .. } = t.by {
@@ -142,13 +150,14 @@ impl Writer<'_> {
         self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Slide, of, to, ..*t })
     }
 
-    /// The vector from which the turning of a body is measured: `v_{CB}`, `a^t_{CB}`.
+    /// Returns the vector from which the angular quantity of a body is measured: `v_{CB}`,
+    /// `a^t_{CB}`.
     pub fn measured(&self, on: DiagramKind, body: Body, of: VertexId, to: VertexId) -> String {
         let kind = if on == DiagramKind::Acceleration { TermKind::Tangential } else { TermKind::Relative };
         self.symbol(on, &Term { kind, of, to, by: By::Turning(body), known: false })
     }
 
-    /// Name of a vertex in the letters of images, in the label language.
+    /// Returns the name of a vertex in the letters of images, in the label language.
     fn small(&self, v: VertexId) -> String {
         let vertex = self.plan.vertex(v);
         let name = match (vertex.spot, vertex.trial) {
@@ -163,14 +172,14 @@ impl Writer<'_> {
     fn superscript(&self, on: DiagramKind, t: &Term) -> String {
         let fixed_guide = self.is_absolute(on, t);
         match (t.kind, t.by) {
-            // The part square to the line: the whole has the part along it too.
+            // The part square to the line; the whole vector also has the part along it.
             (TermKind::Relative, By::Turning(Body::Cylinder(_))) => self.notation.tangential.clone(),
             (TermKind::Relative, _) => String::new(),
             (TermKind::Normal, _) => "n".into(),
             (TermKind::Tangential, _) => self.notation.tangential.clone(),
             (TermKind::Coriolis, _) => self.notation.coriolis.clone(),
             (TermKind::Extension, _) => self.notation.sliding.clone(),
-            // On a fixed straight guide sliding is the point's whole motion.
+            // On a fixed straight guide, sliding is the whole motion of the point.
             (TermKind::Slide, By::Guide { guide, .. }) if fixed_guide => {
                 if on == DiagramKind::Acceleration && self.is_arc(guide) {
                     self.notation.tangential.clone()
@@ -196,7 +205,7 @@ impl Writer<'_> {
         matches!(self.scene.guides[g.0].path, GuidePath::Arc { .. })
     }
 
-    /// Symbol of a term: `v_{CB}`, `a^t_{CB}`, `a^k_{B3B2}`.
+    /// Returns the symbol of a term: `v_{CB}`, `a^t_{CB}`, `a^k_{B3B2}`.
     pub fn symbol(&self, on: DiagramKind, t: &Term) -> String {
         if let (TermKind::Gap, Some(trial)) = (t.kind, self.plan.vertex(t.of).trial) {
             return format!("\\delta_{{({})}}", trial.run);
@@ -205,13 +214,14 @@ impl Writer<'_> {
         if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
     }
 
-    /// The pole of a polygon: `p`, `p'`. Where a moving point has that letter, another one.
+    /// Returns the pole of a polygon: `p`, `p'`, or another letter if a moving point has that one.
     pub fn pole(&self, on: DiagramKind) -> String {
         let letter = pole_letter(self.scene, self.plan, &self.notation.pole);
         format!("{letter}{}", on.prime())
     }
 
-    /// The image of a vertex: `b`, `b_3`, `b'_3`; fixed points have theirs in the pole.
+    /// Returns the image of a vertex: `b`, `b_3`, `b'_3`; fixed points have their image at the
+    /// pole.
     pub fn image(&self, on: DiagramKind, v: VertexId) -> String {
         let vertex = self.plan.vertex(v);
         if vertex.fixed {
@@ -226,19 +236,22 @@ impl Writer<'_> {
         vertex.trial.map_or(label.clone(), |t| of_trial(&label, t.run))
     }
 
-    /// The letter of the image of a pin on the velocity polygon: `b`, `s_2`.
+    /// Returns the letter of a pin's image on the velocity polygon: `b`, `s_2`.
     pub fn letter(&self, p: PointId) -> String {
         image_label(&self.plan.letters, p, None, "")
     }
 
-    /// The end of a part of the acceleration of a point: `n'_B`, `k'`, written with the image letter of the point in
-    /// the subscript, as n_b′. A letter of the notation profile (η, κ) stands where the image of a point is n or k already.
+    /// Returns the end of a part of a point's acceleration, `n'_B`, `k'`, with the image letter of
+    /// the point in the subscript, as n_b′. If the image of a point already has the letter n or k,
+    /// a letter of the notation profile (η, κ) replaces it.
     pub fn part(&self, on: DiagramKind, t: &Term) -> String {
         let (letter, other) = self.part_letters(t.kind);
-        // Two parts of one point, such as aⁿ_C and aⁿ_CB, are told apart by the point from which the second is seen.
+        // Two parts of one point, such as aⁿ_C and aⁿ_CB, are distinguished by the reference point
+        // of the second.
         let shared = self.plan.terms(on).any(|u| self.part_letters(u.kind).0 == letter && u.of == t.of && u.to != t.to);
         let to = if shared && !self.is_absolute(on, t) { self.small(t.to) } else { String::new() };
-        // Over one pin in two slots of a link there are two parts of one name; the second has a prime more.
+        // Two slots of a link over one pin give two parts of the same name; the second has an
+        // additional prime.
         let twin = |u: &Term| self.part_letters(u.kind).0 == letter && (u.of, u.to) == (t.of, t.to);
         let before = self.plan.terms(on).filter(twin).take_while(|u| u.is_same(t).is_none()).count();
         let letter = if is_image(self.scene, self.plan, letter) { other } else { letter };
@@ -255,7 +268,8 @@ impl Writer<'_> {
         }
     }
 
-    /// The symbol of a body's turning: `\omega_3`, `\alpha_3`; of an unnumbered cylinder `\omega_{FG}`.
+    /// Returns the symbol of a body's angular quantity: `\omega_3`, `\alpha_3`; for an unnumbered
+    /// cylinder `\omega_{FG}`.
     pub fn turning(&self, on: DiagramKind, body: Body) -> String {
         let letter = on.turning_letter();
         match body {
@@ -271,7 +285,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Direction of a term: `\perp BC`, `\parallel BC`, `C \to D`.
+    /// Returns the direction of a term: `\perp BC`, `\parallel BC`, `C \to D`.
     pub fn direction(&self, t: &Term) -> String {
         match (t.kind, t.by) {
             (TermKind::Relative | TermKind::Tangential, _) => format!("\\perp {}", self.line(t.of, t.to)),
@@ -306,8 +320,8 @@ impl Writer<'_> {
         }
     }
 
-    /// Magnitude of a term: `\omega_1 l_{AB}`, `\omega_3^2 l_{BC}`, `0` where a driver at rest leaves nothing of it, or the
-    /// sign for unknown.
+    /// Returns the magnitude of a term: `\omega_1 l_{AB}`, `\omega_3^2 l_{BC}`, `0` if a driver at
+    /// rest makes it vanish, or the sign for unknown.
     pub fn magnitude(&self, on: DiagramKind, t: &Term) -> String {
         if self.plan.vanishes(self.scene, on, t) {
             return "0".into();
@@ -345,7 +359,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The rate of a trial polygon that is chosen, `ω_{2(2)}`, if a known term rests on it.
+    /// Returns the assumed rate of a trial polygon, `ω_{2(2)}`, if a known term depends on it.
     fn chosen_rate(&self, on: DiagramKind, t: &Term) -> Option<String> {
         match (t.kind, t.by, self.plan.vertex(t.of).trial) {
             (TermKind::Relative | TermKind::Tangential, By::Turning(body), Some(trial)) if t.known => {
@@ -355,7 +369,8 @@ impl Writer<'_> {
         }
     }
 
-    /// The choice with which a trial begins, where a vertex is found by it: `ω_{2(1)} = 0`, `ω_{2(2)}`.
+    /// Returns the assumption with which a trial begins, if it finds the vertex: `ω_{2(1)} = 0`,
+    /// `ω_{2(2)}`.
     pub fn choice(&self, on: DiagramKind, v: VertexId) -> Option<String> {
         let (own, run) = (self.plan.vertex(v), self.plan.vertex(v).trial?.run);
         let steps = || self.plan.steps(on).iter().flat_map(|g| g.steps(0));
@@ -371,7 +386,7 @@ impl Writer<'_> {
         Some(if run == 1 { format!("{rate} = 0") } else { rate })
     }
 
-    /// The point and the bar of a mate that a step introduces, with the first trial.
+    /// Returns the point and the bar of a mate that a step introduces in the first trial.
     pub fn mate(&self, step: &Step) -> Option<[String; 2]> {
         let target = step.target();
         self.plan.vertex(target).trial.filter(|trial| trial.mate && trial.run == 1)?;
@@ -379,11 +394,11 @@ impl Writer<'_> {
         Some([self.spot(target), self.line(gap.to, gap.of)])
     }
 
-    /// The columns of an equation with its loci: the chain that starts at a fixed point (or the point itself) on the
-    /// left, then the others, each after an equals sign.
+    /// Returns the columns of an equation with its loci: the chain that starts at a fixed point (or
+    /// the point itself) on the left, then the other chains, each after an equals sign.
     pub fn columns(&self, on: DiagramKind, target: VertexId, chains: &[Chain]) -> Vec<Column> {
         let mut out: Vec<Column> = Vec::new();
-        // A chain alone has nothing unknown.
+        // A single chain has no unknowns.
         let absolute_left = !self.plan.vertex(chains[0].start).fixed || chains.len() == 1 && chains[0].known.len() > 1;
         if absolute_left {
             out.push(Column {
@@ -395,7 +410,7 @@ impl Writer<'_> {
             });
         }
         for (i, chain) in chains.iter().enumerate() {
-            // The first chain stands left of the equals sign unless the point itself does.
+            // The first chain is left of the equals sign, unless the point itself is.
             let leads = i == 0 && !absolute_left;
             let mut first = true;
             let mut joint = || {
@@ -424,12 +439,13 @@ impl Writer<'_> {
         out
     }
 
-    /// A point's vector as it stands in a vector equation.
+    /// Returns a point's vector as a summand of a vector equation.
     pub fn summand(&self, on: DiagramKind, v: VertexId) -> String {
         self.notation.vectors.write(self.vector(on, v))
     }
 
-    /// Direction and magnitude of a vertex known before: those of its own single term, else "known".
+    /// Returns direction and magnitude of a known vertex: those of its own single term, otherwise
+    /// "known".
     fn known_vector(&self, on: DiagramKind, v: VertexId) -> (String, String) {
         let defining = self.plan.steps(on).iter().flat_map(|g| g.steps(0)).find_map(|s| match s {
             Step::Equation { target, chains, .. } if *target == v && chains.len() == 1 => Some(&chains[0]),

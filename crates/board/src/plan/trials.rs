@@ -1,11 +1,14 @@
 //! Groups that no special point opens, drawn by trial polygons.
 //!
-//! One unknown rate is chosen, 0 in a first trial and a handy value in a second, and one bar CE between two links of the group is left out; all other links are then
-//! known one after the other. Of E the bar asks for a place on the line through the image of C and the bar's normal part, square to CE: the mate x of e lies there, the gap
-//! from e to x along CE. All images are linear in the rate, so e and x run on straight lines, and the true e lies where these meet.
+//! One unknown rate is assumed, 0 in a first trial and a handy value in a second, and one bar CE
+//! between two links of the group is removed; all other links then follow one after the other. The
+//! bar requires e on the line through the image of C and the bar's normal part, square to CE: the
+//! mate x of e is on this line, and the gap from e to x is along CE. All images are linear in the
+//! rate, so e and x move on straight lines, and the true e is their crossing.
 //!
 //! # Source
-//! The method of false position (试凑法 of the textbooks), exact here because the equations are linear.
+//! The method of false position (试凑法 of the textbooks), exact here because the equations are
+//! linear.
 
 use super::build::{Builder, slot};
 use super::reduce::Member;
@@ -14,7 +17,8 @@ use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::PointId;
 use std::collections::HashSet;
 
-/// The link whose rate is chosen, with a known and another point of it; the bar that is left out, with its pins.
+/// The link with the assumed rate, with a known point and another point; the removed bar with its
+/// pins.
 pub(super) struct Choice {
     tried: usize,
     pivot: PointId,
@@ -24,7 +28,7 @@ pub(super) struct Choice {
 }
 
 impl Builder<'_> {
-    /// The steps of a group by two trials; `None` where the rate does not open it.
+    /// Returns the steps of a group by two trials; `None` if the assumed rate does not open it.
     pub(super) fn by_trials(&mut self, level: Level, g: usize, members: &[Member], choice: &Choice) -> Option<Vec<Step>> {
         let mut steps = Vec::new();
         let [near, far] = choice.pins.map(|p| self.pin(p));
@@ -66,7 +70,7 @@ impl Builder<'_> {
         Some(steps)
     }
 
-    /// All links but the bar left out, from a rate that is chosen; whether all are known.
+    /// Finds all links but the removed bar from an assumed rate; returns true if all are known.
     fn one_trial(&mut self, level: Level, g: usize, members: &[Member], choice: &Choice, run: u8) -> bool {
         let [pivot, moved] = [choice.pivot, choice.moved].map(|p| self.pin(p));
         let link = members[choice.tried].link;
@@ -76,13 +80,14 @@ impl Builder<'_> {
         }
         self.equation(level, moved, vec![Chain { start: pivot, known, unknown: Vec::new() }], Method::Trial);
         let mut states = self.states(members);
-        // A bar that counts as done learns of no pin, so that nothing is held by it.
+        // A bar marked as done gets no known pins, so that it holds nothing.
         states[choice.left_out].done = true;
         self.known_at(&mut states, members, moved, choice.tried);
         self.open_all(level, g, members, &mut states)
     }
 
-    /// Steps with the vertices of a trial in place of those that depend on its rate; apart from them the steps that do not.
+    /// Splits steps into those that depend on the rate, with the vertices of a trial, and those
+    /// that do not.
     fn renamed(&mut self, steps: Vec<Step>, moved: VertexId, run: u8) -> (Vec<Step>, Vec<Step>) {
         let mut depend: HashSet<VertexId> = HashSet::from([moved]);
         let (mut own, mut kept) = (Vec::new(), Vec::new());
@@ -104,7 +109,7 @@ impl Builder<'_> {
 }
 
 impl Step {
-    /// The step with other vertices.
+    /// Returns the step with other vertices.
     fn with_vertices(self, name: &mut impl FnMut(VertexId) -> VertexId) -> Step {
         let terms = |terms: Vec<Term>, name: &mut dyn FnMut(VertexId) -> VertexId| -> Vec<Term> {
             terms.into_iter().map(|t| Term { of: name(t.of), to: name(t.to), ..t }).collect()
@@ -128,11 +133,13 @@ impl Step {
     }
 }
 
-/// So many choices are tried at most, and of a large group fewer: no more than so many links are opened in all.
+/// The largest number of choices tried; fewer for a large group, so that at most `LINKS` links are
+/// opened in total.
 const MOST: usize = 24;
 const LINKS: usize = 400;
 
-/// Links with one known point whose rate can be chosen, and bars between two links that can be left out, with either pin as the one that is sought.
+/// Returns the choices: links with one known point for the assumed rate, and bars between two links
+/// that can be removed, with either pin as the wanted one.
 pub(super) fn choices(members: &[Member]) -> Vec<Choice> {
     let tried: Vec<(usize, &Member)> = members.iter().enumerate().filter(|(_, m)| m.is_hinged()).collect();
     let bars = members.iter().enumerate().filter(|(_, m)| m.is_pinned_only() && m.pivots.is_empty());

@@ -1,4 +1,5 @@
-//! Points whose vectors are drawn: joints, points of links that coincide with them, special points, and their doubles in trial polygons.
+//! Points with vectors in the drawing: joints, points of links that coincide with them, special
+//! points, and their doubles in trial polygons.
 
 use super::VertexId;
 use hodograph_mechanism::mechanism::ConstraintLine;
@@ -13,18 +14,19 @@ pub enum Spot {
     Special(usize),
 }
 
-/// A special (Assur) point of a link: where two lines cross along which it is held. As far as velocities go the link is pinned there.
+/// A special (Assur) point of a link: the crossing of two lines along which it is held. For
+/// velocities, the link moves as if pinned there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Special {
     /// The group.
     pub group: usize,
     /// The link.
     pub link: LinkId,
-    /// The other link, for a point with one velocity on two links.
+    /// The other link, for a point with the same velocity on two links.
     pub with: Option<LinkId>,
     /// The two lines.
     pub lines: [SpecialLine; 2],
-    /// The two legs of a triad, by their order in the core: it has another special point for each pair of them.
+    /// The two legs of a triad, by their order in the core; each pair of legs has a special point.
     pub legs: Option<(usize, usize)>,
 }
 
@@ -42,37 +44,37 @@ pub enum SpecialLine {
     },
 }
 
-/// A point of a certain link whose vector is drawn from the pole.
+/// A point of a certain link with a vector drawn from the pole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Vertex {
-    /// Its place.
+    /// The place.
     pub spot: Spot,
-    /// The link it belongs to where that is not the pin itself: the coincident point of a link that carries a guide.
+    /// The link of a coincident point (of a link that carries a guide); `None` for the pin itself.
     pub on: Option<LinkId>,
-    /// The number that tells coincident points apart in figures, if any does.
+    /// The number that distinguishes coincident points in figures, if there is one.
     pub number: Option<LinkId>,
-    /// Fixed points have their image in the pole.
+    /// True for a fixed point, with its image at the pole.
     pub fixed: bool,
-    /// The trial that it belongs to; `None` for a vertex of the polygon that is sought.
+    /// The trial to which it belongs; `None` for a vertex of the final polygon.
     pub trial: Option<Trial>,
 }
 
-/// A trial polygon: one unknown rate has a value that is chosen, and the last bar of the group is left out.
+/// A trial polygon: one unknown rate has an assumed value, and one bar of the group is removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Trial {
     /// The first trial, with a rate of 0, or the second.
     pub run: u8,
-    /// True for the point that the vertex would have to coincide with.
+    /// True for the mate: the point with which the vertex must coincide.
     pub mate: bool,
 }
 
 impl Vertex {
-    /// Returns true for a vertex of the same point, of whatever trial.
+    /// Returns true for a vertex of the same point, in any trial.
     pub fn is_at(&self, other: &Vertex) -> bool {
         self.spot == other.spot && self.on == other.on
     }
 
-    /// The link that a point belongs to: of a pin's links the first of the scene that moves.
+    /// Returns the link of a point: for a pin, the first moving link of the scene that carries it.
     pub fn link(&self, scene: &Scene) -> Option<LinkId> {
         let pinned = || match self.spot {
             Spot::Point(p) => scene.mover(p),

@@ -1,4 +1,5 @@
-//! Accelerations from the instantaneous centre of velocity, as if it had no acceleration: the image of the link hung on the pole at that point.
+//! The mistake of taking accelerations from the instantaneous centre of velocity as if it had no
+//! acceleration: the link's image has this point at the pole.
 
 use super::rewrite::{crossing, replace_crossing};
 use super::{Shown, Side, Site, Topology};
@@ -7,7 +8,7 @@ use hodograph_board::plan::{Body, By, Chain, Plan, Special, SpecialLine, Spot, S
 use hodograph_mechanism::mechanism::ConstraintLine;
 use hodograph_scene::{DiagramKind, GuidePath, LinkId, PointId, Scene};
 
-/// What is needed to build it.
+/// The vertices and lines needed to build the image.
 struct Found {
     target: VertexId,
     known: VertexId,
@@ -21,7 +22,8 @@ fn point(plan: &Plan, v: VertexId) -> Option<PointId> {
     }
 }
 
-/// The line square to the velocity of a pin that another link leads about a fixed pivot, or a fixed straight guide leads.
+/// Returns the line square to the velocity of a pin that another link guides about a fixed pivot,
+/// or a fixed straight guide guides.
 fn normal_line(scene: &Scene, link: LinkId, pin: PointId) -> Option<ConstraintLine> {
     let fixed = |q: &&PointId| **q != pin && scene.links[scene.ground.0].points.contains(q);
     let turning = scene.carriers(pin).filter(|l| *l != link && *l != scene.ground).find_map(|l| scene.links[l.0].points.iter().find(fixed));
@@ -33,7 +35,8 @@ fn normal_line(scene: &Scene, link: LinkId, pin: PointId) -> Option<ConstraintLi
     Some(ConstraintLine::Normal { pin, guide: hodograph_scene::GuideId(guide) })
 }
 
-/// The crossing that finds one end of a link from the other, both of whose velocities have known directions.
+/// Finds the crossing that gives one end of a link from the other, if the velocities of both ends
+/// have known directions.
 fn found(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(usize, Found)> {
     crossing(plan, DiagramKind::Acceleration, |target, chains| {
         let turns = |c: &&Chain| matches!(c.unknown[..], [t] if t.kind == TermKind::Tangential && t.by == By::Turning(Body::Link(link)));
@@ -47,13 +50,13 @@ fn found(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(usize, Found)> {
     })
 }
 
-/// Each link between two points led about fixed pivots or in fixed guides.
+/// Returns each link between two points guided about fixed pivots or in fixed guides.
 pub fn sites(t: &Topology) -> Vec<Site> {
     let links = (0..t.scene.links.len()).map(LinkId).filter(|l| *l != t.scene.ground && !t.plan.rest.links[l.0]);
     links.filter(|l| found(t.scene, t.plan, *l).is_some()).map(Site::AccelerationByCentre).collect()
 }
 
-/// The plan in which the second end follows from the first by an image on the pole.
+/// Returns the plan in which the second end follows from the first by an image on the pole.
 pub fn hung_on_pole(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(Plan, Shown)> {
     let (group, f) = found(scene, plan, link)?;
     let mut wrong = plan.clone();
@@ -67,7 +70,7 @@ pub fn hung_on_pole(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(Plan, S
     Some((wrong, shown))
 }
 
-/// Why the centre does not serve.
+/// Explains why the centre gives no accelerations.
 pub fn why(scene: &Scene, l: LinkId) -> Both {
     let l = scene.link_name(l);
     both!(

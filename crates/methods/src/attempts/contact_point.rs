@@ -1,8 +1,11 @@
-//! The momentary point of contact of a cam and its follower taken for a lasting coincident point, as if it were a pin in a straight slot along the
-//! common tangent: E of the follower in a slot of the cam, or E of the cam in a slot of the follower. Both are printed; their numbers differ.
+//! The mistake of treating the momentary point of contact of a cam and its follower as a permanent
+//! coincident point, like a pin in a straight slot along the common tangent: E of the follower in a
+//! slot of the cam, or E of the cam in a slot of the follower. Both versions are printed; their
+//! numbers differ.
 //!
-//! Each is a mechanism of its own, and it is planned and drawn as one, in the same pose. Its velocities are right. In the accelerations the part along
-//! the normal is missing, for the profiles roll and slide past one another and the point of contact changes on both.
+//! Each version is a separate mechanism and is planned and drawn as such, in the same pose. Its
+//! velocities are right. The accelerations lack the part along the normal, because the profiles
+//! roll and slide on one another and the point of contact changes on both.
 
 use super::{Missing, Shown, Side, Site, Stage, Topology};
 use hodograph_base::diag::{Both, both};
@@ -20,8 +23,9 @@ use hodograph_worked::worked::contact::{name, with_contact, work_at};
 /// Digits of the missing part in the table.
 const DIGITS: usize = 4;
 
-/// Each cam that is a circle, with a follower that is a face or a round end: of an edge or a roller another point is named. The link in whose slot the
-/// point is taken to run is the cam, then the follower.
+/// Returns each circular cam with a follower that is a face or a round end: for an edge or a roller
+/// another point is named. The point is assumed to slide in a slot of the cam, then of the
+/// follower.
 pub fn sites(t: &Topology) -> Vec<Site> {
     let offers = |c: &Cam| {
         c.circle.is_some() && c.contact.is_some() && c.cam != t.scene.ground && matches!(c.follows, Follows::Face(_) | Follows::Arc(..))
@@ -30,13 +34,14 @@ pub fn sites(t: &Topology) -> Vec<Site> {
     cams.flat_map(|(k, c)| [c.cam, c.follower].map(|frame| Site::ContactPoint(k, frame))).collect()
 }
 
-/// Questions that a mechanism without the guide still answers: of whole vectors and turnings.
+/// True for questions that a mechanism without the guide answers too: whole vectors and angular
+/// quantities.
 fn asked_as_well(scene: &Scene, f: &Find) -> bool {
     matches!(f.what.meaning(scene), Some(Meaning::Vector(_) | Meaning::Turning(..)))
 }
 
-/// The right solution with the point of contact in it, the wrong one, and the equation with what it lacks; `frame` is the link in which the point is
-/// taken to slide.
+/// Returns the right solution with the point of contact in it, the wrong one, and the equation with
+/// its missing part; `frame` is the link in which the point is assumed to slide.
 pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> Option<(Stage, Stage, Shown)> {
     let cam = &scene.cams[index];
     let touched = at.touch(scene, cam)?;
@@ -49,7 +54,8 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> O
             right.find.push(Find { what, text: format!("contact {}", right.find.len()), span });
         }
     }
-    // Its guide stands for the contact here as there; what a cam adds is no part of the wrong mechanism.
+    // The cam's guide represents the contact in both mechanisms; the other properties of a cam do
+    // not belong to the wrong mechanism.
     right.cams.clear();
     let unanswered: Vec<bool> = right.find.iter().map(|f| asked_as_well(&right, f)).collect();
     let mut answered = unanswered.into_iter();
@@ -65,7 +71,8 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> O
     wrong_at.shapes.guides[guide] = Some(Path::Line { through: pose.to_local(touched.at), direction: pose.turn_back(tangent) });
     let stage = |scene: Scene, at: Configuration| work_at(&scene, at).map(|worked| Stage { scene, worked });
     let (right, wrong) = (stage(right, right_at)?, stage(wrong, wrong_at)?);
-    // A frame that does not turn has no Coriolis part: there the sliding itself shows the equation.
+    // A frame that does not turn has no Coriolis part: the equation is then identified by the
+    // sliding.
     let with = |kind| Shown::with(&wrong.worked.plan, DiagramKind::Acceleration, Side::Wrong, |t| t.kind == kind);
     let mut shown = with(TermKind::Coriolis).or_else(|| with(TermKind::Slide))?;
     shown.framed.clear();
@@ -73,7 +80,7 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> O
     Some((right, wrong, shown))
 }
 
-/// The relative acceleration of the owner's point in the frame along the normal.
+/// Returns the acceleration of the owner's point relative to the frame, along the normal.
 fn missing(scene: &Scene, [owner, frame]: [LinkId; 2], own: PointId, right: &Stage, normal: Vec2) -> Option<Missing> {
     let (s, w): (&Scene, &Worked) = (&right.scene, &right.worked);
     let vector = |on, link| {
@@ -94,7 +101,7 @@ fn missing(scene: &Scene, [owner, frame]: [LinkId; 2], own: PointId, right: &Sta
     })
 }
 
-/// Why it is none.
+/// Explains why the point is no coincident point.
 pub fn why(scene: &Scene, index: usize, frame: LinkId) -> Both {
     let cam = &scene.cams[index];
     let owner = if frame == cam.cam { cam.follower } else { cam.cam };

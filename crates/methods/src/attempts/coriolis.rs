@@ -1,4 +1,5 @@
-//! The Coriolis acceleration at a turning guide: left out, or with the angular velocity of another link.
+//! The mistakes with the Coriolis acceleration at a turning guide: left out, or with the angular
+//! velocity of another link.
 
 use super::rewrite::{known_terms, leave_out};
 use super::{Shown, Side, Site, Topology};
@@ -22,12 +23,13 @@ fn guides(t: &Topology) -> Vec<GuideId> {
     all
 }
 
-/// Each guide whose Coriolis acceleration stands in an equation.
+/// Returns each guide with a Coriolis acceleration in an equation.
 pub fn without(t: &Topology) -> Vec<Site> {
     guides(t).into_iter().map(Site::NoCoriolis).collect()
 }
 
-/// Each such guide with a link that carries its runner, turns, and whose angular velocity is known by then.
+/// Returns each such guide with each link that carries its runner, turns, and has a known angular
+/// velocity.
 pub fn by_another(t: &Topology) -> Vec<Site> {
     let known = |l: &LinkId| t.plan.steps(DiagramKind::Velocity).iter().flat_map(|g| &g.rates).any(|(b, _)| *b == Body::Link(*l));
     let mut all = Vec::new();
@@ -40,7 +42,7 @@ pub fn by_another(t: &Topology) -> Vec<Site> {
     all
 }
 
-/// The plan without the term.
+/// Returns the plan without the term.
 pub fn left_out(plan: &Plan, guide: GuideId) -> Option<(Plan, Shown)> {
     let shown = Shown::with(plan, DiagramKind::Acceleration, Side::Right, is_at(guide))?;
     let mut wrong = plan.clone();
@@ -48,7 +50,7 @@ pub fn left_out(plan: &Plan, guide: GuideId) -> Option<(Plan, Shown)> {
     Some((wrong, shown))
 }
 
-/// The plan with the term by another link's angular velocity.
+/// Returns the plan in which the term has another link's angular velocity.
 pub fn turned_by(plan: &Plan, guide: GuideId, link: LinkId) -> Option<(Plan, Shown)> {
     let mut wrong = plan.clone();
     wrong.coriolis_by = Some((guide, link));
@@ -56,7 +58,7 @@ pub fn turned_by(plan: &Plan, guide: GuideId, link: LinkId) -> Option<(Plan, Sho
     Some((wrong, shown))
 }
 
-/// Why the term is needed.
+/// Explains why the term is needed.
 pub fn why_needed(scene: &Scene, g: GuideId) -> Both {
     let on = scene.link_name(scene.guides[g.0].on);
     both!(
@@ -65,7 +67,7 @@ pub fn why_needed(scene: &Scene, g: GuideId) -> Both {
     )
 }
 
-/// Why it is the link of the guide.
+/// Explains why the term takes the angular velocity of the guide's link.
 pub fn why_of_carrier(scene: &Scene, g: GuideId, other: LinkId) -> Both {
     let (on, other) = (scene.link_name(scene.guides[g.0].on), scene.link_name(other));
     both!(

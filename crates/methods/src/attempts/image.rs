@@ -1,4 +1,5 @@
-//! An image built on points of two links: the triangle of points that belong to no one link keeps no shape.
+//! The mistake of building an image on points of two links: a triangle of points that do not belong
+//! to one link is not rigid.
 
 use super::rewrite::each;
 use super::{Shown, Side, Site, Topology};
@@ -6,7 +7,8 @@ use hodograph_base::diag::{Both, both};
 use hodograph_board::plan::{Plan, Spot, Step, VertexId};
 use hodograph_scene::{DiagramKind, LinkId, PointId, Scene};
 
-/// A point found by an image of its link, and a pin of the link with a fixed point of another link that hangs on the pin.
+/// Finds a point that an image of its link gives, another link on a pin of that link, and this pin
+/// with a fixed point of the other link.
 fn across(scene: &Scene, plan: &Plan, step: &Step) -> Option<(PointId, LinkId, LinkId, [VertexId; 2])> {
     let Step::Image { link, target, from } = step else { return None };
     let Spot::Point(point) = plan.vertex(*target).spot else { return None };
@@ -25,7 +27,7 @@ fn across(scene: &Scene, plan: &Plan, step: &Step) -> Option<(PointId, LinkId, L
     })
 }
 
-/// Each point of a link that is found by an image, and beside whose link another one with a fixed pivot hangs.
+/// Returns each point found by an image whose link is joined to another link with a fixed pivot.
 pub fn sites(t: &Topology) -> Vec<Site> {
     let mut all: Vec<Site> = Vec::new();
     for step in t.plan.steps(DiagramKind::Velocity).iter().flat_map(each) {
@@ -38,7 +40,7 @@ pub fn sites(t: &Topology) -> Vec<Site> {
     all
 }
 
-/// The plan with the image on the points of the other link, in both polygons.
+/// Returns the plan with the image on the points of the other link, in both polygons.
 pub fn on_points_of(scene: &Scene, plan: &Plan, point: PointId) -> Option<(Plan, Shown)> {
     let mut wrong = plan.clone();
     let mut shown = None;
@@ -57,7 +59,7 @@ pub fn on_points_of(scene: &Scene, plan: &Plan, point: PointId) -> Option<(Plan,
     Some((wrong, shown?))
 }
 
-/// Why there is no such image.
+/// Explains why there is no such image.
 pub fn why(scene: &Scene, p: PointId, own: LinkId, other: LinkId) -> Both {
     let (p, own, other) = (scene.point_name(p), scene.link_name(own), scene.link_name(other));
     both!(

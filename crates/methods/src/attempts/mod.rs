@@ -1,9 +1,11 @@
-//! Wrong solutions: where a scene lets a known mistake be made, and what comes of it.
+//! Wrong solutions: the places at which a scene admits a known mistake, and the consequences.
 //!
-//! A mistake changes the equations, not the drawing: the changed plan is carried out on the same board, from the same pole, to the same
-//! scales, and read off as the right one is. So the number that a book prints can be shown to come from the equation that it prints. Sites come from
-//! the plan, which holds no numbers; a mistake that has no consequence in the pose (its term is zero there) is left out when the plan has been drawn.
-//! Each mistake is a file that knows where it can be made, how it is made, and why it is wrong.
+//! A mistake changes the equations, not the drawing: the changed plan is carried out on the same
+//! board, from the same pole, to the same scales, and is read off like the right one. Thus a
+//! printed number can be shown to come from a printed equation. The sites follow from the plan,
+//! which holds no numbers; a mistake without consequence in the pose (its term is zero) is left out
+//! after the plan is drawn. Each file defines one mistake: where it can be made, how it is made,
+//! and why it is wrong.
 
 mod by_centre;
 mod contact_point;
@@ -24,21 +26,26 @@ use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{Attempted, GuideId, LinkId, Mistake, PointId, RollingId, Scene};
 use hodograph_worked::worked::Worked;
 
-/// A mistake that the scene lets one make, with its place.
+/// A mistake that the scene admits, with its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Site {
-    /// [`Mistake::ContactPoint`], of a cam (index into the scene's list), with the link in which the point is taken to slide.
+    /// [`Mistake::ContactPoint`], for a cam (index into the scene's list) and the link in which the
+    /// point is assumed to slide.
     ContactPoint(usize, LinkId),
     /// [`Mistake::NoCoriolis`], at the pin of a guide.
     NoCoriolis(GuideId),
-    /// [`Mistake::CoriolisWrongOmega`], at the pin of a guide, with the turning of another link than that which carries the guide.
+    /// [`Mistake::CoriolisWrongOmega`], at the pin of a guide, with the angular velocity of a link
+    /// other than the guide's carrier.
     CoriolisWrongOmega(GuideId, LinkId),
-    /// [`Mistake::RollingPointAZero`], at the contact of a rolling pair: the wheel's image hangs on it.
+    /// [`Mistake::RollingPointAZero`], at the contact of a rolling pair: the wheel's image is based
+    /// on it.
     RollingPointAZero(RollingId),
-    /// The same at a further point of the wheel, found from the contact with the right angular velocity and acceleration.
+    /// [`Mistake::RollingPointAZero`], at a further point of the wheel, found from the contact with
+    /// the right angular velocity and acceleration.
     RollingPointAsBase(RollingId, PointId),
-    /// [`Mistake::ImageAcrossLinks`], at a point of the first link, found by an image on points of the second.
+    /// [`Mistake::ImageAcrossLinks`], at a point of the first link, found by an image on points of
+    /// the second.
     ImageAcrossLinks(PointId, LinkId, LinkId),
     /// [`Mistake::NoNormal`], in the motion of a link.
     NoNormal(LinkId),
@@ -46,7 +53,7 @@ pub enum Site {
     AccelerationByCentre(LinkId),
 }
 
-/// What sites are told from.
+/// The data from which sites are found.
 #[derive(Clone, Copy)]
 struct Topology<'a> {
     scene: &'a Scene,
@@ -54,7 +61,8 @@ struct Topology<'a> {
     plan: &'a Plan,
 }
 
-/// All mistakes that can be made with a scene's equations, in the order of [`Mistake::ALL`].
+/// Returns all mistakes that can be made with a scene's equations, in the order of
+/// [`Mistake::ALL`].
 pub fn sites(scene: &Scene, worked: &Worked) -> Vec<Site> {
     let t = Topology { scene, mechanism: &worked.mechanism, plan: &worked.plan };
     let of = |mistake| match mistake {
@@ -70,7 +78,7 @@ pub fn sites(scene: &Scene, worked: &Worked) -> Vec<Site> {
 }
 
 impl Site {
-    /// The mistake.
+    /// Returns the kind of mistake.
     pub fn mistake(&self) -> Mistake {
         match self {
             Site::ContactPoint(..) => Mistake::ContactPoint,
@@ -83,7 +91,7 @@ impl Site {
         }
     }
 
-    /// The point by which a scene names the site, if it has one.
+    /// Returns the name of the point by which a scene names the site, if it has one.
     pub fn point(&self, scene: &Scene) -> Option<String> {
         let name = |p: PointId| scene.point_name(p).to_owned();
         match *self {
@@ -96,7 +104,7 @@ impl Site {
         }
     }
 
-    /// The link by which a scene names the site.
+    /// Returns the link by which a scene names the site.
     pub fn link(&self, scene: &Scene) -> Option<LinkId> {
         match *self {
             Site::NoCoriolis(g) => Some(scene.guides[g.0].on),
@@ -111,7 +119,7 @@ impl Site {
         }
     }
 
-    /// Where it is, in words: `at B`, `of link 3`.
+    /// Returns the place in words: `at B`, `of link 3`.
     pub fn place(&self, scene: &Scene) -> Both {
         if let Site::CoriolisWrongOmega(g, l) = *self {
             let point = scene.guides[g.0].pin.map_or("", |p| scene.point_name(p));
@@ -131,7 +139,7 @@ impl Site {
         }
     }
 
-    /// Why it is wrong.
+    /// Returns the explanation of why it is wrong.
     pub fn why(&self, scene: &Scene) -> Both {
         match *self {
             Site::ContactPoint(c, l) => contact_point::why(scene, c, l),
@@ -145,7 +153,8 @@ impl Site {
     }
 }
 
-/// The sites that a scene's attempts mean, each with its attempt: those of the same mistake whose point and link are those named.
+/// Returns the sites that a scene's attempts name, each with its attempt: the sites of the same
+/// mistake with the named point and link.
 ///
 /// # Errors
 /// `attempt`: the mistake cannot be made there, with where it can be; several sites fit.
@@ -160,7 +169,7 @@ pub fn named<'a>(scene: &'a Scene, all: &[Site]) -> (Vec<(Site, &'a Attempted)>,
         let fitting: Vec<Site> = offered.iter().filter(fits).copied().collect();
         match fitting[..] {
             [site] => found.push((site, attempt)),
-            // Two equations of one mistake: the first is meant where no link is named.
+            // Two equations of one mistake: without a named link, the first is meant.
             [site @ Site::ContactPoint(cam, _), Site::ContactPoint(other, _)] if cam == other => found.push((site, attempt)),
             [site @ Site::RollingPointAZero(_), ref bases @ ..] if bases.iter().all(|s| matches!(s, Site::RollingPointAsBase(..))) => {
                 found.push((site, attempt));
@@ -189,7 +198,8 @@ fn not_one(scene: &Scene, attempt: &Attempted, offered: &[Site], fitting: usize)
     Diagnostic::error("attempt", message).at(attempt.span).help(help)
 }
 
-/// The wrong solutions that a scene names; where it names none, or `typical` ones are wanted, all that change an answer.
+/// Returns the wrong solutions that a scene names; if it names none, or if `typical` is set, also
+/// all others that change an answer.
 ///
 /// # Errors
 /// `attempt`: a named mistake cannot be made there, or not in this pose.
@@ -214,7 +224,8 @@ pub fn wanted(scene: &Scene, worked: &Worked, typical: bool) -> Result<Vec<Attem
     Ok(out)
 }
 
-/// More typical mistakes than this are not drawn: a chain of a hundred links has hundreds, all alike.
+/// The largest number of typical mistakes drawn: a chain of a hundred links has hundreds, all
+/// alike.
 const MOST: usize = 40;
 
 fn nothing(site: &Site, said: &Attempted) -> Diagnostic {

@@ -1,4 +1,4 @@
-//! The normal acceleration of a link left out of a crossing.
+//! The mistake of leaving the normal acceleration of a link out of a crossing.
 
 use super::rewrite::{known_terms, leave_out};
 use super::{Shown, Side, Site, Topology};
@@ -10,7 +10,7 @@ fn is_of(link: LinkId) -> impl Fn(&Term) -> bool {
     move |t| t.kind == TermKind::Normal && t.by == By::Turning(Body::Link(link))
 }
 
-/// Each link whose normal acceleration is laid off before two lines cross.
+/// Returns each link with a normal acceleration that is laid off before two lines cross.
 pub fn sites(t: &Topology) -> Vec<Site> {
     let mut all: Vec<Site> = Vec::new();
     for term in known_terms(t, true).filter(|term| term.kind == TermKind::Normal) {
@@ -24,7 +24,7 @@ pub fn sites(t: &Topology) -> Vec<Site> {
     all
 }
 
-/// The plan without it.
+/// Returns the plan without the normal acceleration of a link.
 pub fn left_out(plan: &Plan, link: LinkId) -> Option<(Plan, Shown)> {
     let shown = Shown::with(plan, DiagramKind::Acceleration, Side::Right, is_of(link))?;
     let mut wrong = plan.clone();
@@ -32,7 +32,7 @@ pub fn left_out(plan: &Plan, link: LinkId) -> Option<(Plan, Shown)> {
     Some((wrong, shown))
 }
 
-/// Why it is needed.
+/// Explains why the term is needed.
 pub fn why(scene: &Scene, l: LinkId) -> Both {
     let l = scene.link_name(l);
     both!(

@@ -4,12 +4,13 @@ use super::Topology;
 use hodograph_board::plan::{Between, Chain, GroupSteps, Plan, Step, Term, TermKind, VertexId};
 use hodograph_scene::DiagramKind;
 
-/// All steps of a group, every alternative.
+/// All steps of a group, in every alternative.
 pub fn each(group: &GroupSteps) -> impl Iterator<Item = &Step> {
     group.alternatives.iter().flatten().chain(&group.further)
 }
 
-/// The known terms of acceleration equations that do not vanish; with `crossings` only of those that are closed by crossing two lines.
+/// The nonzero known terms of acceleration equations; with `crossings`, only of those that are
+/// solved by crossing two lines.
 pub fn known_terms<'a>(t: &'a Topology, crossings: bool) -> impl Iterator<Item = Term> + 'a {
     let chains =
         t.plan.steps(DiagramKind::Acceleration).iter().flat_map(each).map(Step::chains).filter(move |c| !crossings || c.len() == 2);
@@ -17,7 +18,7 @@ pub fn known_terms<'a>(t: &'a Topology, crossings: bool) -> impl Iterator<Item =
     known.filter(|term| !t.plan.vanishes(t.scene, DiagramKind::Acceleration, term))
 }
 
-/// Leaves known terms out of the acceleration equations, and out of what is drawn between images.
+/// Removes known terms from the acceleration equations, and from the drawing between images.
 pub fn leave_out(plan: &mut Plan, wrong: impl Fn(&Term) -> bool) {
     for group in plan.steps_mut(DiagramKind::Acceleration) {
         for step in group.alternatives.iter_mut().flatten().chain(&mut group.further) {
@@ -34,7 +35,8 @@ pub fn leave_out(plan: &mut Plan, wrong: impl Fn(&Term) -> bool) {
     }
 }
 
-/// The first equation closed by crossing two lines for which something is found, with its group.
+/// Finds the first equation solved by crossing two lines for which `found` returns a value, and
+/// returns the value with its group.
 pub fn crossing<T>(plan: &Plan, on: DiagramKind, found: impl Fn(VertexId, &[Chain]) -> Option<T>) -> Option<(usize, T)> {
     plan.steps(on).iter().find_map(|group| {
         let of = |step: &Step| match step {
@@ -45,8 +47,8 @@ pub fn crossing<T>(plan: &Plan, on: DiagramKind, found: impl Fn(VertexId, &[Chai
     })
 }
 
-/// Replaces the crossing that finds a vertex by another step. The turnings that were measured on the crossing's edges are measured on a
-/// perpendicular instead.
+/// Replaces the crossing that finds a vertex by another step. Angular quantities that were measured
+/// on the edges of the crossing are measured on a perpendicular instead.
 pub fn replace_crossing(plan: &mut Plan, on: DiagramKind, target: VertexId, by: &Step) {
     for group in plan.steps_mut(on) {
         let mut tangential: Vec<Between> = Vec::new();

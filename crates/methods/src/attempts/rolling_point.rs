@@ -1,5 +1,7 @@
-//! The touching point of a rolling wheel taken to have no acceleration against its track: the wheel's image is hung on it, or a further point of the
-//! wheel is found from it with the right angular velocity and acceleration. Both are printed; their numbers differ.
+//! The mistake of assuming that the contact point of a rolling wheel has no acceleration relative
+//! to its track: the wheel's image is based on it, or a further point of the wheel is found from it
+//! with the right angular velocity and acceleration. Both versions are printed; their numbers
+//! differ.
 
 use super::rewrite::{crossing, replace_crossing};
 use super::{Missing, Shown, Side, Site, Topology};
@@ -8,7 +10,8 @@ use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::{Body, By, Chain, Method, Plan, Spot, Step, Term, TermKind, VertexId};
 use hodograph_scene::{DiagramKind, LinkId, Normal, PointId, RollingId, Scene, Touch};
 
-/// The crossing that finds the wheel's point at a contact, and the term along the normal in it.
+/// Returns the vertex found by the crossing for the wheel's point at a contact, with the crossing's
+/// term along the normal.
 fn found(plan: &Plan, pair: RollingId) -> Option<(usize, (VertexId, Term))> {
     crossing(plan, DiagramKind::Acceleration, |target, chains| {
         let rolls = |c: &&Chain| matches!(c.unknown[..], [t] if t.kind == TermKind::Roll && t.by == By::Contact(pair));
@@ -18,13 +21,13 @@ fn found(plan: &Plan, pair: RollingId) -> Option<(usize, (VertexId, Term))> {
     })
 }
 
-/// Each contact whose point is found by its normal.
+/// Returns each contact with a point that is found by its normal.
 pub fn sites(t: &Topology) -> Vec<Site> {
     let pairs = (0..t.scene.rolling.len()).map(RollingId).filter(|r| t.scene.rolling[r.0].contact().is_some());
     pairs.filter(|r| found(t.plan, *r).is_some()).map(Site::RollingPointAZero).collect()
 }
 
-/// The plan in which that point has the acceleration of the track.
+/// Returns the plan in which that point has the acceleration of the track.
 pub fn as_track(plan: &Plan, pair: RollingId) -> Option<(Plan, Shown)> {
     let (_, (target, term)) = found(plan, pair)?;
     let shown = Shown::with(plan, DiagramKind::Acceleration, Side::Right, |t| t == &term)?;
@@ -35,11 +38,11 @@ pub fn as_track(plan: &Plan, pair: RollingId) -> Option<(Plan, Shown)> {
     Some((wrong, shown))
 }
 
-/// Each further point of a wheel on a fixed track that is found by the wheel's image.
+/// Returns each further point of a wheel on a fixed track that the wheel's image gives.
 pub fn bases(t: &Topology) -> Vec<Site> {
     let pairs = (0..t.scene.rolling.len()).map(RollingId);
     let of = |r: RollingId| {
-        // Its angular velocity and acceleration must be found before its further points are.
+        // The wheel's angular velocity and acceleration must be found before its further points.
         let turns = |l: &LinkId| DiagramKind::POLYGONS.into_iter().all(|on| is_turning_found(t.plan, on, *l));
         let wheel = wheel_on_ground(t.scene, r).filter(turns);
         let further = t.plan.steps(DiagramKind::Acceleration).iter().flat_map(|g| &g.further);
@@ -55,9 +58,9 @@ pub fn bases(t: &Topology) -> Vec<Site> {
     all
 }
 
-/// The wheel of a pair whose other link is the ground.
+/// Returns the wheel of a pair with the ground.
 fn wheel_on_ground(scene: &Scene, r: RollingId) -> Option<LinkId> {
-    // A strand has two ends, and neither is a base.
+    // A strand has two ends, and neither can be a base point.
     scene.rolling[r.0].contact()?;
     let [a, b] = scene.rolling[r.0].links;
     match (a == scene.ground, b == scene.ground) {
@@ -67,12 +70,12 @@ fn wheel_on_ground(scene: &Scene, r: RollingId) -> Option<LinkId> {
     }
 }
 
-/// Whether a plan measures or is given the turning of a link.
+/// True if a plan measures the rotation of a link in this polygon, or has it given.
 fn is_turning_found(plan: &Plan, on: DiagramKind, link: LinkId) -> bool {
     plan.steps(on).iter().flat_map(|g| &g.rates).any(|(body, _)| *body == Body::Link(link))
 }
 
-/// The point that a step finds by the image of a link.
+/// Returns the point that a step finds by the image of a link.
 fn imaged(plan: &Plan, step: &Step, wheel: LinkId) -> Option<(PointId, VertexId)> {
     let Step::Image { link, target, .. } = *step else { return None };
     let vertex = plan.vertex(target);
@@ -82,7 +85,8 @@ fn imaged(plan: &Plan, step: &Step, wheel: LinkId) -> Option<(PointId, VertexId)
     }
 }
 
-/// The plan in which a point of the wheel has, against the contact at rest, its normal and tangential parts.
+/// Returns the plan in which a point of the wheel has its normal and tangential parts relative to
+/// the contact at rest.
 pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> Option<(Plan, Shown)> {
     let wheel = wheel_on_ground(scene, pair)?;
     let at = scene.rolling[pair.0].at[0];
@@ -103,7 +107,8 @@ pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> O
     Some((wrong, shown?))
 }
 
-/// What the contact really has: ω²r toward the centre of a wheel on a straight track, ω²δ on a round one.
+/// Returns the true acceleration of the contact: ω²r toward the centre of a wheel on a straight
+/// track, ω²δ on a round one.
 fn own_acceleration(scene: &Scene, pair: RollingId, wheel: LinkId) -> Missing {
     let rolling = &scene.rolling[pair.0];
     let (n, link) = (name_label(scene.point_name(rolling.at[0])), name_label(scene.link_name(wheel)));
@@ -122,7 +127,7 @@ fn own_acceleration(scene: &Scene, pair: RollingId, wheel: LinkId) -> Missing {
     }
 }
 
-/// Why it has one.
+/// Explains why the contact has an acceleration.
 pub fn why(scene: &Scene, r: RollingId) -> Both {
     let at = scene.point_name(scene.rolling[r.0].at[0]);
     both!(

@@ -1,4 +1,4 @@
-//! A wrong solution drawn beside the right one, and what they give.
+//! A wrong solution drawn beside the right one, and the results of both.
 
 use super::{Shown, Side, Site, by_centre, contact_point, coriolis, image, normal, rolling_point};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
@@ -11,12 +11,12 @@ use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::{Attempted, ByKind, DiagramKind, Given, Scene};
 use hodograph_worked::worked::Worked;
 
-/// What is drawn of a solution.
+/// A solution with its scene.
 #[derive(Clone, Debug)]
 pub struct Stage {
-    /// Its scene: that of the file, but for a mistake that is another mechanism.
+    /// The scene: that of the file, unless the mistake is another mechanism.
     pub scene: Scene,
-    /// The same worked through: its equations and their drawing are what counts.
+    /// The solved scene; its equations and their drawing are used.
     pub worked: Worked,
 }
 
@@ -25,22 +25,22 @@ pub struct Stage {
 pub struct Row {
     /// Index into the results of the right solution.
     pub result: usize,
-    /// By the wrong equations; none where they do not answer it.
+    /// The answer of the wrong equations; `None` if they do not answer the question.
     pub wrong: Option<Value>,
-    /// What was printed (SI; of a vector its magnitude).
+    /// The printed value (SI; for a vector, the magnitude).
     pub printed: Option<Given>,
 }
 
 /// The distance of the two tips of one vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
-    /// In the velocities or the accelerations.
+    /// The polygon: velocities or accelerations.
     pub on: DiagramKind,
     /// The vertex in the right plan.
     pub right: VertexId,
-    /// The same in the wrong plan.
+    /// The corresponding vertex in the wrong plan.
     pub wrong: VertexId,
-    /// From the right tip to the wrong one (SI).
+    /// The vector from the right tip to the wrong one (SI).
     pub vector: Vec2,
 }
 
@@ -49,32 +49,33 @@ pub struct Gap {
 pub struct Attempt {
     /// The mistake and its place.
     pub site: Site,
-    /// What the scene says of it.
+    /// The scene's own statement of the attempt, if it has one.
     pub said: Option<Attempted>,
     /// The right solution.
     pub right: Stage,
-    /// The wrong one.
+    /// The wrong solution.
     pub wrong: Stage,
-    /// Where the mistake is seen.
+    /// The equation in which the mistake is seen.
     pub shown: Shown,
-    /// The questions whose answers it changes, or of which something was printed.
+    /// The questions with a changed answer or a printed value.
     pub rows: Vec<Row>,
-    /// How far the tips are apart.
+    /// The distance of the tips.
     pub gap: Gap,
 }
 
-/// Room for the polygons of a page.
+/// The space for the polygons on a page (mm).
 const PAGE_MM: [f64; 2] = [150.0, 150.0];
-/// Two tips nearer than this (mm of paper) are one.
+/// Two tips nearer than this (mm of paper) coincide.
 const APART_MM: f64 = 0.05;
-/// Answers nearer than this share of the largest of their kind agree.
+/// Answers that differ by less than this fraction of the largest of their kind agree.
 const SAME: f64 = 1e-7;
-/// A value below this share of the largest of its kind is what rounding leaves of zero.
+/// A value below this fraction of the largest of its kind is a rounding error of zero.
 const ROUNDING: f64 = 1e-12;
-/// A centre further off than so many sizes of the mechanism is at infinity for a pencil.
+/// A centre farther away than this many sizes of the mechanism cannot be drawn with a pencil.
 const FAR: f64 = 1e4;
 
-/// The wrong solution of a site; `None` where it cannot be drawn in the pose, or differs in nothing.
+/// Returns the wrong solution of a site; `None` if it cannot be drawn in the pose, or makes no
+/// difference.
 pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempted>) -> Option<Attempt> {
     let at = &worked.configuration;
     let stage = |worked: Worked| Stage { scene: scene.clone(), worked };
@@ -105,7 +106,7 @@ pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempte
     Some(Attempt { site, said: said.cloned(), right, wrong, shown, rows, gap })
 }
 
-/// Both drawn again, to the largest scales at which they fit a page over one another.
+/// Draws both again, to the largest scales at which the superposed polygons fit a page.
 fn to_one_scale(right: Stage, wrong: Stage) -> Option<(Stage, Stage)> {
     let extent = |on: DiagramKind| {
         let marks = |p: &Polygon| -> Vec<Point> {
@@ -130,10 +131,11 @@ fn to_one_scale(right: Stage, wrong: Stage) -> Option<(Stage, Stage)> {
     Some((again(right)?, again(wrong)?))
 }
 
-/// What a mistake makes of a solution.
+/// The change that a mistake makes to a solution.
 enum Changed {
     Plan(Box<Plan>, Shown),
-    /// The right solution with what the wrong one names, and the wrong one.
+    /// The right solution with the points that the wrong one names, the wrong solution, and the
+    /// equation.
     Mechanism(Box<(Stage, Stage)>, Shown),
 }
 
@@ -155,7 +157,7 @@ fn changed(scene: &Scene, worked: &Worked, site: &Site) -> Option<Changed> {
     }
 }
 
-/// Whether the centres that a wrong plan hangs on the pole lie where they can be drawn.
+/// True if the centres that a wrong plan puts on the pole are near enough to be drawn.
 fn special_points_are_near(plan: &Plan, at: &Configuration) -> bool {
     let hung = plan.vertices.iter().filter(|v| v.fixed).filter_map(|v| match v.spot {
         Spot::Special(k) => Some(&plan.specials[k]),
@@ -187,7 +189,7 @@ fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<Value>], said: Option<&A
     let printed = |text: &str| said.and_then(|s| s.printed.iter().find(|(f, _)| f.text == text).map(|(_, v)| v.clone()));
     let row = |(k, r): (usize, &hodograph_worked::worked::Outcome)| {
         let find = &scene.find[r.find];
-        // What is no more than rounding is zero.
+        // A value within rounding counts as zero.
         let wrong = wrong[r.find].map(|v| v.above(ROUNDING * r.scale));
         let printed = printed(&find.text);
         let differs = match (r.value(), wrong) {
@@ -200,7 +202,8 @@ fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<Value>], said: Option<&A
     worked.results.iter().enumerate().filter_map(row).collect()
 }
 
-/// The tips furthest apart: of the vertex that the wrong step finds, where these differ.
+/// Returns the gap between the tips of the vertex that the wrong step finds, or, where these agree,
+/// the largest gap.
 fn gap(right: &Stage, wrong: &Stage, shown: &Shown) -> Option<Gap> {
     let of = |on: DiagramKind, v: VertexId| {
         let vertex = right.worked.plan.vertex(v);

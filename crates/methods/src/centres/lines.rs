@@ -1,11 +1,12 @@
-//! Places and lines in projective coordinates, and which two lines are drawn for a centre.
+//! Places and lines in projective coordinates, and the choice of the two lines drawn for a centre.
 //!
-//! A place is (x, y, 1), a direction (x, y, 0), a line (a, b, c) with ax + by + cw = 0; join and crossing are cross products. Lengths are
-//! counted from the middle of the mechanism in units of its size, so that a unit vector tells near from far.
+//! A place is (x, y, 1), a direction (x, y, 0), a line (a, b, c) with ax + by + cw = 0. Join and
+//! crossing are cross products. Coordinates are measured from the middle of the mechanism in units
+//! of its size, so that a unit vector distinguishes near from far.
 
 use hodograph_base::geom::{Point, Vec2};
 
-/// Where a centre lies.
+/// The position of a centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place {
     /// In the plane (m).
@@ -15,7 +16,7 @@ pub enum Place {
 }
 
 impl Place {
-    /// The point, unless it is at infinity.
+    /// Returns the point, unless it is at infinity.
     pub fn point(&self) -> Option<Point> {
         match self {
             Place::At(p) => Some(*p),
@@ -23,7 +24,7 @@ impl Place {
         }
     }
 
-    /// At infinity in a direction, the one of the two that lies in (−90°, 90°].
+    /// Returns the place at infinity in a direction, with the sense that lies in (−90°, 90°].
     pub fn infinity(direction: Vec2) -> Option<Place> {
         let u = direction.unit()?;
         let right = u.x > 0.0 || u.x == 0.0 && u.y > 0.0;
@@ -31,10 +32,11 @@ impl Place {
     }
 }
 
-/// Projective coordinates of a place or a line, of unit length.
+/// Projective coordinates of a place or a line, normalized to a unit vector.
 pub(super) type Unit = [f64; 3];
 
-/// Two places, or two lines, of which the unit vectors span a smaller sine are one: a million roundings.
+/// Two places, or two lines, coincide if the sine between their unit vectors is at most this: a
+/// million roundings.
 pub(super) const SAME: f64 = 1e-9;
 
 fn cross(a: Unit, b: Unit) -> Unit {
@@ -50,19 +52,19 @@ pub(super) fn unit(a: Unit) -> Option<Unit> {
     (n > 0.0 && n.is_finite()).then(|| a.map(|x| x / n))
 }
 
-/// The line through two places, or the crossing of two lines; `None` where they are one.
+/// Returns the line through two places, or the crossing of two lines; `None` if they coincide.
 pub(super) fn meet(a: Unit, b: Unit) -> Option<Unit> {
     let m = cross(a, b);
     unit(m).filter(|_| norm(m) > SAME)
 }
 
-/// The volume that three unit vectors span: 0 where three places lie in line.
+/// Returns the volume that three unit vectors span: 0 if three places are collinear.
 pub(super) fn volume(a: Unit, b: Unit, c: Unit) -> f64 {
     let m = cross(a, b);
     (m[0] * c[0] + m[1] * c[1] + m[2] * c[2]).abs()
 }
 
-/// The frame in which places are counted.
+/// The frame of the projective coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
     pub middle: Point,
@@ -82,7 +84,8 @@ impl Frame {
         unit([x, y, w]).unwrap_or([0.0, 0.0, 1.0])
     }
 
-    /// The place of coordinates; at infinity where that is said or the last one is zero.
+    /// Returns the place of projective coordinates: at infinity if `infinite` is set or the last
+    /// coordinate is zero.
     pub fn place(&self, at: Unit, infinite: bool) -> Option<Place> {
         if infinite || at[2] == 0.0 {
             return Place::infinity(Vec2::new(at[0], at[1]));
@@ -92,7 +95,8 @@ impl Frame {
     }
 }
 
-/// A line that can be drawn for a centre, and the one or two places that it is drawn through.
+/// A line that can be drawn for a centre, with the two places (finite or at infinity) that define
+/// it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ruled {
     pub line: Unit,
@@ -104,21 +108,25 @@ impl Ruled {
         Some(Ruled { line: meet(a, b)?, through: [a, b] })
     }
 
-    /// How far the crossing is from the places that the line is drawn through, and how far these are off themselves: 1 near, 0 far.
+    /// Returns a measure of the distance of the crossing from the places that define the line, and
+    /// of these places from the middle: 1 near, 0 far.
     fn nearness(&self, at: Unit) -> f64 {
         let finite = |p: &Unit| (p[2] != 0.0).then(|| Vec2::new(p[0] / p[2], p[1] / p[2]));
         let places: Vec<Vec2> = self.through.iter().filter_map(finite).collect();
         let reach: f64 = places.iter().map(|p| 1.0 / (1.0 + p.norm())).product();
         let Some(at) = finite(&at) else { return reach };
-        // Beyond its two places a line is as uncertain as it is longer than between them; one drawn by its direction has the mechanism's size.
+        // The uncertainty of a line grows with the ratio of the length beyond its two places to the
+        // length between them. A line drawn by its direction has the mechanism's size as its
+        // length.
         let base = if let [a, b] = places[..] { (b - a).norm() } else { 1.0 };
         let beyond = places.iter().map(|p| (at - *p).norm()).fold(f64::INFINITY, f64::min);
         if beyond.is_finite() { reach * base / (base + beyond) } else { reach }
     }
 }
 
-/// The two of these lines that are drawn: those whose crossing has the largest sine × nearness, the first where they tie; as indices, with
-/// the crossing. `None` where all are one line.
+/// Chooses the two lines that are drawn: the pair with the largest sine × nearness of their
+/// crossing, the first such pair on a tie. Returns their indices and the crossing; `None` if all
+/// lines coincide.
 pub(super) fn choose(lines: &[Ruled]) -> Option<([usize; 2], Unit)> {
     let mut best: Option<(f64, [usize; 2], Unit)> = None;
     for (k, a) in lines.iter().enumerate() {
@@ -133,7 +141,8 @@ pub(super) fn choose(lines: &[Ruled]) -> Option<([usize; 2], Unit)> {
     best.map(|(_, which, at)| (which, at))
 }
 
-/// Sine of the angle of two lines; the line at infinity crosses every other squarely.
+/// Returns the sine of the angle between two lines; the line at infinity counts as square to every
+/// other line.
 fn sine(a: Unit, b: Unit) -> f64 {
     let (u, v) = (Vec2::new(a[0], a[1]), Vec2::new(b[0], b[1]));
     match (u.unit(), v.unit()) {

@@ -1,7 +1,9 @@
-//! Where the centres lie in the pose: two lines are drawn for each in the order of finding, and crossed.
+//! Locates the centres in the pose: for each centre, in the order of finding, two lines are drawn
+//! and crossed.
 //!
-//! A centre is at infinity only where topology says so, or where the difference of the angular rates is certified to be zero. Where all
-//! lines of a centre coincide in the pose, velocities tell its place, if they can.
+//! A centre is at infinity only if topology requires it, or if the difference of the angular
+//! velocities is certified to be zero. If all lines of a centre coincide in the pose, velocities
+//! give its place where they can.
 
 use hodograph_mechanism::position::Path;
 use hodograph_scene::{DriverKind, GuideId, Scene};
@@ -12,51 +14,55 @@ use super::primary::Primary;
 use super::rounds::{Closure, How, Line, Pair, Step};
 use super::velocities::Velocities;
 
-/// A crossing farther than this many sizes of the mechanism is looked at: is it at infinity?
+/// A crossing farther away than this many sizes of the mechanism is tested for being at infinity.
 const FAR: f64 = 1e7;
 
-/// Why the lines do not tell the place of a centre in this pose.
+/// The reason for which lines do not give the place of a centre in this pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Undetermined {
-    /// All that can be drawn are one line.
+    /// All lines that can be drawn coincide.
     LinesCoincide,
-    /// Fewer than two can be drawn, as centres are missing or coincide.
+    /// Fewer than two lines can be drawn, because centres are missing or coincide.
     NoLines,
-    /// The theorem gives no line, and the links have no relative motion that would tell.
+    /// The theorem gives no line, and the links have no relative motion from which the centre
+    /// follows.
     NoMotion,
 }
 
-/// From where the place of a centre is.
+/// The origin of a centre's place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Origin {
-    /// Its pair.
+    /// The kinematic pair of the two links.
     Pair,
-    /// These two lines.
+    /// The crossing of these two lines.
     Crossing([Line; 2]),
-    /// The velocities of the loop equations.
+    /// The velocities from the loop equations.
     Velocities,
 }
 
 /// A centre in the pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Centre {
-    /// Its step in the order of finding.
+    /// The centre's step in the order of finding.
     pub step: Step,
-    /// The round in which it is found in this pose: later than topology says where its lines coincide.
+    /// The round in which the centre is found in this pose: later than topology predicts if its
+    /// lines coincide.
     pub round: usize,
-    /// Its place.
+    /// The place, if it is known.
     pub place: Option<Place>,
-    /// From where that is.
+    /// The origin of the place.
     pub origin: Option<Origin>,
-    /// Why the lines of the theorem do not tell it.
+    /// The reason for which the lines of the theorem do not give the place.
     pub why: Option<Undetermined>,
-    /// The velocity of one link against the other at this place, relative to the largest at its distance.
+    /// The velocity of one link relative to the other at this place, divided by the largest
+    /// velocity at its distance.
     pub residual: Option<f64>,
 }
 
-/// Locates all centres of a closure, round by round. A centre whose lines are one in this pose waits: later rounds may have another line
-/// for it; where none has, velocities tell the first that waits, and the rounds go on.
+/// Locates all centres of a closure, round by round. A centre whose lines coincide in this pose is
+/// postponed: later rounds may give another line for it. If no round does, the place of the first
+/// postponed centre is computed from velocities, and the rounds continue.
 pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &Closure, velocities: &Velocities) -> Vec<Centre> {
     let mut board = Board { scene, worked, closure, velocities, frame: velocities.frame, list: Vec::new() };
     let last = closure.steps.last().map_or(0, |s| s.round);
@@ -98,7 +104,7 @@ struct Board<'a> {
     list: Vec<Centre>,
 }
 
-/// A place with its origin, if it is known; or why the lines do not tell it.
+/// A place with its origin if it is known, or the reason for which the lines do not give it.
 type Found = Result<Option<(Place, Origin)>, Undetermined>;
 
 impl Board<'_> {
@@ -140,7 +146,7 @@ impl Board<'_> {
         }
     }
 
-    /// The lines of a step, and those through every other link.
+    /// Returns the lines of a step, and those through every other link.
     fn all_lines(&self, step: &Step) -> Vec<Line> {
         let mut lines = if let How::Lines(lines) = &step.how { lines.clone() } else { Vec::new() };
         for k in self.closure.links.iter().filter(|k| !step.pair.has(**k)) {
@@ -159,7 +165,7 @@ impl Board<'_> {
         let origin = Origin::Crossing([drawn[k].0, drawn[l].0]);
         let far = at[2].abs() * FAR <= norm([at[0], at[1], 0.0]);
         let infinite = step.infinite || far && self.velocities.surely_translate(step.pair);
-        // Parallel to rounding, and not surely at infinity: how far it is the lines do not tell.
+        // Parallel to rounding, and not certainly at infinity: the lines do not give the distance.
         if !infinite && at[2].abs() <= f64::EPSILON * 16.0 {
             return Err(Undetermined::LinesCoincide);
         }
@@ -183,7 +189,8 @@ impl Board<'_> {
     }
 }
 
-/// The normal of a slot at its pin: the pin's place, and the direction as a place at infinity.
+/// Returns the normal of a slot at its pin: the place of the pin, and the direction as a place at
+/// infinity.
 pub(super) fn normal(scene: &Scene, worked: &Worked, g: GuideId) -> Option<[Place; 2]> {
     let pin = worked.configuration.points[scene.guides[g.0].pin?.0]?;
     let direction = match worked.configuration.guides[g.0]? {
@@ -193,8 +200,9 @@ pub(super) fn normal(scene: &Scene, worked: &Worked, g: GuideId) -> Option<[Plac
     Some([Place::At(pin), Place::infinity(direction)?])
 }
 
-/// The worst of all triples P_ij, P_jk, P_ik, as the volume of their unit vectors. Links that do not move against one another (a rigid
-/// triangle) have every place for a centre: theirs are left out.
+/// Returns the largest deviation from collinearity of all triples P_ij, P_jk, P_ik, as the volume
+/// of their unit vectors. Links without relative motion (a rigid triangle) have every place as a
+/// centre: their centres are left out.
 pub(super) fn worst_triple(velocities: &Velocities, closure: &Closure, list: &[Centre]) -> f64 {
     let frame = velocities.frame;
     let n = closure.links.len();

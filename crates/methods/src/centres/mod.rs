@@ -1,9 +1,12 @@
-//! Instantaneous centres of velocity (瞬心): which there are, in which order they are found, where they lie, and what they tell.
+//! Instantaneous centres of velocity (瞬心): their number, the order in which they are found, their
+//! places, and their use.
 //!
-//! A centre P_ij is the place at which two links have one velocity. Decided here, from topology alone: which centres are there at once
-//! ([`primary`]) and in which rounds the Aronhold-Kennedy theorem finds the others ([`rounds`]). With positions: which two lines are
-//! drawn for each ([`lines`]) and where they cross ([`locate`]). With the loop equations: what a stalled closure lacks, and whether each
-//! centre has one velocity on both links ([`velocities`]). [`uses`] takes angular rates and speeds from centres.
+//! A centre P_ij is the place at which two links have the same velocity. From topology alone follow
+//! the centres that are known at once ([`primary`]) and the rounds in which the Aronhold-Kennedy
+//! theorem finds the others ([`rounds`]). Positions give the two lines drawn for each centre
+//! ([`lines`]) and their crossing ([`locate`]). The loop equations give the centres that a stalled
+//! closure lacks, and check that each centre has the same velocity on both links ([`velocities`]).
+//! [`uses`] derives angular velocities and speeds from centres.
 //!
 //! ```
 //! use hodograph_methods::centres;
@@ -14,7 +17,7 @@
 //! ```
 //!
 //! # Source
-//! S. Aronhold, 1872; A. B. W. Kennedy, 1886: the centres of three links lie in line.
+//! S. Aronhold, 1872; A. B. W. Kennedy, 1886: the centres of three links are collinear.
 
 mod lines;
 mod locate;
@@ -42,7 +45,8 @@ use hodograph_scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
 use hodograph_worked::worked::{Scope, Worked, work, work_placed};
 use velocities::Velocities;
 
-/// More links than this are refused: their centres are thousands, each with a line through every other link.
+/// The largest permitted number of links: more links have thousands of centres, each with a line
+/// through every other link.
 pub const MOST_LINKS: usize = 64;
 
 /// All centres of a mechanism in its pose.
@@ -52,38 +56,43 @@ pub struct Centres {
     pub closure: Closure,
     /// Every centre, in the order of finding.
     pub list: Vec<Centre>,
-    /// Angular rates and speeds by centres.
+    /// Angular velocities and speeds by centres.
     pub uses: Uses,
-    /// The scene that asks for the velocities of everything; drivers at rest have a unit rate where all of them rest.
+    /// The scene that asks for all velocities. If all drivers are at rest in the file, they have
+    /// unit rates here.
     pub scene: Scene,
-    /// That scene worked through.
+    /// The solution of that scene.
     pub worked: Worked,
-    /// How far from one line the worst triple P_ij, P_ik, P_jk lies: the volume that their unit vectors in projective coordinates span.
+    /// The largest deviation of a triple P_ij, P_ik, P_jk from collinearity: the volume of their
+    /// unit vectors in projective coordinates.
     pub worst_triple: f64,
-    /// Whether all drivers rest in the file, so that one unit of their rate is taken.
+    /// True if all drivers are at rest in the file, so that unit rates are assumed.
     pub at_rest: bool,
 }
 
 impl Centres {
-    /// The centre of two different links.
+    /// Returns the centre of two different links.
     pub fn of(&self, a: LinkId, b: LinkId) -> Option<&Centre> {
         let pair = self.closure.pair(a, b);
         self.list.iter().find(|c| c.step.pair == pair)
     }
 
-    /// What drawing and loop equations answer to a question of [`Centres::scene`]; each `None` where it has no answer.
+    /// Returns the answers of the drawing and of the loop equations to a question of
+    /// [`Centres::scene`]; each is `None` if there is no answer.
     pub fn other_ways(&self, what: &Asked) -> [Option<Value>; 2] {
         let result = self.worked.results.iter().find(|r| self.scene.find[r.find].what == *what);
         [result.and_then(|r| r.drawn.as_ref()).map(|a| a.value), result.map(|r| r.computed)]
     }
 
-    /// The largest velocity that a centre has on one link against the other, relative to the velocities at its distance.
+    /// Returns the largest relative velocity of two links at their centre, divided by the
+    /// velocities at its distance.
     pub fn worst_residual(&self) -> f64 {
         self.list.iter().filter_map(|c| c.residual).fold(0.0, f64::max)
     }
 }
 
-/// How many centres so many links have: N(N − 1)/2, the ground being one of them.
+/// Returns the number of centres of a mechanism with `links` links: N(N − 1)/2. The ground counts
+/// as a link.
 ///
 /// ```
 /// assert_eq!([3, 4, 5, 6].map(hodograph_methods::centres::count), [3, 6, 10, 15]);
@@ -112,10 +121,10 @@ pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
     Ok(located(asking, worked, at_rest))
 }
 
-/// Finds all centres of a mechanism that has been followed to a pose.
+/// Finds all centres of a mechanism in a pose of its motion.
 ///
 /// # Errors
-/// Those of [`work_placed`].
+/// The faults of [`work_placed`].
 pub fn placed(scene: &Scene, mechanism: &Mechanism, at: &Configuration) -> Result<Warned<Centres>, Faults> {
     let (asking, at_rest) = asking_all(scene);
     let demand = Demand::of(&asking, mechanism).with_all_positions();
@@ -123,10 +132,11 @@ pub fn placed(scene: &Scene, mechanism: &Mechanism, at: &Configuration) -> Resul
     Ok(located(asking, worked, at_rest))
 }
 
-/// The centres of a scene that asks for the velocities of everything.
+/// Returns the centres of a scene that asks for all velocities.
 fn located(asking: Scene, worked: Warned<Worked>, at_rest: bool) -> Warned<Centres> {
     let Warned { value: worked, mut notes } = worked;
-    // Why the pose leaves a value undefined is reported once, as a remark; these values are not questions of the scene.
+    // The reason for which the pose leaves a value undefined is reported once, as a remark; these
+    // values are not questions of the scene.
     notes.iter_mut().for_each(|d| d.severity = d.severity.min(Severity::Warning));
     let closure = rounds::closure(&asking, asking.drivers.len());
     let velocities = Velocities::of(&asking, &worked);
@@ -137,7 +147,7 @@ fn located(asking: Scene, worked: Warned<Worked>, at_rest: bool) -> Warned<Centr
     Warned { value: Centres { closure, list, uses, scene: asking, worked, worst_triple, at_rest }, notes }
 }
 
-/// The order of finding of a scene, for which nothing is computed.
+/// Returns the order of finding of a scene, without any computation of numbers.
 ///
 /// # Errors
 /// The faults of [`Mechanism::new`].
@@ -146,18 +156,19 @@ pub fn closure(scene: &Scene) -> Result<Closure, Faults> {
     Ok(rounds::closure(scene, scene.drivers.len()))
 }
 
-/// The question for ω of a link, against the ground or another link.
+/// Returns the question for ω of a link, relative to the ground or another link.
 pub fn omega(of: LinkId, against: Option<LinkId>) -> Asked {
     quantity::Turning { rate: Rate::Velocity, of, against }.into()
 }
 
-/// The question for the velocity of a point.
+/// Returns the question for the velocity of a point.
 pub fn velocity(point: PointId) -> Asked {
     PointMotion { rate: Rate::Velocity, of: OnLink { point, link: None } }.into()
 }
 
-/// The scene with drivers that go; and whether all of them rest in the file, so that they are given one unit. Where a centre lies, and how a
-/// path bends, does not depend on how fast one driver goes, but velocities that are all zero tell nothing of it.
+/// Returns the scene with moving drivers, and true if all drivers are at rest in the file, so that
+/// each gets a unit rate. The place of a centre and the curvature of a path do not depend on the
+/// speed of a single driver, but velocities that are all zero do not determine them.
 pub fn moving_at_all(scene: &Scene) -> (Scene, bool) {
     let mut asking = scene.clone();
     let at_rest = scene.drivers.iter().all(|d| d.rate.value == 0.0);
@@ -174,7 +185,8 @@ pub fn moving_at_all(scene: &Scene) -> (Scene, bool) {
     (asking, at_rest)
 }
 
-/// The scene with the velocities of all links and points asked for; and whether its drivers are at rest.
+/// Returns the scene with questions for the velocities of all links and points, and true if its
+/// drivers are at rest.
 fn asking_all(scene: &Scene) -> (Scene, bool) {
     let (mut asking, at_rest) = moving_at_all(scene);
     let moving = |l: &LinkId| *l != scene.ground;
@@ -187,7 +199,8 @@ fn asking_all(scene: &Scene) -> (Scene, bool) {
     (asking, at_rest)
 }
 
-/// What the reader should know: centres that the theorem does not find, and those that nothing finds in the pose.
+/// Returns remarks on centres that the theorem does not find, and on those that have no certain
+/// place in the pose.
 fn remarks(scene: &Scene, closure: &Closure, list: &[Centre]) -> Vec<Diagnostic> {
     let mut notes = Vec::new();
     let name = |c: &Centre| c.step.pair.name(scene);

@@ -1,4 +1,4 @@
-//! A centre by the normals to two velocities: how a stalled closure is opened on paper.
+//! A centre from the normals to two velocities: the graphical method for a stalled closure.
 
 use super::{Centre, Centres, How, Place};
 use hodograph_base::geom::{Point, Vec2};
@@ -6,22 +6,25 @@ use hodograph_mechanism::answer::Source;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::PointId;
 
-/// Two velocities nearer to one direction than this (sine) cross badly.
+/// The smallest sine of the angle between two velocities whose normals are crossed.
 const SQUARE: f64 = 0.02;
 
-/// A point of the first link of a pair, its place (m), and its velocity against the second (m/s).
+/// A point of the first link of a pair, its place (m), and its velocity relative to the second
+/// (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Normal {
     /// The point.
     pub point: PointId,
-    /// Where it is.
+    /// The place of the point (m).
     pub at: Point,
-    /// Its velocity against the other link; the centre lies on the line square to it.
+    /// The point's velocity relative to the other link (m/s); the centre lies on the line square to
+    /// it.
     pub velocity: Vec2,
 }
 
 impl Centres {
-    /// Of a centre that the theorem does not find: the two points of one of its links whose velocities cross most squarely.
+    /// Returns the two points of one link whose velocities are nearest to square to one another,
+    /// for a centre that the theorem does not find.
     pub fn normals(&self, c: &Centre) -> Option<[Normal; 2]> {
         if c.step.how != How::Velocities || !matches!(c.place?, Place::At(_)) {
             return None;

@@ -1,7 +1,8 @@
 //! Centres that the pairs give at once, and pairs that give only a line: from topology alone.
 //!
-//! This is the one place where a kind of pair says what it gives. A pair that rolls or meshes gives its contact as a [`Primary`] of its
-//! own; one that only touches gives its common normal as a [`Normal`].
+//! Only this module defines what each kind of pair gives. A pair that rolls or meshes gives its
+//! contact as a [`Primary`] of its own; a pair that only touches gives its common normal as a
+//! [`Normal`].
 
 use hodograph_scene::exact::Inputs;
 use hodograph_scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
@@ -9,16 +10,20 @@ use hodograph_scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, RollingId
 /// A centre that needs no line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Primary {
-    /// Both links turn about the point: a pin, or the centre of the curved guide in which a block of the other link slides.
+    /// Both links turn about the point: a pin, or the centre of a curved guide in which a block
+    /// slides.
     Pin(PointId),
-    /// One slides along the straight guide of the other: at infinity, square to it.
+    /// One link slides along the straight guide of the other: the centre is at infinity, square to
+    /// the guide.
     Slide(GuideId),
-    /// Barrel and rod of a cylinder (index of the driver): at infinity, square to its line.
+    /// Barrel and rod of a cylinder (index of the driver): the centre is at infinity, square to the
+    /// cylinder's line.
     Cylinder(usize),
-    /// One rolls on the other: the place of contact, the pitch point of gears.
+    /// One link rolls on the other: the centre is the point of contact, for gears the pitch point.
     Contact(RollingId),
-    /// A belt or chain runs round both: where the strand crosses the line of centres, for it divides that as a pitch point does; at infinity along
-    /// the line where an open one joins equal wheels.
+    /// A belt or chain joins two wheels: the centre is the crossing of the strand with the line of
+    /// centres, because it divides that line as a pitch point does. For an open strand between
+    /// equal wheels it is at infinity along the strand.
     Strand(RollingId),
 }
 
@@ -35,24 +40,25 @@ pub struct Normal {
     pub pin: PointId,
 }
 
-/// What the pairs of a scene give.
+/// Primary centres and normals that the pairs of a scene give.
 pub(super) struct Given {
-    /// Two links and their centre, each pair of links once.
+    /// Two links and their centre; each pair of links occurs once.
     pub primary: Vec<(LinkId, LinkId, Primary)>,
-    /// Normals.
+    /// The normals of bare pins in slots.
     pub normals: Vec<Normal>,
-    /// For each link, the first of those that never turn against it.
+    /// For each link, the lowest index in the class of links that never turn relative to it.
     translates: Vec<usize>,
 }
 
 impl Given {
-    /// Whether two links never turn against one another, by the pairs between them: their centre is at infinity.
+    /// True if the pairs between two links keep them from turning relative to one another: their
+    /// centre is at infinity.
     pub fn translate(&self, a: LinkId, b: LinkId) -> bool {
         self.translates[a.0] == self.translates[b.0]
     }
 }
 
-/// What the pairs of a scene give.
+/// Returns the primary centres and normals that the pairs of a scene give.
 pub(super) fn given(scene: &Scene) -> Given {
     let mut primary: Vec<(LinkId, LinkId, Primary)> = Vec::new();
     let mut add = |a: LinkId, b: LinkId, what: Primary| {
@@ -87,7 +93,7 @@ pub(super) fn given(scene: &Scene) -> Given {
         let [a, b] = rolling.links;
         let what = if rolling.contact().is_some() { Primary::Contact } else { Primary::Strand };
         add(a, b, what(RollingId(r)));
-        // Equal wheels of an open belt turn alike whatever carries them.
+        // Equal wheels of an open belt turn equally, independent of their carriers.
         if rolling.contact().is_none() && rolling.sizes(&inputs).iter().sum::<f64>() == 0.0 {
             slides.push((a, b));
         }
@@ -100,8 +106,8 @@ pub(super) fn given(scene: &Scene) -> Given {
     Given { normals: normals.collect(), translates: classes(scene.links.len(), &slides), primary }
 }
 
-/// The links that turn about a point: those that carry it, the barrel or rod that ends there, and the blocks whose curved guides have
-/// their centre there.
+/// Returns the links that turn about a point: those that carry it, the barrel or rod that ends
+/// there, and the blocks in curved guides with their centre there.
 fn around(scene: &Scene, p: PointId) -> Vec<LinkId> {
     let mut out: Vec<LinkId> = scene.carriers(p).collect();
     let ends = scene.drivers.iter().flat_map(|d| match &d.kind {
@@ -122,7 +128,7 @@ fn around(scene: &Scene, p: PointId) -> Vec<LinkId> {
     out
 }
 
-/// For each of `n` things the first of those that it is joined to.
+/// Returns for each of `n` items the lowest index in its class of joined items.
 fn classes(n: usize, joined: &[(LinkId, LinkId)]) -> Vec<usize> {
     let mut class: Vec<usize> = (0..n).collect();
     for (a, b) in joined {

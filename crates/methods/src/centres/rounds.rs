@@ -1,8 +1,11 @@
-//! The order of finding: rounds of the Aronhold-Kennedy theorem over all pairs of links. No number takes part.
+//! The order of finding: rounds of the Aronhold-Kennedy theorem over all pairs of links, without
+//! numbers.
 //!
-//! For a missing P_ij each third link k whose P_ik and P_kj are there gives a line; a bare pin in a slot gives its normal, and links that
-//! never turn against one another give the line at infinity. Two lines that are not one for topological reasons find the centre. A round
-//! uses what earlier rounds found. Where a round finds nothing, one centre is taken from velocities, and the rounds go on.
+//! For a missing P_ij, each third link k with known P_ik and P_kj gives a line. A bare pin in a
+//! slot gives its normal, and links that never turn relative to one another give the line at
+//! infinity. Two lines that do not coincide for topological reasons determine the centre. A round
+//! uses the centres of earlier rounds. If a round finds nothing, one centre is taken from
+//! velocities, and the rounds continue.
 
 use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
@@ -11,31 +14,32 @@ use super::primary::{Given, Primary, given};
 /// Two different links, in the order in which their numbers are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pair {
-    /// The first.
+    /// The first link.
     pub i: LinkId,
-    /// The second.
+    /// The second link.
     pub j: LinkId,
 }
 
 impl Pair {
-    /// Both names, with a comma between those that could be read otherwise: `24`, `2,10`.
+    /// Returns both names, with a comma between them if a link's name has more than one character:
+    /// `24`, `2,10`.
     pub fn indices(&self, scene: &Scene) -> String {
         let (a, b) = (scene.link_name(self.i), scene.link_name(self.j));
         let comma = if scene.links.iter().all(|l| l.name.chars().count() == 1) { "" } else { "," };
         format!("{a}{comma}{b}")
     }
 
-    /// The name of their centre in plain text: `P24`.
+    /// Returns the name of the centre in plain text: `P24`.
     pub fn name(&self, scene: &Scene) -> String {
         format!("P{}", self.indices(scene))
     }
 
-    /// Whether one of them is this link.
+    /// True if one of the two is this link.
     pub fn has(&self, l: LinkId) -> bool {
         self.i == l || self.j == l
     }
 
-    /// The other of the two.
+    /// Returns the other link of the pair.
     pub fn other(&self, l: LinkId) -> LinkId {
         if self.i == l { self.j } else { self.i }
     }
@@ -44,37 +48,37 @@ impl Pair {
 /// A line on which a centre P_ij lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Line {
-    /// P_ik P_kj, through this link k.
+    /// The line P_ik P_kj through this link k.
     Through(LinkId),
     /// The normal of a slot at its bare pin.
     Normal(GuideId),
-    /// The line at infinity, as neither turns against the other.
+    /// The line at infinity, because neither link turns relative to the other.
     Infinity,
 }
 
-/// How a centre is found.
+/// The way in which a centre is found.
 #[derive(Clone, Debug, PartialEq)]
 pub enum How {
     /// By its pair.
     Primary(Primary),
-    /// Where two of these lines cross.
+    /// By crossing two of these lines.
     Lines(Vec<Line>),
-    /// From velocities, as the theorem stalls.
+    /// From velocities, because the theorem stalls.
     Velocities,
 }
 
-/// The finding of one centre.
+/// The step that finds one centre.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// Whose centre.
+    /// The two links of the centre.
     pub pair: Pair,
     /// The round: 0 for primary centres.
     pub round: usize,
-    /// How.
+    /// The way in which the centre is found.
     pub how: How,
-    /// Whether it is at infinity in every pose.
+    /// True if the centre is at infinity in every pose.
     pub infinite: bool,
-    /// Whether it holds only for the given rates of several drivers.
+    /// True if the centre holds only for the given rates of several drivers.
     pub given_drivers: bool,
 }
 
@@ -85,28 +89,28 @@ pub struct Closure {
     pub links: Vec<LinkId>,
     /// All centres, in the order of finding.
     pub steps: Vec<Step>,
-    /// How many of them are primary.
+    /// The number of primary centres.
     pub primary: usize,
-    /// How many the theorem finds alone, the primary ones included.
+    /// The number of centres that the theorem finds alone, primary ones included.
     pub by_theorem: usize,
     /// Degrees of freedom.
     pub freedoms: usize,
 }
 
 impl Closure {
-    /// The pair of two different links.
+    /// Returns the pair of two different links.
     pub fn pair(&self, a: LinkId, b: LinkId) -> Pair {
         let rank = |l: LinkId| self.links.iter().position(|k| *k == l);
         if rank(a) <= rank(b) { Pair { i: a, j: b } } else { Pair { i: b, j: a } }
     }
 
-    /// Whether the theorem stalls on a mechanism of one freedom.
+    /// True if the theorem stalls on a mechanism of one degree of freedom.
     pub fn stalled(&self) -> bool {
         self.freedoms == 1 && self.by_theorem < self.steps.len()
     }
 }
 
-/// The order of finding; `freedoms` is the number of drivers.
+/// Returns the order of finding; `freedoms` is the number of drivers.
 pub(super) fn closure(scene: &Scene, freedoms: usize) -> Closure {
     let given = given(scene);
     let links = scene.links_in_order();
@@ -131,7 +135,7 @@ pub(super) fn closure(scene: &Scene, freedoms: usize) -> Closure {
             .collect();
         let found = if found.is_empty() {
             by_theorem.get_or_insert(steps.len());
-            // The first absolute one, else the first: any one will do.
+            // Any missing centre serves: the first absolute one, otherwise the first.
             let missing = || pairs.iter().filter(|pair| open.of(pair.i, pair.j).is_none());
             let Some(pair) = missing().find(|pair| pair.has(scene.ground)).or_else(|| missing().next()) else { break };
             vec![open.step(*pair, round, How::Velocities, freedoms > 1)]
@@ -144,18 +148,18 @@ pub(super) fn closure(scene: &Scene, freedoms: usize) -> Closure {
     Closure { by_theorem: by_theorem.unwrap_or(steps.len()), links, steps, primary, freedoms }
 }
 
-/// A centre that is there, as far as topology tells it from others.
+/// A known centre, as far as topology distinguishes it from others.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Known {
     /// At a joint.
     Joint(PointId),
     /// At infinity.
     Infinite,
-    /// Anywhere.
+    /// At an unspecified place.
     Somewhere,
 }
 
-/// The closure in the making.
+/// The closure under construction.
 struct Open<'a> {
     given: &'a Given,
     links: &'a [LinkId],
@@ -183,11 +187,11 @@ impl Open<'_> {
         self.known[j.0 * self.n + i.0] = Some(known);
     }
 
-    /// All lines on which a missing centre lies; `None` where they are fewer than two.
+    /// Returns all lines on which a missing centre lies; `None` if fewer than two are different.
     fn lines(&self, pair: Pair) -> Option<Vec<Line>> {
         let Pair { i, j } = pair;
         let mut lines = Vec::new();
-        // Lines that are one for topological reasons count once: through a joint that both have, or both at infinity.
+        // Lines that coincide for topological reasons count once: lines through a common joint.
         let mut through: Vec<[Known; 2]> = Vec::new();
         let mut different = 0;
         if self.given.translate(i, j) {
@@ -203,7 +207,8 @@ impl Open<'_> {
         for k in self.links.iter().copied().filter(|k| !pair.has(*k)) {
             let (Some(a), Some(b)) = (self.of(i, k), self.of(k, j)) else { continue };
             if a == Known::Infinite && b == Known::Infinite {
-                // Then i and j do not turn against one another either: that line is there.
+                // In this case i and j do not turn relative to one another either: the line at
+                // infinity is already in the list.
                 continue;
             }
             let joint = |x: Known, y: Known| matches!(x, Known::Joint(_)) && x == y;
@@ -211,7 +216,8 @@ impl Open<'_> {
                 continue;
             }
             lines.push(Line::Through(k));
-            // Through the pin of a slot there is one line, the normal, whichever of the links on the pin is taken.
+            // Only one line, the normal, goes through the pin of a slot, independent of the link on
+            // the pin.
             let normal = pins.iter().any(|pin| joint(a, *pin) || joint(b, *pin));
             if !normal && !through.iter().any(|[c, d]| joint(a, *c) || joint(b, *d)) {
                 different += 1;

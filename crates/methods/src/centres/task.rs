@@ -1,4 +1,4 @@
-//! Tasks that ask for centres, and what centres answer to questions.
+//! Tasks that ask for centres, and answers by centres to questions.
 
 use super::{Centres, centres};
 use hodograph_mechanism::mechanism::Level;
@@ -10,12 +10,13 @@ use hodograph_scene::{Asked, Find, OnLink, Scene};
 pub struct Task {
     /// All centres of the mechanism.
     pub found: Centres,
-    /// Whether they answer all that is asked of motion, so that no polygon is called for.
+    /// True if the centres answer all questions of motion, so that no polygon is needed.
     pub alone: bool,
 }
 
 impl Task {
-    /// The centres of a scene that asks for one.
+    /// Returns the centres of a scene with a question for a centre; `None` if it has no such
+    /// question.
     pub fn of(scene: &Scene) -> Option<Task> {
         scene.find.iter().find(|f| matches!(f.what, Asked::InstantCentre(_)))?;
         let found = centres(scene).ok()?.value;
@@ -26,7 +27,7 @@ impl Task {
 }
 
 impl Centres {
-    /// What they answer to a question of ω or v, a vector by its magnitude.
+    /// Returns the answer by centres to a question of ω or v; for a vector, the magnitude.
     pub fn value(&self, scene: &Scene, find: &Find) -> Option<f64> {
         match find.what.meaning(scene)? {
             _ if find.what.level() != Level::Velocity => None,

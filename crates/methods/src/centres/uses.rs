@@ -1,8 +1,10 @@
-//! What centres are for: angular rates by ratios of distances, speeds of sliders and points, from one driver outwards.
+//! Uses of centres: angular velocities from ratios of distances, and speeds of sliders and points,
+//! starting at one driver.
 //!
-//! ω_k/ω_m = P_fm P_km : P_fk P_km, of the same sense where P_km lies outside P_fm P_fk; a link without a turning has the velocity that
-//! link m has at P_km. The frame f is the link against which the driver's motion is given, mostly the ground. Velocities only: the
-//! acceleration of a centre is not zero.
+//! ω_k/ω_m = P_fm P_km : P_fk P_km, with the same sense if P_km lies outside P_fm P_fk. A link that
+//! does not turn has the velocity of link m at P_km. The frame f is the link to which the driver's
+//! motion is relative, usually the ground. Velocities only: the acceleration of a centre is not
+//! zero.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::answer::Source;
@@ -17,23 +19,24 @@ use super::locate::Centre;
 use super::rounds::Closure;
 use super::velocities::RESTING;
 
-/// How a link moves against the frame.
+/// The motion of a link relative to the frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motion {
-    /// It turns (rad/s, counter-clockwise plus) about its centre.
+    /// Rotation (rad/s, counter-clockwise plus) about the link's centre.
     Turn(f64),
-    /// All its points have this velocity (m/s).
+    /// Translation: all points have this velocity (m/s).
     Slide(Vec2),
 }
 
-/// From where the motion of a link is known.
+/// The source of a link's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum By {
     /// The driver gives it.
     Driver,
-    /// The loop equations: no driver is between two numbered links.
+    /// The loop equations, because no driver acts between two numbered links.
     Analysis,
-    /// As the other link, which turns, has at their centre the velocity that this one has there.
+    /// The other link turns, and has at the common centre the velocity of this link, which turns
+    /// too.
     Ratio {
         /// The other link m.
         link: LinkId,
@@ -42,18 +45,20 @@ pub enum By {
         /// P_fk P_km (m).
         own: f64,
     },
-    /// The other link turns with it: their centre is at infinity.
+    /// The other link turns with the same angular velocity: the common centre is at infinity.
     Together(LinkId),
-    /// The other link turns, and has at their centre the velocity of this one, which does not turn.
+    /// The other link turns, and has at the common centre the velocity of this link, which does not
+    /// turn.
     Slides {
         /// The other link m.
         link: LinkId,
         /// P_fm P_km (m).
         arm: f64,
     },
-    /// Neither turns: along the direction of their centre at infinity both have one component of velocity.
+    /// Neither link turns: both have the same velocity component along the direction of their
+    /// centre at infinity.
     Wedge(LinkId),
-    /// The other link does not turn, and this one has its velocity at their centre.
+    /// The other link does not turn, and this link has its velocity at the common centre.
     FromSlide {
         /// The other link m.
         link: LinkId,
@@ -67,11 +72,11 @@ pub enum By {
 pub struct Turning {
     /// The link.
     pub link: LinkId,
-    /// From where.
+    /// The source of the motion.
     pub by: By,
-    /// Against the frame.
+    /// The motion relative to the frame.
     pub motion: Motion,
-    /// ω against the ground (rad/s).
+    /// ω relative to the ground (rad/s).
     pub omega: f64,
 }
 
@@ -80,26 +85,27 @@ pub struct Turning {
 pub struct Speed {
     /// The point.
     pub point: PointId,
-    /// The link by which it is found.
+    /// The link from which the velocity is found.
     pub link: LinkId,
-    /// Its distance from the link's centre against the ground (m); `None` where that is at infinity.
+    /// The point's distance from the link's centre relative to the ground (m); `None` if that
+    /// centre is at infinity.
     pub arm: Option<f64>,
-    /// Against the ground (m/s).
+    /// The velocity relative to the ground (m/s).
     pub velocity: Vec2,
 }
 
-/// Angular rates and speeds by centres.
+/// Angular velocities and speeds by centres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Uses {
-    /// The link against which the motions are counted.
+    /// The link to which the motions are relative.
     pub frame: LinkId,
-    /// The links, each after those on which it rests.
+    /// The links, each after the links on which it depends.
     pub links: Vec<Turning>,
     /// The points.
     pub points: Vec<Speed>,
 }
 
-/// Angular rates and speeds from the first driver on.
+/// Returns angular velocities and speeds, starting at the first driver.
 pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Centre]) -> Uses {
     let mut chain = Chain { scene, worked, closure, list, frame: scene.ground, known: Vec::new() };
     let (frame, first) = match chain.driver(0) {
@@ -110,7 +116,7 @@ pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Ce
     if let Some((link, by, motion)) = first {
         chain.known.push(Turning { link, by, motion, omega: 0.0 });
     }
-    // Further drivers that are given against the same link.
+    // Further drivers with the same reference link.
     for k in 1..scene.drivers.len() {
         match chain.driver(k) {
             Some((other, link, motion)) if other == frame && !chain.known.iter().any(|t| t.link == link) => {
@@ -144,7 +150,7 @@ impl Chain<'_> {
         self.list.iter().find(|c| c.step.pair == pair)?.place
     }
 
-    /// Frame, link and motion that a driver gives.
+    /// Returns the frame, the link and the motion that a driver gives.
     fn driver(&self, k: usize) -> Option<(LinkId, LinkId, Motion)> {
         let driver = self.scene.drivers.get(k)?;
         let rate = driver.rate.value;
@@ -173,7 +179,7 @@ impl Chain<'_> {
         }
     }
 
-    /// The first link that moves, by the loop equations.
+    /// Returns the first link that turns, with its motion from the loop equations.
     fn analysis(&self) -> Option<(LinkId, By, Motion)> {
         let solution = &self.worked.solution;
         let moves = |l: &LinkId| *l != self.scene.ground && solution.turning(Level::Velocity, *l).is_some_and(|omega| omega != 0.0);
@@ -181,7 +187,7 @@ impl Chain<'_> {
         Some((link, By::Analysis, Motion::Turn(solution.turning(Level::Velocity, link)?)))
     }
 
-    /// Adds link after link, each by the first of those that are known.
+    /// Adds one link after another, each by the first known link that determines it.
     fn go_on(&mut self) {
         if self.known.is_empty() {
             return;
@@ -203,7 +209,7 @@ impl Chain<'_> {
         }
     }
 
-    /// The motion of link k by that of link m.
+    /// Returns the motion of link k from the motion of link m.
     fn next(&self, k: LinkId, m: &Turning) -> Option<(By, Motion)> {
         let (own, shared) = (self.place(self.frame, k)?, self.place(k, m.link)?);
         match (own, shared, m.motion) {
@@ -231,7 +237,8 @@ impl Chain<'_> {
         }
     }
 
-    /// A motion that is nothing beside the fastest known one is rest: two distances that cancel leave their rounding.
+    /// Sets a motion to rest if it is negligible beside the fastest known one: two distances that
+    /// cancel leave a rounding error.
     fn settled(&self, motion: Motion) -> Motion {
         let size = self.size();
         let rate = |m: &Motion| match m {
@@ -250,7 +257,7 @@ impl Chain<'_> {
         self.worked.configuration.extent()
     }
 
-    /// The velocity of a link's point at a place, against the frame.
+    /// Returns the velocity of a link's point at a place, relative to the frame.
     fn velocity(&self, of: &Turning, at: Point) -> Option<Vec2> {
         match of.motion {
             Motion::Turn(omega) => Some((at - self.place(self.frame, of.link)?.point()?).perp() * omega),
@@ -262,7 +269,7 @@ impl Chain<'_> {
         self.known.iter().find(|t| t.link == l)
     }
 
-    /// ω against the ground, where the motions are counted against another link.
+    /// Computes ω relative to the ground, in case the motions are relative to another link.
     fn against_ground(&mut self) {
         let rate = |t: &Turning| match t.motion {
             Motion::Turn(omega) => omega,
@@ -272,7 +279,7 @@ impl Chain<'_> {
         self.known.iter_mut().for_each(|t| t.omega = rate(t) - ground);
     }
 
-    /// The velocity of a point, by the first link that carries it and whose motion is known.
+    /// Returns the velocity of a point, from the first link that carries it and has a known motion.
     fn speed(&self, point: PointId) -> Option<Speed> {
         let at = self.worked.configuration.points[point.0]?;
         let still = Turning { link: self.frame, by: By::Driver, motion: Motion::Slide(Vec2::ZERO), omega: 0.0 };
@@ -285,7 +292,7 @@ impl Chain<'_> {
     }
 }
 
-/// The motion about a centre that gives a place its velocity.
+/// Returns the motion about a centre that gives a place this velocity.
 fn about(centre: Place, at: Point, v: Vec2) -> Option<Motion> {
     match centre {
         Place::At(c) => {

@@ -1,4 +1,5 @@
-//! What the loop equations say of a centre: P_ij = i (v_i − v_j)/(ω_i − ω_j), v of the links' points at one place.
+//! Centres from the loop equations: P_ij = i (v_i − v_j)/(ω_i − ω_j), v of the links' points at one
+//! place.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::answer::Source;
@@ -12,18 +13,19 @@ use super::lines::{Frame, Place};
 use super::omega;
 use super::rounds::Pair;
 
-/// A difference of angular rates below this part of the largest is looked at in numbers that know their error.
+/// A difference of angular velocities below this fraction of the largest is computed as an
+/// interval.
 const DOUBTFUL: f64 = 1e-7;
-/// Relative motions below this part of the largest are rounding.
+/// Relative motions below this fraction of the largest are rounding.
 pub(super) const RESTING: f64 = 1e-11;
-/// Digits to which a difference is asked whether it is zero.
+/// Digits to which a difference is certified to be zero.
 const DIGITS: usize = 12;
 
 /// The motion of every link, from the loop equations.
 pub(super) struct Velocities<'a> {
     scene: &'a Scene,
     pub frame: Frame,
-    /// Velocity of each link's point at the frame's middle (m/s), and ω.
+    /// The velocity of each link's point at the frame's middle (m/s), and ω (rad/s).
     links: Vec<Option<(Vec2, f64)>>,
     /// The largest of ω and v/size (rad/s).
     pub largest: f64,
@@ -48,19 +50,21 @@ impl<'a> Velocities<'a> {
         Velocities { scene, frame: Frame { middle, size }, links, largest }
     }
 
-    /// The motion of the first link of a pair against the second: velocity at the frame's middle, and ω.
+    /// Returns the motion of the first link of a pair relative to the second: velocity at the
+    /// frame's middle, and ω.
     pub fn relative(&self, pair: Pair) -> Option<(Vec2, f64)> {
         let ((v, omega), (w, other)) = (self.links[pair.i.0]?, self.links[pair.j.0]?);
         Some((v - w, omega - other))
     }
 
-    /// Whether two links do not move against one another, to rounding.
+    /// True if two links have no relative motion, to rounding.
     pub fn rests(&self, pair: Pair) -> bool {
         let still = RESTING * self.largest;
         self.relative(pair).is_some_and(|(v, omega)| omega.abs() <= still && v.norm() <= still * self.frame.size)
     }
 
-    /// Whether two links surely do not turn against one another in this pose: a difference that is small is computed as an interval.
+    /// True if two links certainly do not turn relative to one another in this pose: a small
+    /// difference is computed as an interval.
     pub fn surely_translate(&self, pair: Pair) -> bool {
         let Some((_, turning)) = self.relative(pair) else { return false };
         if turning.abs() > DOUBTFUL * self.largest {
@@ -78,7 +82,8 @@ impl<'a> Velocities<'a> {
         certified.first().is_some_and(|c| c.part(Part::Scalar).is_some_and(|n| n.zero))
     }
 
-    /// The centre of two links by their velocities; `None` where they do not move against one another or their motion is not known.
+    /// Returns the centre of two links by their velocities; `None` if they have no relative motion
+    /// or their motion is not known.
     pub fn centre(&self, pair: Pair, infinite: bool) -> Option<Place> {
         let (v, omega) = self.relative(pair)?;
         if self.rests(pair) {
@@ -92,8 +97,8 @@ impl<'a> Velocities<'a> {
         (omega.abs() > still && at.is_finite()).then_some(Place::At(at))
     }
 
-    /// The velocity of one link against the other at their centre, relative to the largest velocities at its distance: 0 at a true centre.
-    /// `None` where the motion is not known.
+    /// Returns the velocity of one link relative to the other at their centre, divided by the
+    /// largest velocities at its distance: 0 at a true centre. `None` if the motion is not known.
     pub fn residual(&self, pair: Pair, place: Place) -> Option<f64> {
         let (v, omega) = self.relative(pair)?;
         if self.largest == 0.0 {

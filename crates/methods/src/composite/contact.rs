@@ -1,12 +1,16 @@
 //! The point of contact of a cam and its follower as moving point.
 //!
-//! At the instant the point of one touches the contour of the other: v_r lies along the common tangent, and although the path of the point is not the
-//! contour, the normal part of a_r is known from the velocities. With Ω the angular velocity of the point's body against the frame, v_s its sliding
-//! along t (the normal out of the frame's contour turned by −90°) and ρ₁, ρ₂ the radii of the contours of frame and body,
-//! a_rⁿ = Ω²ρ₂ − (v_s − Ωρ₂)²/(ρ₁ + ρ₂) along the normal; Ω²ρ₁ + 2Ωv_s for a flat body, Ω²ρ₂ for a flat frame. So it serves, from the cam, from the
-//! follower, and from axes that translate with the centre of the cam's circle, in which that circle stands still.
+//! At the instant, a point of one body touches the contour of the other. v_r lies along the common
+//! tangent. The path of the point is not the contour, but the normal part of a_r follows from the
+//! velocities. Let Ω be the angular velocity of the point's body relative to the frame, v_s its
+//! sliding along t (the outward normal of the frame's contour turned by −90°), and ρ₁, ρ₂ the radii
+//! of the contours of frame and body. Then a_rⁿ = Ω²ρ₂ − (v_s − Ωρ₂)²/(ρ₁ + ρ₂) along the normal;
+//! Ω²ρ₁ + 2Ωv_s for a flat body, Ω²ρ₂ for a flat frame. The point therefore serves with the cam as
+//! frame, with the follower as frame, and with axes that translate with the centre of the cam's
+//! circle, in which that circle is at rest.
 //!
-//! The point is another one at the next instant: it is added to the scene in its pose ([`hodograph_worked::worked::contact`]).
+//! Another point is in contact at the next instant: the point is added to the scene in its pose
+//! ([`hodograph_worked::worked::contact`]).
 
 use super::{Choice, Place, Solved, Verdict, choices, judge, solved, usable};
 use hodograph_base::diag::{Faults, Warned};
@@ -24,49 +28,49 @@ use hodograph_worked::worked::{Scope, Worked, work};
 pub struct Contact {
     /// Index into the scene's cams.
     pub cam: usize,
-    /// The links: the cam, its follower.
+    /// The links: the cam and its follower.
     pub links: [LinkId; 2],
     /// The point.
     pub point: PointId,
     /// The centre of the cam's circle.
     pub centre: PointId,
-    /// Radii of curvature of cam and follower (m); none of a face.
+    /// Radii of curvature of cam and follower (m); `None` for a face.
     pub radii: [Option<f64>; 2],
-    /// Unit normal, out of the cam.
+    /// The unit normal, out of the cam.
     pub normal: Vec2,
 }
 
-/// What is known of the relative motion at a contact.
+/// The known properties of the relative motion at a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
-    /// Radii of curvature (m) of the frame's contour and of the body's; none of a face.
+    /// Radii of curvature (m) of the contours of the frame and of the body; `None` for a face.
     pub radii: [Option<f64>; 2],
-    /// Angular velocity of the point's body against the frame (rad/s).
+    /// The angular velocity of the point's body relative to the frame (rad/s).
     pub omega: f64,
-    /// Sliding along t (m/s).
+    /// The sliding velocity along t (m/s).
     pub sliding: f64,
-    /// Unit normal, out of the frame's contour.
+    /// The unit normal, out of the frame's contour.
     pub normal: Vec2,
 }
 
 impl Slip {
-    /// a_rⁿ along the normal (m/s²), by the formula.
+    /// Returns a_rⁿ along the normal (m/s²), by the formula.
     pub fn acceleration(&self) -> f64 {
         let (omega, v) = (self.omega, self.sliding);
         match self.radii {
             [Some(r), None] => omega * omega * r + 2.0 * omega * v,
             [None, Some(r)] => omega * omega * r,
             [Some(p), Some(q)] => omega * omega * q - (v - omega * q) * (v - omega * q) / (p + q),
-            // Two faces never touch in a point.
+            // Two faces never touch at a point.
             [None, None] => 0.0,
         }
     }
 }
 
-/// A scene with the points at which its cams are touched, and its pose.
+/// A scene with the points of contact of its cams, and its pose.
 #[derive(Clone, Debug)]
 pub struct Staged {
-    /// The scene, the points of contact among its points.
+    /// The scene with the points of contact among its points.
     pub scene: Scene,
     /// The points of contact.
     pub contacts: Vec<Contact>,
@@ -74,7 +78,7 @@ pub struct Staged {
 }
 
 impl Staged {
-    /// A scene as it stands in its pose; one that cannot be placed has no contacts.
+    /// Places a scene in its pose; a scene that cannot be placed has no contacts.
     pub fn new(scene: &Scene) -> Staged {
         let bare = || Staged { scene: scene.clone(), contacts: Vec::new(), at: None };
         let offers = |c: &hodograph_scene::Cam| matches!(c.follows, Follows::Face(_) | Follows::Arc(..)) && c.circle.is_some();
@@ -99,7 +103,8 @@ impl Staged {
         Staged { scene: out, contacts, at: Some(at) }
     }
 
-    /// All choices: those that the scene names, those at slides, pins and contacts of wheels, then those at its cams.
+    /// Returns all choices: those that the scene names, those at slides, pins and contacts of
+    /// wheels, then those at the cams.
     pub fn choices(&self, scene: &Scene) -> Vec<Choice> {
         let mut all: Vec<Choice> = self.named(scene);
         let more = choices(scene).into_iter().chain(self.contacts.iter().flat_map(|c| self.at_contact(c)));
@@ -111,7 +116,8 @@ impl Staged {
         all
     }
 
-    /// The choices that are shown: those that the scene names, else the first that serve.
+    /// Returns the choices to show: those that the scene names, otherwise the first `most` that
+    /// serve.
     pub fn shown(&self, scene: &Scene, most: usize) -> Vec<Choice> {
         let named: Vec<Choice> = self.named(scene).into_iter().filter(usable).collect();
         if !named.is_empty() {
@@ -120,15 +126,15 @@ impl Staged {
         self.choices(scene).into_iter().filter(|c| c.verdict == Verdict::Serves).take(most).collect()
     }
 
-    /// The parts of these choices.
+    /// Returns the parts of the motion for these choices.
     ///
     /// # Errors
-    /// Those of the scene: a dead centre has no motion to part.
+    /// The faults of the scene; at a dead centre there is no motion to resolve.
     pub fn solved(&self, choices: &[Choice], level: Level) -> Result<Warned<(Worked, Vec<Solved>)>, Faults> {
         solved(self, choices, level)
     }
 
-    /// Works the scene through with other questions.
+    /// Solves the scene with other questions.
     pub(super) fn work(&self, asking: &Scene) -> Result<Warned<Worked>, Faults> {
         let posed = self.at.clone().filter(|_| !self.contacts.is_empty()).and_then(|at| work_at(asking, at));
         posed.map_or_else(|| work(asking, Scope::Figure), |value| Ok(Warned { value, notes: Vec::new() }))
@@ -145,7 +151,8 @@ impl Staged {
         scene.composite.iter().filter_map(one).collect()
     }
 
-    /// The choices at a contact: each body's point from the other, and the follower's from axes that translate with the centre.
+    /// Returns the choices at a contact: the point of each body relative to the other body, and the
+    /// follower's point relative to axes that translate with the centre.
     fn at_contact(&self, c: &Contact) -> Vec<Choice> {
         let [cam, follower] = c.links;
         let centre = Frame::Point(OnLink { point: c.centre, link: None });
@@ -167,12 +174,13 @@ impl Staged {
             return Choice { of, frame, place, verdict: Verdict::Serves, path };
         }
         let judged = judge(&self.scene, of, frame, place);
-        // Whatever the pairs say of points that last, this one does not.
+        // The verdict that the pairs give for permanent points does not hold for this point.
         let verdict = if judged.verdict == Verdict::Serves { Verdict::PointChanges } else { judged.verdict };
         Choice { verdict, path, ..judged }
     }
 
-    /// What is known at the contact of a choice; none where its moving point is not one.
+    /// Returns the sliding at the contact of a choice; `None` if its moving point is not a point of
+    /// contact.
     pub fn slip(&self, choice: &Choice, worked: &Worked, relative: Vec2) -> Option<Slip> {
         let c = self.contacts.iter().find(|c| c.point == choice.of.point && choice.verdict == Verdict::Serves)?;
         let [cam, follower] = c.links;

@@ -1,10 +1,12 @@
-//! Composite motion of a point: which moving points and frames a mechanism offers, which of them serve and why the others do not, and
-//! the parts of the motion for one of them.
+//! Composite motion of a point: the moving points and frames that a mechanism offers, the reasons
+//! for which some of them do not serve, and the parts of the motion for each choice.
 //!
-//! Moving point M and frame belong to different bodies, M is the same material point for good, and its path in the frame is known: then
-//! v_r has a known direction, a_rⁿ a known size, and each equation is left with the unknowns of one crossing. The same holds of the momentary
-//! point at which a cam is touched ([`contact`]). Choices but those come from topology alone; the parts of one are found as questions of the scene
-//! are, by drawing and by analysis.
+//! A choice serves if the moving point M and the frame belong to different bodies, M is permanently
+//! the same material point, and its path in the frame is known. Then v_r has a known direction and
+//! a_rⁿ a known magnitude, and each equation has only the unknowns of one crossing. The momentary
+//! point of contact of a cam serves as well ([`contact`]). All other choices follow from topology
+//! alone. The parts of the motion are found in the same way as the questions of the scene, by
+//! drawing and by analysis.
 
 pub mod contact;
 mod projection;
@@ -19,22 +21,24 @@ use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::quantity::{Frame, RelativePath, owns, relative_path};
 use hodograph_scene::{GuidePath, LinkId, Moving, OnLink, PointId, Scene};
 
-/// Whether a moving point and a frame serve.
+/// The suitability of a moving point and a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The path of the point in the frame is known.
     Serves,
-    /// No pair gives the path: the equation of velocities holds, but neither direction of v_r nor a_rⁿ are known beforehand.
+    /// No pair gives the path: the equation of velocities holds, but neither the direction of v_r
+    /// nor a_rⁿ is known beforehand.
     PathUnknown,
-    /// Another point of the body comes to the contact at every instant; its path is not the profile or guide.
+    /// At every instant another point of the body is at the contact; its path is not the profile or
+    /// guide.
     PointChanges,
     /// The point belongs to the frame.
     SameBody,
-    /// The frame stands still.
+    /// The frame is at rest.
     FrameFixed,
 }
 
-/// At what a choice is offered.
+/// The place at which a choice is offered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// The scene names it.
@@ -45,7 +49,7 @@ pub enum Place {
     Pin(PointId),
     /// The contact of a rolling pair.
     Contact(hodograph_scene::RollingId),
-    /// The contact of a cam, index into the scene's list.
+    /// The contact of a cam (index into the scene's list).
     Cam(usize),
 }
 
@@ -56,18 +60,18 @@ pub struct Choice {
     pub of: OnLink,
     /// The frame.
     pub frame: Frame,
-    /// At what it is offered.
+    /// The place at which the choice is offered.
     pub place: Place,
-    /// Whether it serves.
+    /// The suitability of the choice.
     pub verdict: Verdict,
     /// The path of the point in the frame.
     pub path: RelativePath,
 }
 
-/// Most choices that are listed.
+/// The largest number of listed choices.
 const MOST: usize = 500;
 
-/// What speaks for and against a moving point and a frame.
+/// Judges a moving point and a frame.
 pub fn judge(scene: &Scene, of: OnLink, frame: Frame, place: Place) -> Choice {
     let path = relative_path(scene, of, frame);
     let verdict = match path {
@@ -77,12 +81,13 @@ pub fn judge(scene: &Scene, of: OnLink, frame: Frame, place: Place) -> Choice {
         RelativePath::Guide(_) | RelativePath::Circle(_) => Verdict::Serves,
         RelativePath::Unknown => Verdict::PathUnknown,
     };
-    // What merely lies under a pin has no path of its own, whatever circle the pin runs on.
+    // The point of a link under a pin has no path of its own, even if the pin runs on a circle.
     let path = if verdict == Verdict::Serves { path } else { RelativePath::Unknown };
     Choice { of, frame, place, verdict, path }
 }
 
-/// Whether a point of a link is named only because another's pin or contact lies there: the next instant it is another point of the link.
+/// True if a point of a link is named only because a pin or contact of another link coincides with
+/// it: at the next instant another point of the link is there.
 fn momentary(scene: &Scene, of: OnLink) -> bool {
     let Some(link) = of.link else { return scene.rolling.iter().any(|r| r.at.contains(&of.point)) };
     if scene.links[link.0].points.contains(&of.point) {
@@ -92,7 +97,8 @@ fn momentary(scene: &Scene, of: OnLink) -> bool {
     under_pin || scene.rolling.iter().any(|r| r.at.contains(&of.point) && r.links.contains(&link))
 }
 
-/// All choices that topology offers: those that the scene names, then those at each slide, pin and contact of wheels.
+/// Returns all choices that topology offers: those that the scene names, then those at each slide,
+/// pin and contact of wheels.
 pub fn choices(scene: &Scene) -> Vec<Choice> {
     let mut list = List { scene, all: Vec::new() };
     for c in &scene.composite {
@@ -107,7 +113,7 @@ pub fn choices(scene: &Scene) -> Vec<Choice> {
         list.pin(p);
     }
     for (r, pair) in scene.rolling.iter().enumerate() {
-        // The ends of a strand are two places.
+        // The ends of a strand are two different places.
         let Some(contact) = pair.contact() else { continue };
         let [a, b] = pair.links;
         for (own, other) in [(a, b), (b, a)] {
@@ -119,7 +125,7 @@ pub fn choices(scene: &Scene) -> Vec<Choice> {
     list.all
 }
 
-/// A point as a question names it: `B`, `B3`, `O2,3`.
+/// Returns a point's name as a question writes it: `B`, `B3`, `O2,3`.
 pub fn name_of(scene: &Scene, p: &OnLink) -> String {
     let point = scene.point_name(p.point);
     let Some(link) = p.link else { return point.to_owned() };
@@ -127,12 +133,13 @@ pub fn name_of(scene: &Scene, p: &OnLink) -> String {
     format!("{point}{comma}{}", scene.link_name(link))
 }
 
-/// How deep the parts of a motion go: to accelerations where a question of the scene asks for any, else to velocities.
+/// Returns the level of the parts of a motion: acceleration if a question of the scene asks for
+/// one, otherwise velocity.
 pub fn level(scene: &Scene) -> Level {
     scene.find.iter().map(|f| f.what.level()).max().map_or(Level::Velocity, |l| l.max(Level::Velocity))
 }
 
-/// Whether there are parts at all.
+/// True if the motion of a choice has parts.
 fn usable(c: &Choice) -> bool {
     match c.verdict {
         Verdict::Serves | Verdict::PathUnknown | Verdict::PointChanges => true,
@@ -152,7 +159,7 @@ impl List<'_> {
         }
     }
 
-    /// Adds what moves: nothing is carried by the ground, and a fixed point does not move.
+    /// Adds a choice if both the frame and the point move.
     fn add_moving(&mut self, of: OnLink, frame: Frame, place: Place) {
         if !frame.is_fixed(self.scene) && !owns(self.scene, self.scene.ground, &of) && !self.stands(&of) {
             self.add(of, frame, place);
@@ -182,7 +189,8 @@ impl List<'_> {
         }
     }
 
-    /// At a pin of two links: the pin belongs to both, further points of the one run on circles in the other.
+    /// Adds the choices at a pin of two links: the pin belongs to both, and further points of one
+    /// link run on circles in the other.
     fn pin(&mut self, p: PointId) {
         let (scene, place) = (self.scene, Place::Pin(p));
         let pin = OnLink { point: p, link: None };

@@ -1,6 +1,7 @@
-//! The projections by which an equation of composite motion is solved: on a line square to the other unknown, so that it drops out.
+//! The projections that solve an equation of composite motion: each uses a line square to the other
+//! unknown, which thus drops out.
 //!
-//! Which line that is follows from what is known beforehand ([`Closure`]), from topology alone.
+//! The line follows from the quantities known beforehand ([`Closure`]), from topology alone.
 
 use super::Solved;
 use super::solved::{Closure, Known};
@@ -9,15 +10,15 @@ use hodograph_scene::DiagramKind;
 use hodograph_scene::quantity::RelativePath;
 use hodograph_scene::quantity::composite::Part;
 
-/// A part below this share of the largest stands square to the line, and has no part on it.
+/// A component on the line below this fraction of the largest vector counts as zero.
 const SQUARE: f64 = 1e-9;
 
-/// The line on which an equation is projected.
+/// The line of a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum On {
-    /// Square to the relative path, for the wanted motion.
+    /// Square to the relative path, to find the wanted motion.
     Across,
-    /// Along the relative path, for the relative motion.
+    /// Along the relative path, to find the relative motion.
     Along,
     /// The x axis.
     X,
@@ -30,32 +31,34 @@ pub enum On {
 pub enum Term {
     /// The motion of the point.
     Absolute,
-    /// Its part toward the centre of its fixed circle.
+    /// The normal part of this motion, toward the centre of the point's fixed circle.
     AbsoluteNormal,
-    /// Its part along that circle.
+    /// The tangential part, along that circle.
     AbsoluteTangential,
-    /// Its component along the line itself.
+    /// The component of the motion along the projection line.
     Component,
     /// A part of the motion.
     Part(Part),
 }
 
-/// An equation on a line.
+/// An equation projected on a line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projection {
-    /// Of velocities or accelerations.
+    /// The kind of equation: velocities or accelerations.
     pub of: DiagramKind,
-    /// Which line it is.
+    /// The kind of line.
     pub on: On,
     /// The direction of the line (unit vector).
     pub line: Vec2,
-    /// Whether the point is at rest in the frame at the instant.
+    /// True if the point is at rest in the frame at the instant.
     pub rests: bool,
-    /// The vectors that have a part on it, each with its angle from the line (rad, from 0 to π): those of the point first.
+    /// The vectors with a component on the line, each with its angle from the line (rad, from 0 to
+    /// π); the vectors of the point come first.
     pub terms: Vec<(Term, f64)>,
 }
 
-/// The projections of a choice; none where the equation has more than two unknowns, and where the point rests in the frame for good.
+/// Returns the projections of a choice; empty if the equation has more than two unknowns, or if the
+/// point is permanently at rest in the frame.
 pub fn projections(s: &Solved) -> Vec<Projection> {
     let lines = lines(s);
     let levels = [(DiagramKind::Velocity, velocities(s)), (DiagramKind::Acceleration, accelerations(s))];
@@ -63,12 +66,12 @@ pub fn projections(s: &Solved) -> Vec<Projection> {
     all.collect()
 }
 
-/// The lines that the choice calls for.
+/// Returns the lines that the choice requires.
 fn lines(s: &Solved) -> Vec<(On, Vec2)> {
     let [absolute, _, relative] = s.velocity;
     let along = match s.slip {
         Some(slip) => Some(slip.normal.perp()),
-        // A point at rest on a straight path tells its direction by its acceleration.
+        // For a point at rest on a straight path, the acceleration gives the direction.
         None => relative.unit().or_else(|| tangential(s)?.unit()).filter(|_| !matches!(s.choice.path, RelativePath::Unknown)),
     };
     match (s.closure, along) {
@@ -76,7 +79,7 @@ fn lines(s: &Solved) -> Vec<(On, Vec2)> {
         (Closure::Side, _) => vec![(On::X, Vec2::new(1.0, 0.0)), (On::Y, Vec2::new(0.0, 1.0))],
         (Closure::Crossing, Some(along)) if s.known == Known::Both => vec![(On::Along, along)],
         (Closure::Crossing, Some(along)) => {
-            // The sense in which the velocity of the point counts as positive.
+            // The sense in which the velocity of the point is positive.
             let line = along.perp();
             vec![(On::Across, if absolute.dot(line) < -SQUARE * absolute.norm() { -line } else { line })]
         }
@@ -89,7 +92,8 @@ fn velocities(s: &Solved) -> Vec<(Term, Vec2)> {
     vec![(Term::Absolute, absolute), (Term::Part(Part::TransportVelocity), transport), (Term::Part(Part::RelativeVelocity), relative)]
 }
 
-/// Of a point on a fixed circle whose motion is wanted a_aⁿ is known and a_aᵗ is not: the direction of a_a is not known either.
+/// Returns the vectors of the acceleration equation. For a point on a fixed circle with wanted
+/// motion, a_aⁿ is known and a_aᵗ is not, so a_a is resolved into both.
 fn accelerations(s: &Solved) -> Vec<(Term, Vec2)> {
     let own = s.circle.filter(|_| s.known == Known::Transport && s.closure == Closure::Crossing);
     let told = |(part, v): &(Option<Part>, Vec2)| match (part, own) {
@@ -103,7 +107,7 @@ fn accelerations(s: &Solved) -> Vec<(Term, Vec2)> {
     s.acceleration.iter().flat_map(told).collect()
 }
 
-/// The equation of a level on a line.
+/// Returns the equation of a level, projected on a line.
 fn projected(s: &Solved, of: DiagramKind, (on, line): (On, Vec2), vectors: &[(Term, Vec2)]) -> Option<Projection> {
     let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
     let on_line = |(term, v): &(Term, Vec2)| {
@@ -122,7 +126,7 @@ fn projected(s: &Solved, of: DiagramKind, (on, line): (On, Vec2), vectors: &[(Te
     (terms.len() > 1).then_some(Projection { of, on, line, rests, terms })
 }
 
-/// a_rᵗ.
+/// Returns a_rᵗ.
 fn tangential(s: &Solved) -> Option<Vec2> {
     s.acceleration.iter().find(|(part, _)| *part == Some(Part::RelativeTangential)).map(|(_, v)| *v)
 }

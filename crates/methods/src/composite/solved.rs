@@ -1,4 +1,4 @@
-//! The parts of a composite motion, found as questions of the scene are.
+//! The parts of a composite motion, found like the answers to questions of the scene.
 
 use super::contact::Slip;
 use super::{Choice, Staged};
@@ -18,66 +18,70 @@ pub struct Solved {
     pub choice: Choice,
     /// v_a, v_e, v_r.
     pub velocity: [Vec2; 3],
-    /// a_a and its parts in the order of [`Part`]; empty where the scene does not call for accelerations.
+    /// a_a and its parts in the order of [`Part`]; empty if the scene does not ask for
+    /// accelerations.
     pub acceleration: Vec<(Option<Part>, Vec2)>,
-    /// What is known of the relative motion, where the moving point is a momentary point of contact.
+    /// The sliding at the contact, if the moving point is a momentary point of contact.
     pub slip: Option<Slip>,
-    /// The turning that follows from the wanted motion.
+    /// The rotation that follows from the wanted motion.
     pub turning: Option<Turned>,
-    /// Whether v_a is known before v_e (the point is nearer to the driver than the frame).
+    /// The motion that is known before the other: v_a is known first if the point is nearer to the
+    /// driver than the frame.
     pub known: Known,
-    /// How the equation is closed.
+    /// The number and kind of unknowns of the equation.
     pub closure: Closure,
-    /// Of a point that runs on a circle about a fixed point the direction to that (unit vector).
+    /// The direction from the point to the fixed centre of its circular path (unit vector), if it
+    /// has one.
     pub circle: Option<Vec2>,
 }
 
-/// How the equation of a choice is closed.
+/// The unknowns of the equation of a choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Closure {
     /// Two magnitudes are unknown, each along a known direction.
     Crossing,
-    /// The wanted motion is unknown in magnitude and direction, and all else is known.
+    /// The wanted motion is unknown in magnitude and direction, and everything else is known.
     Side,
     /// There are more unknowns.
     Open,
 }
 
-/// Turning about a fixed axis that follows from the motion of a point.
+/// A rotation about a fixed axis that follows from the motion of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turned {
     /// The link.
     pub link: LinkId,
     /// The fixed axis.
     pub axis: PointId,
-    /// Whether the link is the frame, so that it follows from v_e and a_eᵗ; else from v_a and a_aᵗ.
+    /// True if the link is the frame: the rotation then follows from v_e and a_eᵗ, otherwise from
+    /// v_a and a_aᵗ.
     pub of_frame: bool,
     /// ω (rad/s).
     pub omega: f64,
-    /// α (rad/s²), where accelerations are found.
+    /// α (rad/s²), if accelerations are found.
     pub alpha: Option<f64>,
 }
 
-/// What of v_a and v_e is known beforehand.
+/// The part of v_a and v_e that is known beforehand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Known {
-    /// The motion of the point; that of the frame is wanted.
+    /// The motion of the point; the frame's motion is wanted.
     Absolute,
-    /// The motion of the frame; that of the point is wanted.
+    /// The motion of the frame; the point's motion is wanted.
     Transport,
-    /// Both, for they rest on no common group.
+    /// Both motions, because neither depends on the other.
     Both,
 }
 
 /// The parts of an acceleration, in the order in which they are drawn.
 ///
-/// a_k and a_rⁿ lie on one line, so that one after the other they would be drawn over one another.
+/// a_k and a_rⁿ are parallel: drawn one directly after the other they would overlap.
 const PARTS: [Part; 5] = [Part::TransportNormal, Part::TransportTangential, Part::RelativeNormal, Part::RelativeTangential, Part::Coriolis];
 
-/// The scene asking for the parts of these choices alone, and its work.
+/// Solves the scene with questions for the parts of these choices only.
 ///
 /// # Errors
-/// Those of the scene: a dead centre has no motion to part.
+/// The faults of the scene; at a dead centre there is no motion to resolve.
 pub(super) fn solved(staged: &Staged, choices: &[Choice], level: Level) -> Result<Warned<(Worked, Vec<Solved>)>, Faults> {
     let scene = &staged.scene;
     let mut asking = scene.clone();
@@ -87,7 +91,7 @@ pub(super) fn solved(staged: &Staged, choices: &[Choice], level: Level) -> Resul
     Ok(Warned { value: (worked, each), notes })
 }
 
-/// As `find` would write it.
+/// Returns the question in the form that `find` uses.
 fn named(scene: &Scene, what: &Asked, c: &Choice) -> Find {
     let frame = match c.frame {
         Frame::Link(l) => scene.link_name(l).to_owned(),
@@ -106,7 +110,7 @@ fn part(c: &Choice, part: Part) -> Asked {
     Composite { part, of: c.of, frame: c.frame }.into()
 }
 
-/// The parts that a frame has: one that translates has no Coriolis part.
+/// Returns a test for the parts that a choice has: a translating frame has no Coriolis part.
 fn has(c: &Choice) -> impl Fn(&Part) -> bool {
     let (turns, straight) = (matches!(c.frame, Frame::Link(_)), matches!(c.path, RelativePath::Unknown));
     move |p| match p {
@@ -159,7 +163,8 @@ fn parts(staged: &Staged, scene: &Scene, worked: &Worked, c: &Choice, level: Lev
     Some(Solved { choice: *c, velocity, acceleration, slip, turning, known, closure, circle })
 }
 
-/// How the equation is closed: of the wanted motion the direction is known where a pair of the ground gives the path.
+/// Returns the kind of unknowns of the equation: the direction of the wanted motion is known if a
+/// pair of the ground gives the path.
 fn closure(scene: &Scene, worked: &Worked, c: &Choice, known: Known) -> Closure {
     let ground = Frame::Link(scene.ground);
     let runs = |of: OnLink| relative_path(scene, of, ground) != RelativePath::Unknown;
@@ -185,13 +190,14 @@ fn closure(scene: &Scene, worked: &Worked, c: &Choice, known: Known) -> Closure 
     }
 }
 
-/// Whether the motion of a point follows from that of its link or from a driver, so that no equation crosses two loci for it.
+/// True if the motion of a point follows from its link or from a driver, so that no equation
+/// crosses two loci for it.
 fn follows(worked: &Worked, of: OnLink) -> bool {
     let m = &worked.mechanism;
     m.group_of_pin[of.point.0].is_none_or(|g| m.groups[g].class().is_none())
 }
 
-/// The direction from a point to the fixed centre of the circle on which it runs.
+/// Returns the direction from a point to the fixed centre of its circular path.
 fn circle(scene: &Scene, worked: &Worked, c: &Choice) -> Option<Vec2> {
     let at = &worked.configuration;
     let own = at.points[c.of.point.0]?;
@@ -206,7 +212,8 @@ fn circle(scene: &Scene, worked: &Worked, c: &Choice) -> Option<Vec2> {
     (centre - own).unit()
 }
 
-/// The frame's turning where its motion is wanted, that of the point's link where that is; none where it has no fixed axis at another place.
+/// Returns the rotation of the link with the wanted motion: the frame, or the point's link. `None`
+/// if the link has no fixed axis at another place.
 fn turning(
     scene: &Scene,
     worked: &Worked,
@@ -239,10 +246,11 @@ fn turning(
     (arm.norm() > 0.0).then_some(Turned { link, axis, of_frame, omega, alpha })
 }
 
-/// What is below this part of its size is rounding.
+/// A value below this fraction of its size is a rounding error.
 const ROUNDING: f64 = 1e-12;
 
-/// a_r in its parts along a normal and square to it, a_k behind them as everywhere.
+/// Splits a_r into the parts along a normal and square to it, and puts them before a_k as
+/// everywhere.
 fn parted(acceleration: &mut Vec<(Option<Part>, Vec2)>, normal: Vec2) {
     let Some(k) = acceleration.iter().position(|(part, _)| *part == Some(Part::Relative)) else { return };
     let whole = acceleration.remove(k).1;
@@ -251,7 +259,7 @@ fn parted(acceleration: &mut Vec<(Option<Part>, Vec2)>, normal: Vec2) {
     acceleration.splice(at..at, [(Some(Part::RelativeNormal), along), (Some(Part::RelativeTangential), whole - along)]);
 }
 
-/// Which of the two motions a plan knows first: that of the earlier group.
+/// Returns the motion that a plan knows first: the motion of the earlier group.
 fn known(scene: &Scene, worked: &Worked, c: &Choice) -> Known {
     use hodograph_mechanism::mechanism::{Need, Node, nodes_of};
     let m = &worked.mechanism;
@@ -272,7 +280,7 @@ fn known(scene: &Scene, worked: &Worked, c: &Choice) -> Known {
         }
         false
     };
-    // Of two in one group neither is known first.
+    // If neither group depends on the other, both motions are known.
     match (rests(of_point, of_frame), rests(of_frame, of_point)) {
         (true, false) => Known::Transport,
         (false, true) => Known::Absolute,

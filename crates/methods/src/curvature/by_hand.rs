@@ -1,29 +1,68 @@
 //! Tolerances of hand drawing: the construction drawn again and again by a hand whose marks miss.
 
-use super::drawing::{Drawing, Traced};
 use super::known::Places;
 use super::plane::End;
-use super::{Curvature, Drawn, OfLink, on_paper};
-use hodograph_base::geom::Point;
-use hodograph_board::construct::pencil::{Blunt, Hand, bound};
-use hodograph_mechanism::answer::Value;
+use super::{Curvature, OfLink};
+use hodograph_board::construct::pencil::{Blunt, Hand, USUAL_MM, bound};
 
 /// Number of drawings: it gives the 95 % bound to a tenth.
 const DRAWINGS: u64 = 200;
 
-/// Bounds within which 95 of 100 drawings by hand fall (m); `None` where more than 5 of 100 fail.
+/// Bounds within which 95 of 100 drawings by hand fall (m); `None` if more than 5 of 100 fail.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByHand {
     /// The pencil error (mm).
     pub pencil_mm: f64,
-    /// Distance of the pole.
+    /// Displacement of the pole.
     pub pole: Option<f64>,
-    /// Distance of the inflection pole.
+    /// Displacement of the inflection pole.
     pub inflection_pole: Option<f64>,
-    /// Difference of the diameter of the inflection circle.
+    /// Error of the diameter of the inflection circle.
     pub diameter: Option<f64>,
-    /// Distance of Ball's point.
+    /// Displacement of Ball's point.
     pub ball: Option<f64>,
-    /// Of each point the difference of the radius of curvature, and the distance of its centre.
-    pub points: Vec<[Option<f64>; 2]>,
+    /// Error of the radius of curvature of each point of the link.
+    pub radii: Vec<Option<f64>>,
+}
+
+impl Curvature {
+    /// Adds the tolerances of hand drawing, for the scene's pencil or the usual one.
+    pub fn with_drafting(mut self) -> Curvature {
+        let all: Vec<Option<ByHand>> = self.list.iter().map(|of| self.by_hand(of)).collect();
+        self.list.iter_mut().zip(all).for_each(|(of, by_hand)| of.by_hand = by_hand);
+        self
+    }
+
+    /// Returns the tolerances of a link's drawing; `None` if it finds no pole.
+    fn by_hand(&self, of: &OfLink) -> Option<ByHand> {
+        let pencil_mm = self.scene.paper.pencil_mm.unwrap_or(USUAL_MM);
+        let (pole, normal) = of.drawing.pole()?;
+        let ball = of.drawing.ball();
+        let radius = |centre: Option<End>, at| centre.and_then(End::at).map(|c| c.distance(at));
+        let mut errors: Vec<Vec<f64>> = vec![Vec::new(); 4 + of.points.len()];
+        for seed in 1..=DRAWINGS {
+            let hand = Hand::with(Blunt::new(pencil_mm, seed), self.worked.construction.diagram.mu);
+            let places = Places { scene: &self.scene, at: &self.worked.configuration, against: self.against, hand: &hand };
+            let drawing = places.drawing_behind(of.link, &[]);
+            let drawn = drawing.pole();
+            let off = [
+                drawn.map(|(p, _)| p.distance(pole)),
+                drawn.map(|(p, n)| (p + n).distance(pole + normal)),
+                drawn.map(|(_, n)| (n.norm() - normal.norm()).abs()),
+                drawing.ball().zip(ball).map(|(p, q)| p.distance(q)),
+            ];
+            let radii = of.points.iter().map(|p| {
+                let traced = places.traced(&drawing, p.point);
+                let (by_hand, exact) = (radius(traced.map(|t| t.centre), traced?.at), radius(p.drawn.map(|d| d.centre), p.at));
+                Some((by_hand? - exact?).abs())
+            });
+            for (list, error) in errors.iter_mut().zip(off.into_iter().chain(radii)) {
+                list.push(error.unwrap_or(f64::INFINITY));
+            }
+        }
+        let mut bounds = errors.into_iter().map(bound);
+        let mut next = || bounds.next().flatten();
+        let [pole, inflection_pole, diameter, ball] = [next(), next(), next(), next()];
+        Some(ByHand { pencil_mm, pole, inflection_pole, diameter, ball, radii: bounds.collect() })
+    }
 }

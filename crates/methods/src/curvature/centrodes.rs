@@ -1,8 +1,9 @@
-//! Centrodes (瞬心线): the paths of a pole in the fixed and in the moving plane, through the travel of a driver.
+//! Centrodes (瞬心线): the paths of a pole in the fixed and in the moving plane, through the travel of
+//! a driver.
 //!
-//! A pole may run to infinity and come back from the other side. Each is kept as it is computed, P = B + i v/ω, as a ratio whose
-//! denominator ω is kept too: between two poses in which ω changes its sign the path passes through infinity, and a figure draws it to the
-//! edge of the paper on both sides.
+//! A pole may run to infinity and return from the other side. Each pole is kept as it is computed,
+//! P = B + i v/ω, as a ratio with its denominator ω: if ω changes its sign between two poses, the
+//! path passes through infinity, and a figure draws it to the edge of the paper on both sides.
 
 use hodograph_analytic as analytic;
 use hodograph_base::diag::{Diagnostic, Faults, both};
@@ -14,31 +15,33 @@ use hodograph_scene::{Given, LinkId, PointId, Scene};
 use hodograph_sweep::follow::Follower;
 use hodograph_worked::worked::Worked;
 
-/// Positions along a centrode: a turn in half degrees, as it bends sharply where it runs through infinity.
+/// The number of positions along a centrode: half degrees of one revolution, because the path bends
+/// sharply where it runs through infinity.
 pub const STEPS: usize = 720;
 
-/// A pole at one position of the driver, in homogeneous coordinates: place = `over`/`omega`.
+/// A pole at one position of the driver, in homogeneous coordinates: each place is a vector divided
+/// by `omega`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
-    /// How far the driver has gone from the scene's position (rad or m).
+    /// The travel of the driver from the scene's position (rad or m).
     pub travel: f64,
-    /// ω against the other link, for one unit of the driver's rate.
+    /// ω relative to the other link, for a unit rate of the driver.
     pub omega: f64,
     /// ω times the place in the fixed plane (from the origin, m·rad/s).
     pub fixed: Vec2,
     /// ω times the place in the moving plane, in the pose of the scene.
     pub moving: Vec2,
-    /// The same in the axes of the link: from its first point, x toward its second.
+    /// ω times the place in the axes of the link: from its first point, x toward its second.
     pub own: Vec2,
 }
 
 impl Station {
-    /// The pole in the fixed plane; not finite where the link translates.
+    /// Returns the pole in the fixed plane; not finite if the link translates.
     pub fn pole(&self) -> Point {
         (self.fixed * (1.0 / self.omega)).to_point()
     }
 
-    /// The pole in the axes of the link.
+    /// Returns the pole in the axes of the link.
     pub fn in_link(&self) -> Point {
         (self.own * (1.0 / self.omega)).to_point()
     }
@@ -49,18 +52,18 @@ impl Station {
 pub struct Centrodes {
     /// The link.
     pub link: LinkId,
-    /// Against which.
+    /// The reference link.
     pub against: LinkId,
-    /// In the order of the travel; `None` where no motion is determined (dead points).
+    /// The poles in the order of the travel; `None` if no motion is determined (dead centres).
     pub stations: Vec<Option<Station>>,
-    /// Whether the last is followed by the first.
+    /// True if the first station follows the last.
     pub closed: bool,
 }
 
 /// Follows the pole of a link through the travel of the first driver.
 ///
 /// # Errors
-/// `no-driver`, and `no-pole` where the link turns nowhere.
+/// `no-driver`, and `no-pole` if the link never turns.
 pub fn centrodes(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId, steps: usize) -> Result<Centrodes, Faults> {
     if scene.drivers.is_empty() {
         return Err(Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件")).into());
@@ -89,7 +92,7 @@ pub fn centrodes(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId, 
         let omega = turning(link)? - turning(against)?;
         let base = own.first().and_then(|p| at.points[p.0])?;
         let of = |l| solution.of_link(Level::Velocity, l, base);
-        // ω (P − B) = i v in the plane; carried back into the pose of the scene by both links.
+        // ω (P − B) = i v in the plane; both links carry it back into the pose of the scene.
         let arm = (of(link)? - of(against)?).perp();
         let seen = |l: LinkId| Some((at.poses[l.0]?, worked.configuration.poses[l.0]?));
         let carried = |l: LinkId| {

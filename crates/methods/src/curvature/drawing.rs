@@ -1,12 +1,15 @@
-//! The construction with ruler and paper, from places alone: no velocity and no acceleration is used.
+//! The construction with the ruler, from places alone: no velocity and no acceleration is used.
 //!
-//! Two rays through points with known centres cross in P. Bobillier: Q = BC × AD, PQ is the collineation axis; the parallel to PC through A
-//! meets it in Q₁, and Q₁B meets PC in J_C, the point of the ray whose path is straight. The same for J_B. The perpendiculars to the rays
-//! there cross in J. Of any point E: the perpendicular to PE through P meets EJ in H, the parallel to PJ through H meets PE in the centre
-//! E₀, which is PE² = EE₀ · EJ_E (Euler–Savary) by similar triangles.
+//! Two rays through points with known centres cross in P. Bobillier: Q = BC × AD, and PQ is the
+//! collineation axis. The parallel to PC through A meets it in Q₁, and Q₁B meets PC in J_C, the
+//! point of the ray with a straight path. J_B is found in the same way. The perpendiculars to the
+//! rays at J_B and J_C cross in J. For any point E, the perpendicular to PE through P meets EJ in
+//! H, and the parallel to PJ through H meets PE in the centre E₀; by similar triangles this is PE²
+//! = EE₀ · EJ_E (Euler–Savary).
 //!
 //! # Source
-//! É. Bobillier, *Cours de géométrie*, 1870; F. Savary, *Leçons*, 1831; R. Beyer, *Kinematische Getriebesynthese*, §4.
+//! É. Bobillier, *Cours de géométrie*, 1870; F. Savary, *Leçons*, 1831; R. Beyer, *Kinematische
+//! Getriebesynthese*, §4.
 
 use super::known::{Known, Why};
 use super::plane::{End, Line, meet};
@@ -14,21 +17,41 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::pencil::Hand;
 use hodograph_scene::{PointId, RollingId};
 
-/// How the curvature of a link is drawn.
+/// The construction of a link's curvature.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drawing {
     /// From two rays.
     Rays(Box<Rays>),
-    /// Both links carry this pin: it is the pole for good.
+    /// Both links carry this pin: it is the permanent pole.
     Hinge(PointId),
-    /// The rays are parallel: the pole lies at infinity, the link translates at the instant.
+    /// The rays are parallel: the pole is at infinity, and the link translates at the instant.
     Parallel([Known; 2]),
-    /// Both rays lie on one line: a dead point, at which rays find no pole.
+    /// Both rays lie on one line: a dead centre, at which rays do not determine the pole.
     OneLine([Known; 2]),
-    /// The link rolls on the other: the contact is the pole, the wheel's centre lies on the pole normal.
+    /// The link rolls on the other: the contact is the pole, and the wheel's centre lies on the
+    /// pole normal.
     Rolling(Rolled),
-    /// Fewer than two points have a path that is known beforehand.
+    /// Fewer than two points have a path known beforehand.
     NoRays,
+}
+
+impl Drawing {
+    /// Returns the pole and PJ; `None` if the drawing finds no pole.
+    pub fn pole(&self) -> Option<(Point, Vec2)> {
+        match self {
+            Drawing::Rays(r) => Some((r.pole, r.normal())),
+            Drawing::Rolling(r) => Some((r.pole, r.inflection - r.pole)),
+            Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => None,
+        }
+    }
+
+    /// Returns Ball's point, if it is drawn.
+    pub fn ball(&self) -> Option<Point> {
+        match self {
+            Drawing::Rays(r) => r.ball().map(|b| b.at),
+            Drawing::Rolling(_) | Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => None,
+        }
+    }
 }
 
 /// A wheel on its track.
@@ -38,22 +61,23 @@ pub struct Rolled {
     pub pair: RollingId,
     /// The contact, which is the pole.
     pub pole: Point,
-    /// The centre of the link that is seen.
+    /// The centre of the moving link.
     pub moving: End,
-    /// That of the other.
+    /// The centre of the reference link.
     pub fixed: End,
-    /// J.
+    /// J, the inflection pole.
     pub inflection: Point,
 }
 
-/// How the point of a ray is found whose path is straight.
+/// The way in which the point of a ray with a straight path is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum How {
-    /// It is the pin of a straight guide.
+    /// The point is the pin of a straight guide.
     Given,
-    /// By the collineation axis and this point on it.
+    /// From the collineation axis and this point on it.
     Collineation(End),
-    /// As the fourth proportional on the ray itself: 1/PJ = 1/PB − 1/PA. The axis would be crossed too flatly.
+    /// By the fourth proportional on the ray itself: 1/PJ = 1/PB − 1/PA, because the axis would be
+    /// crossed at too small an angle.
     Proportion,
 }
 
@@ -62,15 +86,15 @@ pub enum How {
 pub struct Rays {
     /// The points and centres on them.
     pub known: [Known; 2],
-    /// P.
+    /// P, the pole.
     pub pole: Point,
-    /// Q, where it is used.
+    /// Q, if it is used.
     pub collineation: Option<End>,
-    /// How J_B and J_C are found.
+    /// The ways in which J_B and J_C are found.
     pub how: [How; 2],
-    /// Where they lie.
+    /// J_B and J_C.
     pub straight: [Point; 2],
-    /// J; the pole itself where the pole stands still.
+    /// J; coincides with the pole if the pole is stationary.
     pub inflection: Point,
     size: f64,
 }
@@ -80,7 +104,7 @@ pub struct Rays {
 pub struct Traced {
     /// The point.
     pub of: PointId,
-    /// Its place.
+    /// The place of the point.
     pub at: Point,
     /// J_E, the foot of J on the ray.
     pub foot: Point,
@@ -90,13 +114,13 @@ pub struct Traced {
     pub centre: End,
 }
 
-/// A helping line that crosses the axis or the ray under less than this (sine) is not used.
+/// The smallest sine of the angle at which an auxiliary line may cross the axis or the ray.
 const FLAT: f64 = 1e-3;
-/// Lengths below this part of the mechanism's size are none.
+/// Lengths below this fraction of the mechanism's size count as zero.
 const NONE: f64 = 1e-11;
 
 impl Rays {
-    /// Draws; `None` where the rays do not cross.
+    /// Draws the curvature from two rays; `None` if the rays do not cross.
     pub fn new(known: [Known; 2], size: f64, hand: &Hand) -> Option<Rays> {
         let rays = known.map(|k| k.ray());
         let pole = hand.mark(meet(rays[0], rays[1])?.at()?);
@@ -120,34 +144,37 @@ impl Rays {
         Some(out)
     }
 
-    /// The point of a ray whose path is straight, by the axis and the other ray's point and centre.
+    /// Returns the point of a ray with a straight path, from the axis and the other ray's point and
+    /// centre.
     fn by_collineation(&self, axis: Line, own: Known, other: Known, hand: &Hand) -> Option<(End, Point)> {
         let ray = own.ray();
         let parallel = other.fixed.join(End::Infinity(ray.along));
         let helper = meet(axis, parallel)?.marked(hand);
         let line = helper.join(other.moving);
         let square = line.sine(ray).abs() > FLAT && (parallel.through.is_none() || axis.sine(parallel).abs() > FLAT);
-        // A helper far off the mechanism is on no paper.
+        // A helper point far from the mechanism does not fit on paper.
         let near = helper.at().is_none_or(|h| h.distance(self.pole) < 1e3 * self.size);
         let at = hand.mark(meet(line, ray)?.at()?);
         (square && near && axis.sine(ray).abs() > FLAT).then_some((helper, at))
     }
 
-    /// PJ; zero where the pole stands still.
+    /// Returns PJ; zero if the pole is stationary.
     pub fn normal(&self) -> Vec2 {
         let normal = self.inflection - self.pole;
         if normal.norm() > NONE * self.size { normal } else { Vec2::ZERO }
     }
 
-    /// The drawing of the centre of a point's path; `None` at the pole.
+    /// Draws the centre of a point's path; `None` at the pole.
     pub fn traced(&self, of: PointId, at: Point, hand: &Hand) -> Option<Traced> {
         traced(self.pole, self.inflection, of, at, self.size, hand)
     }
 
-    /// Ball's point by the cubic of stationary curvature through the two points, whose centres last: 1/r = 1/(M sin ψ) + 1/(N cos ψ) on a
-    /// ray at ψ from the pole tangent, crossed with the inflection circle r = d sin ψ. With x = r/cos ψ and y = r/sin ψ, where the perpendicular
-    /// to the ray meets tangent and normal, the cubic is the line x/N + y/M = 1 and the circle the line y = d. `None` where a centre does not
-    /// last, a moving point lies at infinity or in the pole, or on the tangent or the normal.
+    /// Returns Ball's point by the cubic of stationary curvature through the two points, which
+    /// requires permanent centres: 1/r = 1/(M sin ψ) + 1/(N cos ψ) on a ray at ψ from the pole
+    /// tangent, crossed with the inflection circle r = d sin ψ. Let x = r/cos ψ and y = r/sin ψ be
+    /// the intercepts of the perpendicular to the ray on tangent and normal; then the cubic is the
+    /// line x/N + y/M = 1 and the circle the line y = d. `None` if a centre is not permanent, or if
+    /// a moving point is at infinity, in the pole, on the tangent or on the normal.
     pub fn ball(&self) -> Option<Ball> {
         let normal = self.normal();
         let (d, n) = (normal.norm(), normal.unit()?);
@@ -173,7 +200,8 @@ impl Rays {
         let (m, k) = ((f * q.y - g * p.y) / det, (p.x * g - q.x * f) / det);
         // (1/d − 1/M) cos ψ = sin ψ / N.
         let cubic = t * k + n * (1.0 / d - m);
-        // In Cardan motion the inflection circle is part of the cubic: each of its points runs straight, and none is Ball's.
+        // In Cardan motion the inflection circle is part of the cubic: all its points run straight,
+        // and none of them is Ball's point.
         if cubic.norm() * d < FLAT {
             return None;
         }
@@ -192,21 +220,22 @@ impl Rays {
     }
 }
 
-/// The drawing of Ball's point.
+/// The construction of Ball's point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
-    /// Of each of the two moving points the corner opposite to the pole, where the perpendicular to its ray cuts off a rectangle on tangent and
-    /// normal.
+    /// For each of the two moving points, the corner opposite to the pole of the rectangle that the
+    /// perpendicular to its ray cuts off on tangent and normal.
     pub corners: [Point; 2],
-    /// Where the line of the corners meets the parallel to the tangent through J.
+    /// The crossing of the line of the corners with the parallel to the tangent through J.
     pub crossing: Point,
-    /// Its foot on the tangent.
+    /// The foot of the crossing on the tangent.
     pub on_tangent: Point,
-    /// The point itself, the foot of the perpendicular from P on the line from there to J.
+    /// Ball's point: the foot of the perpendicular from P on the line from `on_tangent` to J.
     pub at: Point,
 }
 
-/// The point of a ray whose path is straight: 1/PJ = 1/PB − 1/PA along it, with what lies at infinity.
+/// Returns the point of a ray with a straight path, 1/PJ = 1/PB − 1/PA along the ray; the moving
+/// point or the centre may be at infinity.
 pub fn proportion(pole: Point, ray: Vec2, moving: End, fixed: End) -> Option<Point> {
     let along = |end: End| end.at().map(|p| (p - pole).dot(ray));
     let way = match (along(moving), along(fixed)) {
@@ -218,7 +247,7 @@ pub fn proportion(pole: Point, ray: Vec2, moving: End, fixed: End) -> Option<Poi
     way.is_finite().then(|| pole + ray * way)
 }
 
-/// The centre of a point's path by ruler, from pole and inflection pole.
+/// Draws the centre of a point's path with the ruler, from pole and inflection pole.
 pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64, hand: &Hand) -> Option<Traced> {
     let ray = (at - pole).unit().filter(|_| at.distance(pole) > NONE * size)?;
     let normal = inflection - pole;
@@ -230,7 +259,8 @@ pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64,
     if at.distance(foot) <= NONE * at.distance(pole).max(size) {
         return Some(Traced { of, at, foot, helper: End::Infinity(ray.perp()), centre: End::Infinity(ray) });
     }
-    // On the pole tangent the foot is P and the centre too; J on the ray itself has no height over it to draw with.
+    // On the pole tangent, both the foot and the centre are P; if J lies on the ray itself, there
+    // is no height over the ray to draw with.
     let proportion = || {
         let (e, j) = ((at - pole).dot(ray), normal.dot(ray));
         pole + ray * (e * j / (j - e))

@@ -1,8 +1,10 @@
-//! What a drawing begins with: the rays of a link, each through a point whose path has a known centre of curvature.
+//! The rays of a link that a drawing starts from, each through a point with a path of known centre
+//! of curvature.
 //!
-//! Decided here, from topology and places alone: a pin on a crank (its path is a circle), a pin on a guide (its path is straight, the
-//! centre lies at infinity), a guide that leads through a fixed pin (the envelope is that pin, the moving point lies at infinity), and a
-//! pin on another link whose own curvature is drawn first.
+//! They follow from topology and places alone: a pin on a crank (its path is a circle), a pin on a
+//! guide (its path is straight, the centre is at infinity), a guide that runs through a fixed pin
+//! (the envelope is that pin, the moving point is at infinity), and a pin on another link, for
+//! which the curvature is drawn first.
 
 use super::drawing::{Drawing, Rays, Rolled, Traced, traced};
 use super::plane::{End, Line, meet};
@@ -11,23 +13,23 @@ use hodograph_board::construct::pencil::Hand;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
-/// Why a centre of curvature is known.
+/// The reason for which a centre of curvature is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Why {
-    /// The first point runs on a circle: this link carries it about the second.
+    /// The first point runs on a circle: this link carries it about the second point.
     Crank(PointId, PointId, LinkId),
     /// The point runs on a straight guide.
     Straight(PointId, GuideId),
-    /// The point runs in a slot that is an arc about the second.
+    /// The point runs in a circular slot about the second point.
     Arc(PointId, PointId, GuideId),
-    /// A straight guide of the link leads through this fixed pin.
+    /// A straight guide of the link runs through this fixed pin.
     Through(PointId, GuideId),
-    /// The point belongs to another link too, whose curvature was drawn before.
+    /// The point also belongs to another link with a curvature drawn before.
     Borrowed(PointId, LinkId),
 }
 
 impl Why {
-    /// The moving point, where it has a name.
+    /// Returns the moving point, if it has a name.
     pub fn moving(self) -> Option<PointId> {
         match self {
             Why::Crank(p, ..) | Why::Straight(p, _) | Why::Arc(p, ..) | Why::Borrowed(p, _) => Some(p),
@@ -35,7 +37,7 @@ impl Why {
         }
     }
 
-    /// The centre, where it has a name.
+    /// Returns the centre, if it has a name.
     pub fn fixed(self) -> Option<PointId> {
         match self {
             Why::Crank(_, p, _) | Why::Arc(_, p, _) | Why::Through(p, _) => Some(p),
@@ -43,7 +45,7 @@ impl Why {
         }
     }
 
-    /// Whether the centre stays the centre.
+    /// True if the centre is permanent.
     pub fn lasts(self) -> bool {
         !matches!(self, Why::Borrowed(..))
     }
@@ -56,30 +58,30 @@ pub struct Known {
     pub moving: End,
     /// The centre.
     pub fixed: End,
-    /// Why it is known.
+    /// The reason for which it is known.
     pub why: Why,
 }
 
 impl Known {
-    /// The ray.
+    /// Returns the ray.
     pub fn ray(&self) -> Line {
         self.moving.join(self.fixed)
     }
 }
 
-/// Longest chain of links whose centres of curvature depend on one another.
+/// The largest length of a chain of links with mutually dependent centres of curvature.
 const DEPTH: usize = 4;
-/// Rays that cross under less than this (sine) find no pole on paper.
+/// The smallest sine of the angle at which two rays determine the pole on paper.
 const CROSSING: f64 = 1e-6;
 
-/// What is known of places.
+/// The known places.
 #[derive(Clone, Copy)]
 pub struct Places<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// Its pose.
     pub at: &'a Configuration,
-    /// The link from which the motion is seen.
+    /// The reference link of the motion.
     pub against: LinkId,
     /// The hand that draws.
     pub hand: &'a Hand,
@@ -100,12 +102,13 @@ impl Places<'_> {
         self.scene.links[link.0].points.contains(&p)
     }
 
-    /// The pin that a link has in common with the one from which it is seen.
+    /// Returns the pin that a link shares with the reference link.
     pub fn hinge(&self, link: LinkId) -> Option<PointId> {
         self.scene.links[link.0].points.iter().copied().find(|p| self.holds(self.against, *p))
     }
 
-    /// The drawing of a link that rolls on the one from which it is seen: the contact is the pole, and the centres lie on its normal.
+    /// Returns the drawing of a link that rolls on the reference link: the contact is the pole, and
+    /// the centres lie on its normal.
     fn rolled(&self, link: LinkId) -> Option<Rolled> {
         let (r, pair) =
             self.scene.rolling.iter().enumerate().find(|(_, r)| r.other(link) == Some(self.against) && r.contact().is_some())?;
@@ -120,7 +123,8 @@ impl Places<'_> {
         Some(Rolled { pair: RollingId(r), pole, moving, fixed, inflection })
     }
 
-    /// All rays of a link; those from other links only where its own do not suffice. `behind` are the links that wait for it.
+    /// Returns all rays of a link; rays from other links are added only if its own do not suffice.
+    /// `behind` holds the links that wait for this one.
     fn rays(&self, link: LinkId, behind: &[LinkId]) -> Vec<Known> {
         let mut out = Vec::new();
         for p in super::points(self.scene, link) {
@@ -141,7 +145,7 @@ impl Places<'_> {
         out
     }
 
-    /// A pin that another link carries about a pin of the link from which the motion is seen.
+    /// Returns the ray through a pin that another link carries about a pin of the reference link.
     fn crank(&self, link: LinkId, p: PointId) -> Option<Known> {
         let others = self.scene.carriers(p).filter(|l| *l != link && *l != self.against);
         let pivot = |l: LinkId| Some((l, self.scene.links[l.0].points.iter().copied().find(|q| *q != p && self.holds(self.against, *q))?));
@@ -154,7 +158,7 @@ impl Places<'_> {
 
     fn guided(&self, link: LinkId, g: GuideId, guide: &hodograph_scene::Guide) -> Option<Known> {
         let path = self.at.guides[g.0]?;
-        // A line of a block that slides on a link about a fixed pin always leads through that pin.
+        // A line of a block that slides on a link about a fixed pin always runs through that pin.
         if let (true, Path::Line { direction, .. }, Some(pivot)) = (guide.slider == Some(link), path, self.hinge(guide.on)) {
             let fixed = End::At(self.point(pivot)?);
             return Some(Known { moving: self.square_to(direction), fixed, why: Why::Through(pivot, g) });
@@ -177,7 +181,7 @@ impl Places<'_> {
         through.then(|| Known { moving: self.square_to(direction), fixed: End::At(place), why: Why::Through(pin, g) })
     }
 
-    /// A pin of another link, whose curvature is drawn first.
+    /// Returns the ray through a pin of another link, for which the curvature is drawn first.
     fn borrowed(&self, link: LinkId, p: PointId, behind: &[LinkId]) -> Option<Known> {
         let behind: Vec<LinkId> = behind.iter().copied().chain([link]).collect();
         let others = self.scene.carriers(p).filter(|l| *l != self.against && !behind.contains(l));
@@ -188,7 +192,8 @@ impl Places<'_> {
         others.filter_map(known).next()
     }
 
-    /// The drawing of a link's curvature from its rays; `behind` are the links that wait for it.
+    /// Returns the drawing of a link's curvature from its rays; `behind` holds the links that wait
+    /// for this one.
     pub(super) fn drawing_behind(&self, link: LinkId, behind: &[LinkId]) -> Drawing {
         if let Some(p) = self.hinge(link) {
             return Drawing::Hinge(p);
@@ -201,7 +206,8 @@ impl Places<'_> {
         for (i, a) in rays.iter().enumerate() {
             for b in &rays[i + 1..] {
                 let sine = a.ray().sine(b.ray()).abs();
-                // Among rays that cross well enough the first two are taken, as the scene lists them.
+                // Among rays that cross at a sufficient angle, the first two in the order of the
+                // scene are taken.
                 if best.as_ref().is_none_or(|(s, _)| *s < 0.2 && sine > 2.0 * s) {
                     best = Some((sine, [*a, *b]));
                 }

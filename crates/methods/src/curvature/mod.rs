@@ -1,9 +1,12 @@
-//! Curvature (曲率): how the paths of a link's points bend at an instant, by drawing and by analysis, which know nothing of one another.
+//! Curvature (曲率) of the paths of a link's points at an instant, by drawing and by analysis,
+//! independently of one another.
 //!
-//! [`drawing`] takes two rays with known centres ([`known`]) and finds pole, inflection pole and centres of curvature with the ruler alone
-//! (Bobillier, Euler–Savary); it needs no velocity. [`mod@motion`] takes velocities, accelerations and third derivatives of the loop equations
-//! and finds the same, and what depends on the driver's rate: pole velocity, acceleration pole, Bresse's circle. [`centrodes`] are the
-//! paths of the pole in both planes. Any moving link is seen from any other.
+//! [`drawing`] takes two rays with known centres ([`known`]) and finds pole, inflection pole and
+//! centres of curvature with the ruler alone (Bobillier, Euler–Savary); it needs no velocity.
+//! [`mod@motion`] takes velocities, accelerations and third derivatives of the loop equations and
+//! finds the same quantities, and those that depend on the driver's rate: pole velocity,
+//! acceleration pole, Bresse's circle. [`centrodes`] are the paths of the pole in both planes. The
+//! motion of any moving link relative to any other is covered.
 //!
 //! ```
 //! use hodograph_methods::curvature;
@@ -14,7 +17,7 @@
 //! assert!(found.list[0].apart().unwrap() < 1e-12);
 //! ```
 
-mod by_hand;
+pub mod by_hand;
 pub mod centrodes;
 pub mod drawing;
 #[doc(hidden)]
@@ -38,29 +41,31 @@ use hodograph_worked::worked::{Scope, Worked, work};
 use known::Places;
 use motion::{Bend, Motion, State, Turning as Pole};
 
-/// What is asked.
+/// The curvature that is asked for.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Asked {
     /// The links whose curvature is wanted.
     pub links: Vec<LinkId>,
-    /// From which link it is seen; `None`: from the ground.
+    /// The reference link; `None` for the ground.
     pub against: Option<LinkId>,
-    /// The points whose paths are asked, each with those links that carry it; empty: all points of the links.
+    /// The points with wanted paths, each on every listed link that carries it; if empty, all
+    /// points of the links.
     pub points: Vec<PointId>,
 }
 
 /// The curvature of some links.
 #[derive(Clone, Debug)]
 pub struct Curvature {
-    /// One for each link.
+    /// The curvature of each link.
     pub list: Vec<OfLink>,
-    /// From which link the motion is seen.
+    /// The reference link of the motion.
     pub against: LinkId,
-    /// The scene that asks for the motions; drivers at rest have a unit rate where all of them rest.
+    /// The scene that asks for the motions. If all drivers are at rest in the file, they have unit
+    /// rates here.
     pub scene: Scene,
-    /// That scene worked through.
+    /// The solution of that scene.
     pub worked: Worked,
-    /// Whether all drivers rest in the file, so that one unit of their rate is taken.
+    /// True if all drivers are at rest in the file, so that unit rates are assumed.
     pub at_rest: bool,
 }
 
@@ -71,28 +76,28 @@ pub struct OfLink {
     pub link: LinkId,
     /// Its motion by analysis.
     pub motion: Motion,
-    /// What kind it is, and what belongs to the pole.
+    /// The kind of motion, and the quantities of the pole.
     pub state: State,
     /// The drawing.
     pub drawing: Drawing,
-    /// Of each point the analysis, and the drawing where there is one.
+    /// For each point the analysis, and the drawing if there is one.
     pub points: Vec<OfPoint>,
-    /// ω and α read off the polygons, by which acceleration pole and pole velocity are drawn.
+    /// ω and α read from the polygons; they serve to draw acceleration pole and pole velocity.
     pub read: Option<[f64; 2]>,
-    /// The tolerances of hand drawing, where [`Curvature::with_drafting`] asked for them.
+    /// The tolerances of hand drawing, if [`Curvature::with_drafting`] was called.
     pub by_hand: Option<ByHand>,
 }
 
-/// How the path of a point bends.
+/// The curvature of a point's path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OfPoint {
     /// The point.
     pub point: PointId,
-    /// Its place (m).
+    /// The place of the point (m).
     pub at: Point,
-    /// By analysis.
+    /// The result of the analysis.
     pub bend: Bend,
-    /// By drawing.
+    /// The result of the drawing.
     pub drawn: Option<Traced>,
 }
 
@@ -109,22 +114,22 @@ impl OfPoint {
 /// The pole's places and circles on paper, from the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
-    /// P.
+    /// P, the pole.
     pub pole: Point,
     /// PJ.
     pub normal: Vec2,
-    /// The acceleration pole: PJ turned by the angle whose tangent is α/ω², and J let fall on it.
+    /// The acceleration pole: the foot of J on PJ turned by the angle with tangent α/ω².
     pub acceleration_pole: Option<Point>,
     /// u = ω PJ, square to PJ.
     pub pole_velocity: Option<Vec2>,
-    /// Ball's point, by the two circle points.
+    /// Ball's point, from the two points on circles.
     pub ball: Option<Point>,
     /// The diameter of Bresse's circle from the pole: PJ turned by a quarter, times ω²/α.
     pub bresse: Option<Vec2>,
 }
 
 impl OfLink {
-    /// What belongs to the pole, by analysis; `None` where the link does not turn.
+    /// Returns the quantities of the pole by analysis; `None` if the link does not turn.
     pub fn pole(&self) -> Option<Pole> {
         match self.state {
             State::Turning(pole) => Some(pole),
@@ -132,8 +137,8 @@ impl OfLink {
         }
     }
 
-    /// Returns the pole and what belongs to it as a figure shows them: at the places of the drawing, and at
-    /// those of the analysis where there is no drawing.
+    /// Returns the quantities of the pole that a figure shows: by drawing, and by analysis where there is
+    /// no drawing.
     pub fn shown(&self) -> Option<Pole> {
         let pole = self.pole()?;
         let Some(drawn) = self.drawn().filter(|_| !pole.stands()) else { return Some(pole) };
@@ -147,13 +152,10 @@ impl OfLink {
         })
     }
 
-    /// Returns what the drawing finds; `None` if it finds no pole.
+    /// Returns the quantities of the pole by drawing; `None` if the drawing finds no pole.
     pub fn drawn(&self) -> Option<Drawn> {
-        let (pole, normal, ball) = match &self.drawing {
-            Drawing::Rays(r) => (r.pole, r.normal(), r.ball().map(|b| b.at)),
-            Drawing::Rolling(r) => (r.pole, r.inflection - r.pole, None),
-            Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => return None,
-        };
+        let (pole, normal) = self.drawing.pole()?;
+        let ball = self.drawing.ball();
         let rates = self.read.filter(|[omega, _]| *omega != 0.0);
         let acceleration_pole =
             rates.map(|[omega, alpha]| pole + (normal * (omega * omega)).divide_by(Vec2::new(omega * omega, -alpha)));
@@ -162,8 +164,8 @@ impl OfLink {
         Some(Drawn { pole, normal, acceleration_pole, pole_velocity, ball, bresse })
     }
 
-    /// How far drawing and analysis are apart: the largest difference of a place, relative to the distances from which it is drawn;
-    /// `None` where there is nothing to compare.
+    /// Returns the largest difference between drawing and analysis: the difference of a place,
+    /// relative to the distances from which it is drawn; `None` if there is nothing to compare.
     pub fn apart(&self) -> Option<f64> {
         let (drawn, pole) = (self.drawn()?, self.pole()?);
         let size = self.motion.size;
@@ -180,14 +182,14 @@ impl OfLink {
         }
         for p in &self.points {
             let (Some(Traced { centre: plane::End::At(c), .. }), Bend::About(at, rho)) = (p.drawn, p.bend) else { continue };
-            // A centre far away is told as well as the small angle by which its path bends.
+            // A distant centre is as accurate as the small curvature of its path.
             worst = worst.max(c.distance(at) / size.max(rho * rho / size));
         }
         Some(worst)
     }
 }
 
-/// The points of a link, and the pins of the guides in which it slides.
+/// Returns the points of a link, and the pins of the guides in which it slides.
 pub fn points(scene: &Scene, link: LinkId) -> Vec<PointId> {
     let mut out = scene.links[link.0].points.clone();
     let pins = scene.guides.iter().filter(|g| g.slider == Some(link)).filter_map(|g| g.pin);
@@ -199,8 +201,8 @@ pub fn points(scene: &Scene, link: LinkId) -> Vec<PointId> {
     out
 }
 
-/// The links that are seen to have a pole that moves: those that neither turn about a pin of the ground nor slide on it. Blocks, which have
-/// one point, are among them only where there are no others.
+/// Returns the links with a moving pole: those that neither turn about a pin of the ground nor
+/// slide on it. Blocks, which have one point, are included only if there are no others.
 pub fn couplers(scene: &Scene) -> Vec<LinkId> {
     let on_ground = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
     let slides = |l: LinkId| scene.guides.iter().any(|g| g.slider == Some(l) && g.on == scene.ground);
@@ -216,7 +218,8 @@ pub fn couplers(scene: &Scene) -> Vec<LinkId> {
 /// Finds the curvature of links at the instant of a scene.
 ///
 /// # Errors
-/// `no-coupler` where no link is named and all turn about fixed pins or slide, and the faults of [`work`].
+/// `no-coupler` if no link is named and all links turn about fixed pins or slide, and the faults of
+/// [`work`].
 pub fn curvature(scene: &Scene, asked: &Asked) -> Result<Warned<Curvature>, Faults> {
     if asked.links.is_empty() {
         let message = both!(
@@ -250,7 +253,8 @@ fn unknown(scene: &Scene, link: LinkId) -> Diagnostic {
     Diagnostic::warning("no-curvature", message).help(both!("choose a pose nearby", "请取附近的位置"))
 }
 
-/// All that has to be known of a link: ω, α, and velocity and acceleration of its points.
+/// Returns the questions for the motion of a link: ω, α, and velocity and acceleration of its
+/// points.
 fn questions(scene: &Scene, link: LinkId) -> Vec<Find> {
     let find = |what: Question, text: String| Find { what, text, span: Default::default() };
     let name = scene.link_name(link);
@@ -265,7 +269,7 @@ fn questions(scene: &Scene, link: LinkId) -> Vec<Find> {
     out
 }
 
-/// The motion of a link as another sees it, at the first place that is known of it.
+/// Returns the motion of a link relative to another, at the link's first known place.
 pub fn motion(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId) -> Option<Motion> {
     let Worked { solution, configuration, mechanism, demand, .. } = worked;
     let at =
@@ -278,7 +282,8 @@ pub fn motion(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId) -> 
     let (alpha, frames) = (turning(Level::Acceleration, link)?, turning(Level::Acceleration, against)?);
     let v = of(Level::Velocity, link)? - of(Level::Velocity, against)?;
     let whole = of(Level::Acceleration, link)? - of(Level::Acceleration, against)?;
-    // As the turning frame sees it: (d/dt − iω)² and (d/dt − iω)³ of the way from its own point there.
+    // Relative to the turning frame: (d/dt − iω)² and (d/dt − iω)³ of the vector from the frame's
+    // own point.
     let a = whole - v.perp() * (2.0 * frame);
     let thirds = third(scene, mechanism, configuration, demand, solution, at);
     let relative = |(j, b): (Vec2, f64), (k, c): (Vec2, f64)| {

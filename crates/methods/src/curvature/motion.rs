@@ -1,16 +1,18 @@
-//! The motion of one link as another sees it at an instant, up to its third order, and what follows from it by formulas: pole, inflection
-//! circle, pole velocity, acceleration pole, Bresse's circle, Ball's point, curvature of paths.
+//! The motion of one link relative to another at an instant, up to third order, and the quantities
+//! that follow by formulas: pole, inflection circle, pole velocity, acceleration pole, Bresse's
+//! circle, Ball's point, curvature of paths.
 //!
-//! With P the pole, w = z − P, D = a_P/ω²: v = iω w, a = a_P + (iα − ω²) w. A path has no curvature where v × a = 0, |w|² = w·D (the
-//! inflection circle over PJ, J = P + D); no acceleration along itself where v · a = 0, |w|² = w·(i a_P/α) (Bresse's circle); the pole runs
-//! with u = i a_P/ω.
+//! With P the pole, w = z − P, D = a_P/ω²: v = iω w, a = a_P + (iα − ω²) w. A path has no curvature
+//! if v × a = 0, |w|² = w·D (the inflection circle over PJ, J = P + D). A point has no tangential
+//! acceleration if v · a = 0, |w|² = w·(i a_P/α) (Bresse's circle). The pole velocity is u = i
+//! a_P/ω.
 //!
 //! # Source
 //! O. Bottema, B. Roth, *Theoretical Kinematics*, ch. VIII; J. Bresse, 1853; R. Ball, 1871.
 
 use hodograph_base::geom::{Point, Vec2};
 
-/// The motion of a plane at one of its places.
+/// The motion of a plane, given at one of its places.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     /// The place (m).
@@ -23,66 +25,67 @@ pub struct Motion {
     pub a: Vec2,
     /// α (rad/s²).
     pub alpha: f64,
-    /// The third derivatives of place and angle, where they are known.
+    /// The third derivatives of place and angle, if they are known.
     pub third: Option<(Vec2, f64)>,
     /// The size of the mechanism (m).
     pub size: f64,
-    /// The largest of ω and v/size of all links (rad/s): what is small beside it is rounding.
+    /// The largest of ω and v/size of all links (rad/s): the reference for rounding errors.
     pub largest: f64,
 }
 
-/// What kind of motion it is at the instant.
+/// The kind of motion at the instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum State {
     /// Nothing moves.
     Rest,
-    /// All points have this velocity: the pole lies at infinity, square to it.
+    /// All points have this velocity: the pole is at infinity, square to it.
     Translation(Vec2),
-    /// It turns about a pole.
+    /// The plane turns about a pole.
     Turning(Turning),
 }
 
-/// All that belongs to a pole.
+/// The quantities of a pole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning {
     /// P (m).
     pub pole: Point,
-    /// PJ = a_P/ω²; zero where the pole stands still.
+    /// PJ = a_P/ω²; zero if the pole is stationary.
     pub normal: Vec2,
-    /// u (m/s), along the pole tangent.
+    /// The pole velocity u (m/s), along the pole tangent.
     pub pole_velocity: Vec2,
-    /// The place without acceleration.
+    /// The acceleration pole: the place without acceleration (m).
     pub acceleration_pole: Point,
-    /// From the pole across Bresse's circle; `None` where α = 0: the circle is the line through P and J.
+    /// The vector from the pole across Bresse's circle; `None` if α = 0: the circle is then the
+    /// line through P and J.
     pub bresse: Option<Vec2>,
-    /// Ball's point, whose path is straight up to the third order; `None` where the third derivatives are not known, or the circles of which
-    /// it is the crossing are one.
+    /// Ball's point: its path is straight up to third order. `None` if the third derivatives are
+    /// not known, or if the two circles that cross in it coincide.
     pub ball: Option<Point>,
 }
 
 impl Turning {
-    /// J.
+    /// Returns J, the inflection pole.
     pub fn inflection_pole(&self) -> Point {
         self.pole + self.normal
     }
 
-    /// The diameter of the inflection circle (m).
+    /// Returns the diameter of the inflection circle (m).
     pub fn diameter(&self) -> f64 {
         self.normal.norm()
     }
 
-    /// Whether the pole stands still: all paths are circles about it, to this order.
+    /// True if the pole is stationary: to this order, all paths are circles about it.
     pub fn stands(&self) -> bool {
         self.normal == Vec2::ZERO
     }
 }
 
-/// How the path of a point bends.
+/// The curvature of a point's path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bend {
-    /// About a centre (m), with a radius (m).
+    /// The path curves about a centre (m), with a radius (m).
     About(Point, f64),
-    /// Not at all: the point lies on the inflection circle.
+    /// The path has no curvature: the point lies on the inflection circle.
     Straight,
     /// The point is the pole: its path has a cusp there, or stops.
     AtPole,
@@ -90,30 +93,31 @@ pub enum Bend {
     Rest,
 }
 
-/// Relative motions below this part of the largest are rounding.
+/// Relative motions below this fraction of the largest are rounding errors.
 const RESTING: f64 = 1e-11;
-/// The sine of v to a, and lengths beside the mechanism's size, below which there is no bend, or no distance.
+/// The limit below which the sine of the angle from v to a counts as zero curvature, and a length
+/// relative to the mechanism's size as zero.
 const NONE: f64 = 1e-11;
 
 impl Motion {
-    /// The velocity of the plane's point at a place.
+    /// Returns the velocity of the plane's point at a place.
     pub fn velocity(&self, place: Point) -> Vec2 {
         self.v + (place - self.at).perp() * self.omega
     }
 
-    /// Its acceleration.
+    /// Returns the acceleration of the plane's point at a place.
     pub fn acceleration(&self, place: Point) -> Vec2 {
         let r = place - self.at;
         self.a + r.perp() * self.alpha - r * (self.omega * self.omega)
     }
 
-    /// Its third derivative.
+    /// Returns the third derivative of the plane's point at a place.
     fn third(&self, place: Point) -> Option<Vec2> {
         let ((j, turning), r, omega) = (self.third?, place - self.at, self.omega);
         Some(j + r.perp() * (turning - omega * omega * omega) - r * (3.0 * omega * self.alpha))
     }
 
-    /// What kind of motion it is, and all that belongs to it.
+    /// Returns the kind of motion with its quantities.
     pub fn state(&self) -> State {
         let still = RESTING * self.largest;
         if self.omega.abs() <= still {
@@ -141,7 +145,8 @@ impl Motion {
         })
     }
 
-    /// The crossing, other than P, of the inflection circle with v × d³z/dt³ = 0, which is a circle through P too: w·(3α a_P − ω j_P) = 0.
+    /// Returns the crossing, other than P, of the inflection circle with v × d³z/dt³ = 0, which is
+    /// also a circle through P: w·(3α a_P − ω j_P) = 0.
     fn ball(&self, pole: Point, a: Vec2) -> Option<Point> {
         let j = self.third(pole)?;
         let across = a * (3.0 * self.alpha) - j * self.omega;
@@ -153,7 +158,7 @@ impl Motion {
         Some(pole + along * (along.dot(a) / (self.omega * self.omega)))
     }
 
-    /// How the path of the plane's point at a place bends: ρ = v³/(v × a).
+    /// Returns the curvature of the path of the plane's point at a place: ρ = v³/(v × a).
     pub fn bend(&self, place: Point) -> Bend {
         let (v, a) = (self.velocity(place), self.acceleration(place));
         let speed = v.norm();
@@ -161,7 +166,7 @@ impl Motion {
             return if matches!(self.state(), State::Rest) { Bend::Rest } else { Bend::AtPole };
         }
         let turn = v.cross(a);
-        // Accelerations at the size of the mechanism: what a small one is judged by.
+        // Reference for small accelerations: accelerations at the size of the mechanism.
         let usual = a.norm().max(speed * self.largest);
         if turn.abs() <= NONE * speed * usual {
             return Bend::Straight;
@@ -175,8 +180,8 @@ impl Motion {
 mod tests {
     use super::*;
 
-    /// A wheel of radius 1 rolls on the x axis with ω = −1: cycloids. Its inflection circle stands on the contact and reaches to the centre,
-    /// its pole runs with the centre's speed.
+    /// Returns a wheel of radius 1 that rolls on the x axis with ω = −1: cycloids. Its inflection
+    /// circle reaches from the contact to the centre, and its pole moves with the centre's speed.
     fn wheel() -> Motion {
         let (v, third) = (Vec2::new(1.0, 0.0), Some((Vec2::ZERO, 0.0)));
         Motion { at: Point::new(0.0, 1.0), v, omega: -1.0, a: Vec2::ZERO, alpha: 0.0, third, size: 1.0, largest: 1.0 }
@@ -187,9 +192,9 @@ mod tests {
         let State::Turning(t) = wheel().state() else { panic!("it turns") };
         assert_eq!((t.pole, t.inflection_pole(), t.acceleration_pole), (Point::ORIGIN, Point::new(0.0, 1.0), Point::new(0.0, 1.0)));
         assert_eq!((t.pole_velocity, t.bresse), (Vec2::new(1.0, 0.0), None));
-        // The centre runs straight for good.
+        // The centre runs permanently straight.
         assert_eq!(t.ball, Some(Point::new(0.0, 1.0)));
-        // The top of a cycloid has the radius 4, its middle height none of a simple kind; the centre runs straight.
+        // The top of a cycloid has the radius 4; the centre runs straight.
         assert_eq!(wheel().bend(Point::new(0.0, 2.0)), Bend::About(Point::new(0.0, -2.0), 4.0));
         assert_eq!(wheel().bend(Point::new(0.0, 1.0)), Bend::Straight);
         assert_eq!(wheel().bend(Point::ORIGIN), Bend::AtPole);
@@ -200,7 +205,7 @@ mod tests {
         let translating = Motion { omega: 0.0, ..wheel() };
         assert_eq!(translating.state(), State::Translation(Vec2::new(1.0, 0.0)));
         assert_eq!(Motion { v: Vec2::ZERO, ..translating }.state(), State::Rest);
-        // Turning about a fixed pin: circles about it.
+        // Rotation about a fixed pin: circles about it.
         let crank = Motion { v: Vec2::ZERO, ..wheel() };
         let State::Turning(t) = crank.state() else { panic!("it turns") };
         assert!(t.stands() && t.acceleration_pole == Point::new(0.0, 1.0));

@@ -1,11 +1,13 @@
-//! Points and lines of the plane with what lies at infinity, for ruler constructions: joined and crossed without asking which is which.
+//! Points and lines of the plane, including those at infinity, for constructions with the ruler:
+//! join and crossing need no case distinctions.
 //!
-//! Homogeneous coordinates: a point (x, y, w), a line (a, b, c) with ax + by + cw = 0; both operations are the cross product.
+//! Homogeneous coordinates: a point (x, y, w), a line (a, b, c) with ax + by + cw = 0; both
+//! operations are the cross product.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::pencil::Hand;
 
-/// A point of the plane, or one at infinity.
+/// A point of the plane, or a point at infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
     /// In the plane (m).
@@ -15,7 +17,7 @@ pub enum End {
 }
 
 impl End {
-    /// The place, if it is one.
+    /// Returns the place, if the point is not at infinity.
     pub fn at(self) -> Option<Point> {
         match self {
             End::At(p) => Some(p),
@@ -31,7 +33,7 @@ impl End {
         }
     }
 
-    /// The line through both.
+    /// Returns the line through both points.
     pub fn join(self, other: End) -> Line {
         match (self, other) {
             (End::At(p), End::At(q)) => Line { through: Some(p), along: q - p },
@@ -41,17 +43,17 @@ impl End {
     }
 }
 
-/// A line; without a place the one at infinity.
+/// A line; without a place, the line at infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// A place on it.
+    /// A place on the line.
     pub through: Option<Point>,
-    /// Its direction, of any length; zero where it is not determined.
+    /// The direction, of any length; zero if it is not determined.
     pub along: Vec2,
 }
 
 impl Line {
-    /// The sine of the angle to another.
+    /// Returns the sine of the angle to another line.
     pub fn sine(self, other: Line) -> f64 {
         match (self.along.unit(), other.along.unit()) {
             (Some(u), Some(w)) => u.cross(w),
@@ -59,21 +61,21 @@ impl Line {
         }
     }
 
-    /// Its unit direction.
+    /// Returns the unit direction.
     pub fn unit(self) -> Option<Vec2> {
         self.along.unit()
     }
 
-    /// How far a point is from it; `None` for a point at infinity.
+    /// Returns the distance of a point from the line; `None` for a point at infinity.
     pub fn distance(self, from: End) -> Option<f64> {
         Some((from.at()? - self.through?).cross(self.along.unit()?).abs())
     }
 }
 
-/// Lines nearer to being parallel than this (sine) cross at infinity.
+/// Lines with a smaller sine between them cross at infinity.
 const PARALLEL: f64 = 1e-12;
 
-/// Where two lines cross; `None` where they are one, or undetermined.
+/// Returns the crossing of two lines; `None` if they coincide or are undetermined.
 pub fn meet(a: Line, b: Line) -> Option<End> {
     match (a.through, b.through) {
         (Some(p), Some(q)) => {

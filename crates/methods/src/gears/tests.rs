@@ -1,4 +1,4 @@
-//! Gear pairs against threads that unwind, polygons that meet, and counted contacts.
+//! Gear pairs against unwound threads, meeting polygons, and counted contacts.
 
 use super::*;
 use crate::gears::Mate::Gear as External;
@@ -44,7 +44,8 @@ fn the_inverse_of_the_involute_function() {
 
 #[test]
 fn flanks_are_involutes_of_the_base_circle() {
-    // A taut thread unwound from the base circle: what is unwound is as long as the arc that it leaves, and square to the flank.
+    // A taut thread unwound from the base circle: the free length equals the arc that it leaves,
+    // and is square to the flank.
     for (teeth, shifts) in PAIRS {
         for g in pair(*teeth, *shifts).gears {
             let angle = |r: f64| -g.half_tooth(&BASIC, r);
@@ -78,7 +79,8 @@ fn teeth_fill_the_spaces_without_backlash() {
 
 #[test]
 fn the_contact_ratio_is_the_mean_number_of_contacts() {
-    // Points one base pitch apart move along the line of action; those inside both tip circles, between N1 and N2, are in contact.
+    // Points one base pitch apart move along the line of action; those inside both tip circles,
+    // between N1 and N2, are in contact.
     for (teeth, shifts) in PAIRS {
         let p = pair(*teeth, *shifts);
         let [a, b] = p.gears;
@@ -104,7 +106,7 @@ fn impossible_pairs_are_none() {
     assert!(Pair::new(BASIC, External, [2, 40], [0.0, 0.0], 42.0).is_none());
 }
 
-/// Gears in rings: teeth, shifts; tips do not overlap, nor flanks cut into one another.
+/// Gears in rings, teeth and shifts: neither do tips overlap nor do flanks cut into one another.
 const RINGS: &[([u32; 2], [f64; 2])] =
     &[([20, 80], [0.0, 0.0]), ([24, 60], [0.2, 0.35]), ([30, 48], [0.3, 0.3]), ([18, 54], [0.5, 0.2]), ([40, 60], [-0.1, 0.2])];
 
@@ -113,7 +115,8 @@ fn ring(teeth: [u32; 2], shifts: [f64; 2]) -> Pair {
     Pair::new(BASIC, Mate::Ring, teeth, shifts, distance).unwrap()
 }
 
-/// Of all points of the gear's teeth, turned through a pitch: how deep (as an angle of the ring) the worst one lies in the ring's teeth.
+/// Returns the largest depth, as an angle of the ring, to which any point of the gear's teeth
+/// enters the ring's teeth while the gear turns through a pitch.
 fn overlap(p: &Pair) -> f64 {
     let [g, r] = &p.gears;
     let (pitch, ring_pitch) = (2.0 * PI / f64::from(g.teeth), 2.0 * PI / f64::from(r.teeth));
@@ -145,7 +148,7 @@ fn a_gear_turns_in_its_ring() {
         let p = ring(*teeth, *shifts);
         assert!(!p.interferes() && !p.tips_overlap(), "{teeth:?}");
         let worst = overlap(&p);
-        // The teeth touch (to rounding) and nowhere more.
+        // The teeth touch, to rounding, and do not overlap.
         assert!(worst < 1e-12 && worst > -1e-6, "{teeth:?}: {worst:e}");
         // No backlash on the pitch circles, and at least the clearance.
         let [a, b] = p.gears.map(|g| 2.0 * g.half_tooth(&BASIC, g.pitch) * g.pitch);
@@ -175,7 +178,8 @@ fn a_gear_rolls_on_its_rack() {
         let p = Pair::new(BASIC, Mate::Rack, [z, 0], [x, 0.0], f64::from(z) * BASIC.module / 2.0).unwrap();
         let g = &p.gears[0];
         assert_eq!(p.interferes(), x < g.least_shift(&BASIC), "z = {z}");
-        // Points of the gear's teeth against the straight flanks, while it rolls through a pitch.
+        // Points of the gear's teeth against the straight flanks, while the gear rolls through a
+        // pitch.
         let (tan, m) = (libm::tan(BASIC.alpha), BASIC.module);
         let half = (PI / 4.0 - x * tan) * m;
         let mut worst = f64::NEG_INFINITY;
@@ -193,7 +197,7 @@ fn a_gear_rolls_on_its_rack() {
             }
         }
         assert!(worst < 1e-12 * g.tip && worst > -1e-3, "z = {z}: {worst:e}");
-        // The outline has its flanks where the gear's touches them.
+        // The flanks of the outline touch those of the gear.
         let outline = p.rack_teeth(1);
         let on = outline.windows(2).filter(|w| w[0].y * w[1].y < 0.0);
         let crossings: Vec<f64> = on.map(|w| w[0].x + (w[1].x - w[0].x) * w[0].y / (w[0].y - w[1].y)).collect();

@@ -1,11 +1,11 @@
-//! Belts and chains of an inversion: they run as before, whichever link is the ground.
+//! Belts and chains of an inversion: they run in the same way for every ground.
 
 use super::pairs::metres;
 use hodograph_scene::{Contours, Rolling, RollingKind, Scene};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
-/// The sections `belts` and `chains`.
+/// Returns the sections `belts` and `chains`.
 pub(super) fn sections(scene: &Scene) -> [Vec<Json>; 2] {
     [RollingKind::Belt, RollingKind::Chain].map(|kind| {
         let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| r.kind == kind).collect();
@@ -13,7 +13,7 @@ pub(super) fn sections(scene: &Scene) -> [Vec<Json>; 2] {
     })
 }
 
-/// One belt or chain, whose strands follow one another.
+/// Returns one belt or chain with consecutive strands.
 fn entry(scene: &Scene, kind: RollingKind, strands: &[&Rolling]) -> Option<Json> {
     let (mut links, mut centres, mut radii, mut teeth, mut at) = (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut reversed, mut back) = (Vec::new(), false);
@@ -24,7 +24,7 @@ fn entry(scene: &Scene, kind: RollingKind, strands: &[&Rolling]) -> Option<Json>
             back = true;
         }
         back ^= crossed;
-        // The first wheel of a strand is the second of the one before.
+        // The first wheel of a strand is the second wheel of the previous strand.
         for k in usize::from(!links.is_empty())..2 {
             links.push(scene.link_name(pair.links[k]));
             centres.push(scene.point_name(c[k]));

@@ -1,5 +1,6 @@
-//! Cams of an inversion: a profile that is one circle touches its follower whichever link is the ground, so it is written as it is. Where a profile has
-//! several pieces or a law, the driver's angle tells what is touched: those are refused.
+//! Cams of an inversion: a profile of one circle touches its follower for every ground, so it is
+//! written unchanged. With a profile of several pieces or a law, the contact follows from the
+//! driver's angle: such cams are refused.
 
 use super::pairs::metres;
 use hodograph_base::diag::{Diagnostic, Faults, both};
@@ -8,7 +9,7 @@ use hodograph_scene::cams::{Cam, Follows};
 use hodograph_scene::{Guide, PointId, Scene};
 use serde_json::{Value as Json, json};
 
-/// Every cam that is not inverted, and why.
+/// Adds a fault for every cam that cannot be inverted.
 pub(super) fn refused(scene: &Scene, faults: &mut Faults) {
     for c in scene.cams.iter().filter(|c| c.circle.is_none()) {
         let [cam, follower] = [c.cam, c.follower].map(|l| scene.link_name(l));
@@ -24,17 +25,17 @@ pub(super) fn refused(scene: &Scene, faults: &mut Faults) {
     }
 }
 
-/// Whether a guide stands for the contact of a cam.
+/// True if a guide represents the contact of a cam.
 pub(super) fn is_contact(scene: &Scene, guide: &Guide) -> bool {
     scene.cams.iter().any(|c| c.contact.is_some_and(|g| std::ptr::eq(&scene.guides[g.0], guide)))
 }
 
-/// Whether a point is a place of contact, on no link.
+/// True if a point is a point of contact, on no link.
 pub(super) fn is_touch(scene: &Scene, p: PointId) -> bool {
     scene.cams.iter().any(|c| c.touch == Some(p))
 }
 
-/// The section `cams`.
+/// Returns the section `cams`.
 pub(super) fn section(scene: &Scene, at: &Configuration) -> Vec<Json> {
     scene.cams.iter().filter_map(|c| entry(scene, at, c)).collect()
 }
@@ -57,7 +58,8 @@ fn entry(scene: &Scene, at: &Configuration, c: &Cam) -> Option<Json> {
     Some(out)
 }
 
-/// A face by its direction in the pose, and how far it lies from its point: the centre of the profile runs on a parallel to it.
+/// Returns a face by its direction in the pose and its distance from its point: the centre of the
+/// profile runs on a parallel to it.
 fn face(scene: &Scene, at: &Configuration, c: &Cam, p: PointId, radius: f64) -> Option<Json> {
     let Some(Path::Line { through, direction }) = at.guides[c.contact?.0] else { return None };
     let own = at.points[p.0]?;

@@ -1,21 +1,21 @@
-//! The slider-crank chain: what each of its four links is in it.
+//! The slider-crank chain: the role of each of its four links.
 
 use hodograph_scene::{GuidePath, LinkId, Scene};
 
 /// A link of the slider-crank chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// It carries the guide.
+    /// The link that carries the guide.
     Guide,
-    /// It slides in the guide.
+    /// The link that slides in the guide.
     Slider,
-    /// It is pinned to the link with the guide.
+    /// The link pinned to the link with the guide.
     Crank,
-    /// It is pinned to crank and slider.
+    /// The link pinned to crank and slider.
     Coupler,
 }
 
-/// What a link is in the slider-crank chain; `None` in every other chain.
+/// Returns the role of a link in the slider-crank chain; `None` in every other chain.
 pub fn part(scene: &Scene, link: LinkId) -> Option<Part> {
     let [guide] = &scene.guides[..] else { return None };
     let (GuidePath::Line { .. }, Some(slider)) = (&guide.path, guide.slider) else { return None };

@@ -1,9 +1,11 @@
-//! What else an inversion keeps besides its pins and guides: wheels that roll on one another, and drivers between links.
+//! Other pairs that an inversion keeps besides its pins and guides: wheels that roll on one
+//! another, and drivers between links.
 //!
-//! Decided here: pitch circles do not care which link is the ground; they keep sizes and contact, and the places of the pose say how each
-//! wheel stands. A straight track keeps its direction of the instant. A driver is a motion of two links against one another, so it stays what it
-//! is: only the order of the two is turned where the driven link is the ground. A cylinder is a distance of two pins; where its barrel or rod is
-//! the ground it is written as the guide that it is, with the other part as slider.
+//! Pitch circles do not depend on the ground: they keep sizes and contact, and the places of the
+//! pose determine the angle of each wheel. A straight track keeps its momentary direction. A driver
+//! is a relative motion of two links and is kept; only the order of the two is exchanged if the
+//! driven link is the ground. A cylinder is a distance of two pins; if its barrel or rod is the
+//! ground, it is written as the equivalent guide, with the other part as slider.
 
 use super::belts;
 use hodograph_mechanism::position::{Configuration, Path};
@@ -14,7 +16,7 @@ pub(super) fn metres(x: f64) -> String {
     format!("{x:?} m")
 }
 
-/// The sections `gears`, `rolling`, `belts` and `chains`.
+/// Returns the sections `gears`, `rolling`, `belts`, `chains` and `ropes`.
 pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 5] {
     let (mut gears, mut wheels, mut ropes) = (Vec::new(), Vec::new(), Vec::new());
     let [belts, chains] = belts::sections(scene);
@@ -33,7 +35,7 @@ pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 5] {
     [gears, wheels, belts, chains, ropes]
 }
 
-/// Two gears, or a gear on its rack.
+/// Returns two gears, or a gear on its rack.
 fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json> {
     let [a, b] = pair.links.map(|l| scene.link_name(l));
     let at = scene.point_name(pair.contact()?);
@@ -73,7 +75,7 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
     Some(out)
 }
 
-/// A drum and the load that its rope draws.
+/// Returns a drum and the load on its rope.
 fn rope(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json> {
     let ([load, drum], [_, radius]) =
         (pair.links.map(|l| scene.link_name(l)), pair.sizes(&hodograph_scene::exact::Inputs::<f64>::of(scene)));
@@ -82,7 +84,7 @@ fn rope(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
     Some(json!({"drum": drum, "centre": centre, "radius": metres(radius), "load": load, "angle": direction, "at": at}))
 }
 
-/// A wheel on its track.
+/// Returns a wheel on its track.
 fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json> {
     let [on, wheel] = pair.links.map(|l| scene.link_name(l));
     let at = scene.point_name(pair.contact()?);
@@ -101,7 +103,8 @@ fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Jso
     })
 }
 
-/// The pins of a cylinder of which the ground is barrel or rod, and the number of its other part: its own pin, the other one.
+/// Returns for a cylinder with the ground as barrel or rod: the ground's pin, the other pin, and
+/// the number of the other part.
 fn part(scene: &Scene, kind: &DriverKind, ground: LinkId) -> Option<[String; 3]> {
     let (links, [a, b]) = (kind.parts(), kind.ends()?.map(|p| scene.point_name(p).to_owned()));
     let number = |k: usize| links.get(k).map_or_else(String::new, |l: &LinkId| scene.link_name(*l).to_owned());
@@ -111,12 +114,13 @@ fn part(scene: &Scene, kind: &DriverKind, ground: LinkId) -> Option<[String; 3]>
     }
 }
 
-/// The pin of the scene's cylinder that the ground carries as its barrel or rod.
+/// Returns the pin of the scene's cylinder that the ground carries as its barrel or rod.
 pub(super) fn pin_of_part(scene: &Scene, ground: LinkId) -> Option<String> {
     scene.drivers.iter().find_map(|d| part(scene, &d.kind, ground)).map(|[own, ..]| own)
 }
 
-/// The guide that a cylinder is where the ground is a part of it: along its line, positive outward.
+/// Returns the guide equivalent to a cylinder if the ground is a part of it: along its line,
+/// positive outward.
 pub(super) fn cylinder(scene: &Scene, at: &Configuration, ground: LinkId) -> Option<Json> {
     scene.drivers.iter().find_map(|d| {
         let [_, end, other] = part(scene, &d.kind, ground)?;
@@ -131,7 +135,7 @@ pub(super) fn cylinder(scene: &Scene, at: &Configuration, ground: LinkId) -> Opt
     })
 }
 
-/// All drivers of the scene as they are with another ground, and their names.
+/// Returns all drivers of the scene with another ground, and their names.
 pub(super) fn kept(scene: &Scene, ground: LinkId) -> (String, Json) {
     let rate = |d: &Driver| if d.rate.value == 0.0 && scene.drivers.len() == 1 { 1.0 } else { d.rate.value };
     let (names, drivers): (Vec<String>, Vec<Json>) = scene.drivers.iter().map(|d| driver(scene, d, rate(d), ground)).unzip();
@@ -164,7 +168,8 @@ fn driver(scene: &Scene, d: &Driver, rate: f64, ground: LinkId) -> (String, Json
     (ends, out)
 }
 
-/// What runs in a guide, and in which sense: where the slider is the ground, its guide runs the other way.
+/// Returns the runner of a guide, and its sense: if the slider is the ground, its guide runs in the
+/// opposite sense.
 fn runner(scene: &Scene, g: &Guide, ground: LinkId) -> (String, f64) {
     match (g.slider, g.pin) {
         (Some(s), _) if s == ground => (scene.link_name(g.on).to_owned(), -1.0),

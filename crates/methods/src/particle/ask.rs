@@ -1,4 +1,4 @@
-//! What can be asked of a motion without a mechanism, and how it is written.
+//! The questions about a motion without a mechanism, and their notation.
 
 use super::plate::Part;
 use super::{Kind, Problem};
@@ -8,47 +8,47 @@ use hodograph_base::json::fields::suggest;
 /// A question.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Find {
-    /// As written.
+    /// The question as written.
     pub text: String,
     /// Its meaning.
     pub what: Asked,
 }
 
-/// What is asked; points by the place of their motion in the list.
+/// The quantity asked for; points are given by the index of their motion in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
-    /// `T_AB`: when pursuer and target meet.
+    /// `T_AB`: the time at which pursuer and target meet.
     MeetingTime(usize),
-    /// `P_AB`: where they meet.
+    /// `P_AB`: the place at which they meet.
     MeetingPlace(usize),
     /// `l_AB`: their distance at the instant.
     Distance(usize),
-    /// `omega_AB`: the rate of turning of the line from pursuer to target.
+    /// `omega_AB`: the angular velocity of the line from pursuer to target.
     LineOmega(usize),
     /// `r_A`: the place.
     Place(usize),
-    /// `v_A`.
+    /// `v_A`: the velocity.
     Velocity(usize),
-    /// `a_A`.
+    /// `a_A`: the acceleration.
     Acceleration(usize),
-    /// `rho_A`: radius of curvature of the path.
+    /// `rho_A`: the radius of curvature of the path.
     Curvature(usize),
-    /// `ve_M` and the like, of a point on a plate.
+    /// `ve_M` and the other parts of the motion of a point on a plate.
     Part(usize, Part),
-    /// `l_AB` and the like, of two points of which neither pursues the other.
+    /// `l_AB` and the other quantities of two points of which neither pursues the other.
     Between([usize; 2], Mutual),
 }
 
-/// What two points of the plane have to do with one another.
+/// A quantity of two points of the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mutual {
     /// `l_AB`: their distance.
     Distance,
-    /// `omega_AB`: the rate of turning of their line.
+    /// `omega_AB`: the angular velocity of their line.
     Turning,
-    /// `vr_A/B`: the velocity of A seen from axes that translate with B.
+    /// `vr_A/B`: the velocity of A relative to axes that translate with B.
     Velocity,
-    /// `ar_A/B`: the acceleration seen so.
+    /// `ar_A/B`: the acceleration of A relative to the same axes.
     Acceleration,
 }
 
@@ -66,7 +66,7 @@ impl Mutual {
 }
 
 impl Asked {
-    /// The motions that it is about: their places in the list.
+    /// Returns the indices of the motions that the quantity depends on.
     pub(super) fn motions(self) -> Vec<usize> {
         match self {
             Asked::MeetingTime(k)
@@ -82,7 +82,7 @@ impl Asked {
         }
     }
 
-    /// Whether it is a place, which is told by its coordinates alone.
+    /// True for a place, which is given by its coordinates alone.
     pub fn is_place(self) -> bool {
         match self {
             Asked::MeetingPlace(_) | Asked::Place(_) => true,
@@ -98,7 +98,8 @@ impl Asked {
     }
 }
 
-/// What is answered where nothing is asked, those that say most first: all questions but those about nothing but points at rest.
+/// Returns the questions that are answered if the file asks none, the most informative first: all
+/// except those about points at rest only.
 pub fn all(problem: &Problem) -> Vec<Find> {
     let moves = |k: usize| match &problem.motions[k].kind {
         Kind::Fixed(way) => !way.is_at_rest(),
@@ -134,7 +135,8 @@ fn possible(problem: &Problem) -> Vec<Find> {
     out
 }
 
-/// All that can be asked of two points, the pursuer and its target left out, each with the two.
+/// Returns all questions about two points, each with the two indices; points on plates are left
+/// out.
 fn between(problem: &Problem) -> Vec<([usize; 2], Find)> {
     let plane = |k: &usize| !matches!(problem.motions[*k].kind, Kind::OnPlate(..));
     let all: Vec<usize> = (0..problem.motions.len()).filter(plane).collect();
@@ -143,7 +145,8 @@ fn between(problem: &Problem) -> Vec<([usize; 2], Find)> {
     pairs.flat_map(|two| Mutual::ALL.map(|m| (two, Find { text: m.text(two.map(name)), what: Asked::Between(two, m) }))).collect()
 }
 
-/// The meaning of a question; a stroke and the number of the plate may stand behind a part (`ak_M/2`).
+/// Returns the meaning of a question; a part may be followed by a slash and the number of the plate
+/// (`ak_M/2`).
 pub fn meaning(problem: &Problem, text: &str, span: Span) -> Result<Find, Diagnostic> {
     let mut known = possible(problem);
     let more = between(problem).into_iter().map(|(_, find)| find).filter(|f| known.iter().all(|k| k.text != f.text)).collect::<Vec<_>>();

@@ -1,9 +1,12 @@
-//! The same on paper, at the instant: places, velocities and accelerations to scale.
+//! The drawing of motions without a mechanism at the instant: places, velocities and accelerations
+//! to scale.
 //!
-//! A pursuit is drawn: given to the board are places and the laws' speeds along their ways; directions are carried over with the ruler, lengths
-//! measured, angular rates are quotients of measured lengths. Where a pursuer is at the instant no ruler tells: that place is
-//! integrated, and the sentences say so, their symbols between dollar signs. Nothing of [`super::solve`] is used. The vectors of a plate are calculated
-//! from the laws and shown to scale: nothing is measured on them, and they prove no answer.
+//! A pursuit is drawn: the board takes the places and the speeds from the laws; directions are
+//! transferred with the ruler, lengths are measured, and angular velocities are quotients of
+//! measured lengths. The place of the pursuer at the instant cannot be found with the ruler: it is
+//! integrated, and the sentences say so, with their symbols between dollar signs. The drawing uses
+//! nothing of [`super::solve`]. The vectors of a plate are calculated from the laws and shown to
+//! scale: nothing is measured on them, and they prove no answer.
 
 mod chase;
 
@@ -20,53 +23,54 @@ use hodograph_base::number::{Big, Jet, Real, within};
 use hodograph_board::construct::scale::fitted;
 use hodograph_scene::{self as scene, DiagramKind, front::Law};
 
-/// Room of a drawing (mm).
+/// The space for a drawing (mm).
 pub const ROOM_MM: [f64; 2] = [70.0, 60.0];
-/// Room of a length in one of the two views of a plate (mm): arrows begin at the point, which has its place too.
+/// The space for a length in one of the two views of a plate (mm): arrows begin at the point, and
+/// the point's own place needs space too.
 const VIEW_MM: [f64; 2] = [0.6 * ROOM_MM[0], 0.6 * ROOM_MM[1]];
 
-/// A vector drawn: its symbol in the label language, tail and tip (mm).
+/// A drawn vector: its symbol in the label language, tail and tip (mm).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrow {
-    /// Its symbol.
+    /// The symbol.
     pub symbol: String,
-    /// Tail.
+    /// The tail.
     pub from: Point,
-    /// Tip.
+    /// The tip.
     pub to: Point,
-    /// Whether it is the absolute one, which the others make up.
+    /// True if it is the absolute vector, the sum of the others.
     pub whole: bool,
-    /// The step that brings it, counted from 0.
+    /// The index of the step that draws it.
     pub step: usize,
 }
 
 /// The drawing of a motion.
 #[derive(Clone, Debug)]
 pub struct Drawn {
-    /// Which motion.
+    /// The index of the motion.
     pub motion: usize,
-    /// m, m/s, m/s² for a millimetre.
+    /// The scales: m, m/s and m/s² per millimetre.
     pub mu: [f64; 3],
-    /// What is done, sentence by sentence.
+    /// The steps of the drawing, one sentence each.
     pub steps: Vec<Both>,
-    /// What is read, or calculated: vectors by their components, in SI.
+    /// The measured or calculated values: vectors by their components, in SI.
     pub readings: Vec<(Asked, Vec<f64>)>,
-    /// Whether the vectors are calculated and shown to scale, none of them read.
+    /// True if the vectors are calculated and shown to scale, and none of them is measured.
     pub calculated: bool,
-    /// Why some answers are not read.
+    /// The reason for which some answers are not measured.
     pub unread: Option<Diagnostic>,
-    /// What is drawn.
+    /// The views.
     pub views: Views,
 }
 
 impl Drawn {
-    /// The scale of a diagram (SI per mm).
+    /// Returns the scale of a diagram (SI per mm).
     pub fn scale(&self, on: DiagramKind) -> f64 {
         match on {
             DiagramKind::Plane => self.mu[0],
             DiagramKind::Velocity => self.mu[1],
             DiagramKind::Acceleration => self.mu[2],
-            // No force is drawn of a motion of points.
+            // The drawing of a motion of points has no forces.
             DiagramKind::Force => 1.0,
         }
     }
@@ -79,9 +83,9 @@ pub enum Views {
     Chase {
         /// Pursuer and target from the start to the end at equal times.
         course: Vec<[Point; 2]>,
-        /// When it ends, or how far it is drawn (s).
+        /// The time of the meeting, or the end of the drawn course (s).
         until: f64,
-        /// Whether the two meet.
+        /// True if the two meet.
         meets: bool,
         /// Pursuer and target.
         places: [Point; 2],
@@ -92,7 +96,8 @@ pub enum Views {
         /// Accelerations.
         accelerations: Vec<Arrow>,
     },
-    /// A plate: seen square to it (to the right: away from the axis, up: along it) and along its axis.
+    /// A plate, viewed square to it (to the right: away from the axis, up: along the axis) and
+    /// along its axis.
     Plate {
         /// The point in both views.
         places: [Point; 2],
@@ -105,8 +110,9 @@ pub enum Views {
     },
 }
 
-/// What the laws say at the instant, in double precision whatever the instant is: the sine of an angle of 10⁹ rad has lost half of its
-/// digits when the angle is rounded first, so the laws are evaluated in longer numbers, and rounded then.
+/// The laws, evaluated at the instant with an accuracy of double precision for every instant. The
+/// sine of an angle of 10⁹ rad loses half of its digits if the angle is rounded first, so the laws
+/// are evaluated in longer numbers and then rounded.
 struct Told<'a> {
     time: &'a Law,
 }
@@ -121,12 +127,12 @@ impl Told<'_> {
         within(BITS, || of(self.time.at(Big::from_f64(0.0))?.number.0[0]))
     }
 
-    /// A law's value and derivatives.
+    /// Returns a law's value and derivatives.
     fn law(&self, law: &Law) -> Result<Jet3, Diagnostic> {
         self.told(|t| Ok(rounded(jet(law, t)?)))
     }
 
-    /// Two coordinates with their derivatives.
+    /// Returns two coordinates with their derivatives.
     fn way(&self, way: &Way) -> Result<[Jet3; 2], Diagnostic> {
         self.told(|t| Ok(way.at(t)?.map(rounded)))
     }
@@ -136,7 +142,8 @@ fn rounded(jet: Jet<Big>) -> Jet3 {
     jet.0.map(|x| x.approx())
 }
 
-/// Draws all motions that have something to draw: pursuits, and points on plates as they are calculated.
+/// Draws all motions except those in the fixed plane by a law: pursuits are drawn, points on plates
+/// are shown as calculated.
 ///
 /// # Errors
 /// Laws without a value.
@@ -144,10 +151,11 @@ pub fn draw(problem: &Problem) -> Result<Vec<Drawn>, Diagnostic> {
     draw_again(problem, &[])
 }
 
-/// The same, where courses are known from another instant: they are not integrated anew.
+/// Draws all motions, with the known courses of a drawing at another instant: these are not
+/// integrated again.
 ///
 /// # Errors
-/// As [`draw`].
+/// The same as for [`draw`].
 pub fn draw_again(problem: &Problem, known: &[Drawn]) -> Result<Vec<Drawn>, Diagnostic> {
     let mut out = Vec::new();
     for (k, m) in problem.motions.iter().enumerate() {
@@ -168,12 +176,13 @@ fn arrow(symbol: &str, from: Point, by: Vec2, whole: bool, step: usize) -> Arrow
     Arrow { symbol: symbol.to_owned(), from, to: from + by, whole, step }
 }
 
-/// The largest extent of vectors.
+/// Returns the largest extent of vectors.
 fn most(all: &[Vec2]) -> [f64; 2] {
     all.iter().fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())])
 }
 
-/// Direction of the way in the view on the plate, speed along it, and the acceleration there with its normal part.
+/// The place in the view on the plate, the velocity there, and the normal and tangential parts of
+/// the acceleration.
 struct OnPlate {
     place: Point,
     velocity: Vec2,
@@ -215,7 +224,8 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
         let turn = plate.turning.at(t)?;
         Ok([turn.cos.0[0], turn.sin.0[0], turn.omega, turn.alpha].map(|x| x.approx()))
     })?;
-    // The two views: u to the right and the axis up; the plate in its direction, its foot on the axis' side.
+    // The two views: u to the right and the axis up; the plate in its direction, with its foot on
+    // the side of the axis.
     let along = Vec2::new(cosine, sine);
     let seen = (along * on.place.x + along.perp() * offset).to_point();
     let extent = most(&[on.place.to_vec2(), seen.to_vec2()]);
@@ -227,7 +237,8 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
     let (ve, vr) = (ring * w, along * on.velocity.x);
     let mu_v = fitted(&problem.paper, scene::Kind::Velocity, most(&[ve, vr, ve + vr, on.velocity]), VIEW_MM);
     let paper_v = |v: Vec2| v * (1.0 / mu_v);
-    // What is measured across in the view on the plate is what the view along the axis shows of v_r.
+    // The horizontal component of v_r in the view on the plate is its length in the view along the
+    // axis.
     let across = paper_v(on.velocity).x;
     let (aen, aet) = (arm * (-w * w * mu_l), ring * alpha);
     let ak = along.perp() * (2.0 * w * across * mu_v);

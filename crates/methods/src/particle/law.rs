@@ -1,7 +1,9 @@
-//! Ways by laws of time: where a point is on its plane, and how a plate turns, with rate and second derivative, in any number.
+//! Motions by laws of time: the place of a point on its plane, and the rotation of a plate, with
+//! first and second derivative, in any kind of number.
 //!
-//! A way gives two coordinates: x and y on the fixed plane, distance from the axis and height along it on a plate. Nothing is
-//! differentiated by hand: the laws are evaluated in jets of time ([`hodograph_base::number::Jet`]).
+//! A way gives two coordinates: x and y on the fixed plane, or the distance from the axis and the
+//! height along it on a plate. Derivatives are not written by hand: the laws are evaluated in jets
+//! of time ([`hodograph_base::number::Jet`]).
 
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::number::{Jet, Real};
@@ -11,33 +13,34 @@ use hodograph_scene::front::Law;
 /// Two coordinates and their derivatives.
 pub type Pair<N> = [Jet<N>; 2];
 
-/// Along what a point moves, and by which law: laws as written, or folded for one kind of number ([`Folded`]).
+/// The path of a point with its law of motion: laws as written, or folded for one kind of number
+/// ([`Folded`]).
 #[derive(Clone, Debug)]
 pub enum Way<L = Law> {
-    /// A straight line from a place; the angle counts from the first coordinate's direction to the second's, or from the second's to the
-    /// first's (from the axis of a plate).
+    /// A straight line from a place; the angle is measured from the direction of the first
+    /// coordinate to that of the second, or in the opposite order (from the axis of a plate).
     Line {
         /// The place at s = 0.
         from: [L; 2],
-        /// Its direction.
+        /// The direction.
         angle: L,
-        /// Whether the angle is that from the axis.
+        /// True if the angle is measured from the axis.
         from_axis: bool,
-        /// The law.
+        /// The law of the distance s.
         s: L,
     },
     /// A circle; s is the arc, counter-clockwise from the angle.
     Circle {
-        /// Its centre.
+        /// The centre.
         centre: [L; 2],
-        /// Its radius.
+        /// The radius.
         radius: L,
-        /// Where s is 0.
+        /// The angle at which s is 0.
         angle: Option<L>,
-        /// The law.
+        /// The law of the arc s.
         s: L,
     },
-    /// Distance from a pole and direction, each by a law.
+    /// The distance from a pole and the direction, each by a law.
     Polar {
         /// The pole.
         pole: [L; 2],
@@ -46,31 +49,31 @@ pub enum Way<L = Law> {
         /// The angle from the first coordinate's direction to the second's.
         phi: L,
     },
-    /// Coordinates, each by a law of its own.
+    /// Two coordinates, each by a separate law.
     Free([L; 2]),
 }
 
-/// The value of a law.
+/// Returns the value of a law with its derivatives.
 ///
 /// # Errors
-/// Where it has none.
+/// If the law has no value.
 pub fn jet<N: Real>(law: &Law, t: N) -> Result<Jet<N>, Diagnostic> {
     law.at(t).map(|v| v.si())
 }
 
-/// Sine and cosine of the angle of a law, which may be written in degrees.
+/// Returns sine and cosine of the angle of a law, which may be written in degrees.
 ///
 /// # Errors
-/// Where it has no value.
+/// If the law has no value.
 pub fn sine_cosine<N: Real>(law: &Law, t: N) -> Result<(Jet<N>, Jet<N>), Diagnostic> {
     law.at(t).map(|v| v.sin_cos())
 }
 
 impl<N: Real> Way<Folded<N>> {
-    /// The coordinates at a time.
+    /// Returns the coordinates at a time.
     ///
     /// # Errors
-    /// Where a law has no value.
+    /// If a law has no value.
     pub fn at(&self, t: N) -> Result<Pair<N>, Diagnostic> {
         let value = |law: &Folded<N>| law.at(t).map(|v| v.si());
         let pair = |[x, y]: &[Folded<N>; 2]| Ok([value(x)?, value(y)?]);
@@ -99,10 +102,10 @@ impl<N: Real> Way<Folded<N>> {
 }
 
 impl Way {
-    /// The way in one kind of number, to be asked often.
+    /// Returns the way folded for one kind of number, for many evaluations.
     ///
     /// # Errors
-    /// Where a part of a law without the time has no value.
+    /// If a part of a law without the time has no value.
     pub fn folded<N: Real>(&self) -> Result<Way<Folded<N>>, Diagnostic> {
         let pair = |[x, y]: &[Law; 2]| Ok([x.folded()?, y.folded()?]);
         Ok(match self {
@@ -118,20 +121,20 @@ impl Way {
         })
     }
 
-    /// The coordinates at a time.
+    /// Returns the coordinates at a time.
     ///
     /// # Errors
-    /// Where a law has no value.
+    /// If a law has no value.
     pub fn at<N: Real>(&self, t: N) -> Result<Pair<N>, Diagnostic> {
         self.folded()?.at(t)
     }
 
-    /// Whether the time is in none of its laws.
+    /// True if none of the laws contains the time.
     pub fn is_at_rest(&self) -> bool {
         self.laws().iter().all(|(_, law)| !law.depends_on_time())
     }
 
-    /// The laws in it, with the names of their keys.
+    /// Returns the laws, with the names of their keys.
     pub fn laws(&self) -> Vec<(&'static str, &Law)> {
         match self {
             Way::Line { angle, s, from_axis, .. } => vec![(if *from_axis { "to_axis" } else { "angle" }, angle), ("s", s)],
@@ -147,23 +150,24 @@ impl Way {
     }
 }
 
-/// How a plate turns.
+/// The rotation of a plate.
 #[derive(Clone, Debug)]
 pub enum Turning {
-    /// By a law of its angle.
+    /// A law of the angle.
     Law(Law),
-    /// Its angle at the instant, and its rates then: what it does at other times is not said.
+    /// The angle at the instant and its derivatives there; the rotation at other times is not
+    /// given.
     Now {
-        /// From the axis that follows in x, y, z, x.
+        /// The angle from the axis that follows cyclically in x, y, z.
         angle: Law,
-        /// Rate.
+        /// The angular velocity.
         omega: Law,
-        /// Second derivative, if it is not zero.
+        /// The angular acceleration, if it is not zero.
         alpha: Option<Law>,
     },
 }
 
-/// Sine and cosine of the angle of a plate with their derivatives, and its rates ω and α.
+/// Sine and cosine of the angle of a plate with their derivatives, and its ω and α.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn<N> {
     /// sin φ.
@@ -177,10 +181,11 @@ pub struct Turn<N> {
 }
 
 impl Turning {
-    /// The turn so much later (s): a law is the same; rates of an instant go on with α as it is there.
+    /// Returns the rotation `dt` later (s): a law is unchanged; rates at an instant continue with
+    /// constant α.
     ///
     /// # Errors
-    /// Where a law has no value.
+    /// If a law has no value.
     pub fn later(&self, dt: f64) -> Result<Turning, Diagnostic> {
         Ok(match self {
             Turning::Law(law) => Turning::Law(law.clone()),
@@ -199,10 +204,10 @@ impl Turning {
         })
     }
 
-    /// The turn at a time; of a plate whose rates are given at the instant, at the instant.
+    /// Returns the rotation at a time; if the rates are given at the instant, that of the instant.
     ///
     /// # Errors
-    /// Where a law has no value.
+    /// If a law has no value.
     pub fn at<N: Real>(&self, t: N) -> Result<Turn<N>, Diagnostic> {
         match self {
             Turning::Law(law) => {

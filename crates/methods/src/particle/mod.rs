@@ -1,9 +1,11 @@
-//! Motions without a mechanism: a point that always runs toward another one (pursuit), and a point that moves by a law of time on a plate
-//! that turns about an axis in space.
+//! Motions without a mechanism: a point that always runs toward another point (pursuit), and a
+//! point that moves by a law of time on a plate that turns about an axis in space.
 //!
-//! Such a file has the front of a scene, `time`, `points`, `plates`, `motions` and `find`, and no links. [`read`] gives a [`Problem`], [`solve`] its
-//! answers with bounds of their errors: laws are differentiated exactly ([`law`]), a pursuit is integrated ([`pursuit`]), and it says so. The same by
-//! ruler and paper is in [`board`], which knows the laws at the instant and nothing of what is computed here.
+//! Such a file has the front of a scene, `time`, `points`, `plates`, `motions` and `find`, and no
+//! links. [`read`] gives a [`Problem`], [`solve`] its answers with error bounds: laws are
+//! differentiated exactly ([`law`]); a pursuit is integrated ([`pursuit`]), and the output says so.
+//! The drawing with ruler and paper is in [`board`], which uses the laws at the instant and none of
+//! the results computed here.
 //!
 //! Points that move on links of mechanisms by laws of time are scenes ([`hodograph_scene`]).
 //!
@@ -37,20 +39,20 @@ use hodograph_scene::front::Law;
 use hodograph_scene::{self as scene, Book, Lang, Localized, Paper};
 use law::{Turning, Way};
 
-/// A file, read.
+/// The content of a file.
 #[derive(Clone, Debug)]
 pub struct Problem {
-    /// Its title.
+    /// The title.
     pub title: Both,
-    /// The statement, its parameters put in.
+    /// The statement, with the values of its parameters inserted.
     pub statement: Option<Localized>,
-    /// The language it names.
+    /// The language that the file names.
     pub language: Option<Lang>,
-    /// Names and values of the parameters as they are written.
+    /// Names and values of the parameters as written.
     pub parameters: Vec<(String, String)>,
-    /// Its sheet and scales.
+    /// The sheet and its scales.
     pub paper: Paper,
-    /// The units in which is printed.
+    /// The units of printed values.
     pub book: Book,
     /// The instant.
     pub time: Law,
@@ -58,11 +60,11 @@ pub struct Problem {
     pub plates: Vec<Plate>,
     /// The motions.
     pub motions: Vec<Motion>,
-    /// The questions; all there are where the file has none.
+    /// The questions; if the file has none, all possible ones.
     pub find: Vec<Find>,
 }
 
-/// An axis of space.
+/// A coordinate axis of space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// x.
@@ -74,10 +76,10 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// The three, in order.
+    /// The three axes, in order.
     pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-    /// Its letter.
+    /// Returns the letter of the axis.
     pub fn letter(self) -> &'static str {
         match self {
             Axis::X => "x",
@@ -86,7 +88,8 @@ impl Axis {
         }
     }
 
-    /// The places of the two axes square to it, in the order that makes a right-handed system with it last, and its own.
+    /// Returns the indices of the two axes square to this one, in the order in which they form a
+    /// right-handed system with it, then its own index.
     pub fn order(self) -> [usize; 3] {
         match self {
             Axis::X => [1, 2, 0],
@@ -96,53 +99,53 @@ impl Axis {
     }
 }
 
-/// A plate that turns about an axis through the origin, and is parallel to it.
+/// A plate that turns about an axis through the origin and is parallel to it.
 #[derive(Clone, Debug)]
 pub struct Plate {
-    /// Its number.
+    /// The number of the plate.
     pub link: String,
     /// The axis.
     pub axis: Axis,
-    /// How it turns: the angle from the axis that follows in x, y, z, x.
+    /// The rotation: the angle from the axis that follows cyclically in x, y, z.
     pub turning: Turning,
-    /// How far the plate lies from the axis, to the side of its positive turning.
+    /// The distance of the plate from the axis, to the side of its positive rotation.
     pub offset: Option<Law>,
 }
 
-/// A motion.
+/// The motion of a point.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// The point.
     pub point: String,
-    /// How it moves.
+    /// The kind of motion.
     pub kind: Kind,
 }
 
-/// How a point moves.
+/// The kind of motion of a point.
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// In the fixed plane by a law.
     Fixed(Way),
-    /// On a plate by a law; the plate's place in the list.
+    /// On a plate by a law; the index of the plate in the list.
     OnPlate(usize, Way),
-    /// Always toward another point; the place of that one's motion in the list.
+    /// Always toward another point.
     Toward {
-        /// Where it is at t = 0.
+        /// The place at t = 0.
         from: [Law; 2],
-        /// The target.
+        /// The index of the target's motion in the list.
         target: usize,
-        /// Its speed.
+        /// The speed.
         speed: Law,
     },
 }
 
 impl Problem {
-    /// The motion of a point.
+    /// Returns the motion of a point.
     pub fn motion(&self, point: &str) -> Option<&Motion> {
         self.motions.iter().find(|m| m.point == point)
     }
 
-    /// The chase of a pursuer, and the name of its target.
+    /// Returns the chase of a pursuer, and the name of its target.
     pub fn chase(&self, motion: &Motion) -> Option<(pursuit::Chase<'_>, &str)> {
         let own = self.motions.iter().find(|m| m.point == motion.point)?;
         let Kind::Toward { from, target, speed } = &own.kind else { return None };
@@ -150,7 +153,8 @@ impl Problem {
         Some((pursuit::Chase { from, speed, target }, point))
     }
 
-    /// The same motions at another instant (s), drawn to given scales. A plate whose rates are given at the instant keeps its angular acceleration.
+    /// Returns the problem at another instant (s), drawn to given scales. A plate with rates given
+    /// at the instant keeps its angular acceleration.
     ///
     /// # Errors
     /// Laws of a plate without a value.
@@ -166,7 +170,7 @@ impl Problem {
         Ok(moved)
     }
 
-    /// The instant (s).
+    /// Returns the instant (s).
     pub fn instant(&self) -> f64 {
         self.time.at(0.0).map_or(0.0, |v| v.number.0[0])
     }

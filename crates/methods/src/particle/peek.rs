@@ -1,8 +1,8 @@
-//! What is written in a part of a file, whatever else is wrong with it.
+//! Reads single names and texts of a file that may have faults elsewhere.
 
 use hodograph_base::json::{Kind as NodeKind, Node, Word};
 
-/// A name in a motion, whatever else is wrong with that.
+/// Returns the text of a member of an object, even if other members have faults.
 pub(super) fn named(node: &Node, wanted: &str) -> Option<Word> {
     let NodeKind::Object(members) = &node.kind else { return None };
     members.iter().find_map(|(key, value)| match &value.kind {
@@ -11,13 +11,13 @@ pub(super) fn named(node: &Node, wanted: &str) -> Option<Word> {
     })
 }
 
-/// The key of a member of an object.
+/// Returns the key of a member of an object.
 pub(super) fn member(node: &Node, wanted: &str) -> Option<Word> {
     let NodeKind::Object(members) = &node.kind else { return None };
     members.iter().map(|(key, _)| key).find(|key| key.text == wanted).cloned()
 }
 
-/// The texts in a list.
+/// Returns the texts in a list.
 pub(super) fn texts(node: &Node) -> Vec<&str> {
     let NodeKind::Array(items) = &node.kind else { return Vec::new() };
     items.iter().filter_map(|n| if let NodeKind::Text(text) = &n.kind { Some(text.as_str()) } else { None }).collect()

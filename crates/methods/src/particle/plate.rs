@@ -1,7 +1,9 @@
-//! The spatial turning plate: where its point is, and the parts of its motion, in any number.
+//! The plate that turns in space: the place of its point and the parts of its motion, in any kind
+//! of number.
 //!
-//! u is the direction in the plate square to the axis, n the plate's normal (to the side of positive turning), k the axis: the point is
-//! r u + e n + z k. The absolute motion is the derivative of the coordinates; the parts come from the theorem of composite motion, so that
+//! u is the direction in the plate square to the axis, n the plate's normal (to the side of
+//! positive rotation), k the axis: the point is r u + e n + z k. The absolute motion is the
+//! derivative of the coordinates; the parts come from the theorem of composite motion, so that
 //! their sum proves both.
 
 use super::law::{Turn, jet};
@@ -9,7 +11,7 @@ use super::{Kind, Motion, Plate, Problem};
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::number::{Jet, Real};
 
-/// A vector in space, by x, y, z.
+/// A vector in space, by its x, y, z components.
 pub type Space<N> = [N; 3];
 
 /// A part of the motion.
@@ -23,20 +25,20 @@ pub enum Part {
     Transport,
     /// a_eⁿ, toward the axis.
     TransportNormal,
-    /// a_eᵗ, square to it.
+    /// a_eᵗ, square to a_eⁿ.
     TransportTangential,
     /// a_r.
     Relative,
     /// a_rⁿ, square to the path on the plate.
     RelativeNormal,
-    /// a_rᵗ, along it.
+    /// a_rᵗ, along the path.
     RelativeTangential,
     /// a_k = 2ω v_r sin θ, square to the plate.
     Coriolis,
 }
 
 impl Part {
-    /// All, as they are asked for.
+    /// All parts, with their symbols in questions.
     pub const ALL: [(&'static str, Part); 9] = [
         ("ve", Part::TransportVelocity),
         ("vr", Part::RelativeVelocity),
@@ -49,31 +51,31 @@ impl Part {
         ("ak", Part::Coriolis),
     ];
 
-    /// Whether it is of the velocity.
+    /// True for a part of the velocity.
     pub fn is_velocity(self) -> bool {
         matches!(self, Part::TransportVelocity | Part::RelativeVelocity)
     }
 }
 
-/// Plate and point at a time.
+/// The state of plate and point at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct State<N> {
-    /// The plate's turn.
+    /// The rotation of the plate.
     pub turn: Turn<N>,
-    /// Distance from the axis along the plate.
+    /// The distance of the point from the axis along the plate.
     pub r: Jet<N>,
-    /// Height along the axis.
+    /// The height of the point along the axis.
     pub z: Jet<N>,
-    /// Distance of the plate from the axis.
+    /// The distance of the plate from the axis.
     pub e: N,
     order: [usize; 3],
 }
 
 impl<N: Real> State<N> {
-    /// The point of a motion on a plate at a time.
+    /// Returns the state of a motion on a plate at a time; `None` for other motions.
     ///
     /// # Errors
-    /// Where a law has no value.
+    /// If a law has no value.
     pub fn of(problem: &Problem, motion: &Motion, t: N) -> Result<Option<State<N>>, Diagnostic> {
         let Kind::OnPlate(k, way) = &motion.kind else { return Ok(None) };
         let Plate { axis, turning, offset, .. } = &problem.plates[*k];
@@ -82,7 +84,8 @@ impl<N: Real> State<N> {
         Ok(Some(State { turn: turning.at(t)?, r, z, e, order: axis.order() }))
     }
 
-    /// A vector by its parts along the two axes square to that of turning, and along it, as x, y, z.
+    /// Returns a vector as x, y, z, from its components along the two axes square to the rotation
+    /// axis and along that axis.
     fn space(&self, [one, two, along]: [N; 3]) -> Space<N> {
         let mut out = [along; 3];
         for (place, value) in self.order.into_iter().zip([one, two, along]) {
@@ -91,13 +94,13 @@ impl<N: Real> State<N> {
         out
     }
 
-    /// A vector by its parts along u, n, k.
+    /// Returns a vector as x, y, z, from its components along u, n, k.
     pub fn of_plate(&self, [u, n, k]: [N; 3]) -> Space<N> {
         let (s, c) = (self.turn.sin.0[0], self.turn.cos.0[0]);
         self.space([u * c - n * s, u * s + n * c, k])
     }
 
-    /// Place, velocity, acceleration: the coordinates, differentiated.
+    /// Returns place, velocity and acceleration, by differentiation of the coordinates.
     pub fn absolute(&self) -> [Space<N>; 3] {
         let (s, c, e) = (self.turn.sin, self.turn.cos, Jet::constant(self.e));
         let one = self.r * c - e * s;
@@ -105,14 +108,14 @@ impl<N: Real> State<N> {
         [0, 1, 2].map(|k| self.space([one.0[k], two.0[k], self.z.0[k]]))
     }
 
-    /// A part.
+    /// Returns a part of the motion.
     pub fn part(&self, part: Part) -> Space<N> {
         let zero = N::from_f64(0.0);
         let Turn { omega: w, alpha, .. } = self.turn;
         let ([r, r1, r2], [_, z1, z2], e) = (self.r.0, self.z.0, self.e);
         let normal = [-(w * w * r), -(w * w * e), zero];
         let tangential = [-(alpha * e), alpha * r, zero];
-        // a_r along v_r; on a point that stands still for an instant all of it.
+        // The component of a_r along v_r; for a point momentarily at rest, all of a_r.
         let v2 = r1 * r1 + z1 * z1;
         let along = if v2.approx() == 0.0 { [r2, zero, z2] } else { [r1, zero, z1].map(|x| x * ((r1 * r2 + z1 * z2) / v2)) };
         self.of_plate(match part {
@@ -123,7 +126,7 @@ impl<N: Real> State<N> {
             Part::TransportTangential => tangential,
             Part::Relative => [r2, zero, z2],
             Part::RelativeNormal if v2.approx() == 0.0 => [zero; 3],
-            // Across it: (r₂z₁ − z₂r₁)(z₁, −r₁)/v².
+            // Across v_r: (r₂z₁ − z₂r₁)(z₁, −r₁)/v².
             Part::RelativeNormal => [z1, zero, -r1].map(|x| x * ((r2 * z1 - z2 * r1) / v2)),
             Part::RelativeTangential => along,
             Part::Coriolis => [zero, N::from_f64(2.0) * w * r1, zero],

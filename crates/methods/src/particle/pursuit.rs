@@ -1,10 +1,13 @@
-//! Pursuit: a point that always runs toward another one, at a given speed. Its course has no closed form for a general target: it is
-//! integrated, here, and nowhere else in the program is a motion found so.
+//! Pursuit: a point that always runs toward another point, at a given speed. For a general target
+//! the course has no closed form: it is integrated. No other motion in the program is found by
+//! integration.
 //!
-//! The way D from pursuer to target obeys D′ = v_B(t) − v(t) D/|D|. The steps are those of Gragg, Bulirsch and Stoer: the modified midpoint
-//! rule with 2, 4, 6, ... parts, extrapolated in the square of the step. D/|D| is the gradient of a convex function, so two solutions
-//! never move apart: what a step does wrong never grows, and the sum of all errors of steps bounds the error of the place. The error of a step
-//! is taken as the difference of its last two extrapolations, which is that of the worse of the two.
+//! The vector D from pursuer to target satisfies D′ = v_B(t) − v(t) D/|D|. The steps are those of
+//! Gragg, Bulirsch and Stoer: the modified midpoint rule with 2, 4, 6, ... parts, extrapolated in
+//! the square of the step. D/|D| is the gradient of a convex function, so two solutions never
+//! diverge: the error of a step never grows, and the sum of all step errors bounds the error of the
+//! place. The error of a step is taken as the difference of its last two extrapolations, which is
+//! the error of the worse one.
 
 use super::law::{Way, jet};
 use hodograph_base::diag::{Diagnostic, both};
@@ -12,77 +15,81 @@ use hodograph_base::number::{Ball, Dd, Real};
 use hodograph_scene::folded::Folded;
 use hodograph_scene::front::Law;
 
-/// The code of what is said where the steps do not follow a course to its end.
+/// The code of the diagnostic for a course that the steps do not follow to its end.
 pub const LOST: &str = "pursuit-lost";
-/// More steps are not made to an instant, or of a length that fails.
+/// The largest number of steps to an instant, and of rejected steps.
 const MOST_STEPS: usize = 4000;
-/// More steps are not made to a meeting: a pursuer that is faster by a hundredth needs some hundred.
+/// The largest number of steps to a meeting: a pursuer that is faster by one percent needs some
+/// hundred.
 const MOST_TO_MEET: usize = 1200;
-/// As many of them with a target that is as fast or faster: it is met early, if it runs against the pursuer, or never.
+/// The largest number of steps in which the target is as fast or faster: it is met early, if it
+/// runs toward the pursuer, or never.
 const MOST_SLOWER: usize = 800;
-/// A meeting that takes more steps is not sought in longer numbers, each step of which costs fifty times as much.
+/// The largest number of steps to a meeting for which longer numbers are used: each of their steps
+/// takes fifty times as long.
 pub const MOST_LONGER: usize = 200;
-/// No meeting within so many times the time that the pursuer would need to the first place of the target.
+/// The horizon for a meeting, in multiples of the time that the pursuer needs to reach the first
+/// place of the target.
 const HORIZON: f64 = 1e4;
-/// Two that come nearer more slowly than this part of the pursuer's speed keep their distance for a step.
+/// The smallest closing speed used for the step size, as a fraction of the pursuer's speed.
 const SLOWEST: f64 = 1e-6;
-/// Parts of the finest midpoint rule, over two.
+/// Half the number of parts of the finest midpoint rule.
 const COLUMNS: usize = 10;
 
 /// A pursuer and its target.
 #[derive(Clone, Copy, Debug)]
 pub struct Chase<'a> {
-    /// Where the pursuer is at t = 0.
+    /// The place of the pursuer at t = 0.
     pub from: &'a [Law; 2],
-    /// Its speed.
+    /// The speed of the pursuer.
     pub speed: &'a Law,
-    /// How the target moves.
+    /// The motion of the target.
     pub target: &'a Way,
 }
 
-/// A chase in one kind of number, whose laws are asked at every step.
+/// A chase in one kind of number, with laws that are evaluated at every step.
 struct Course<N> {
     speed: Folded<N>,
     target: Way<Folded<N>>,
 }
 
-/// The way from pursuer to target at a time.
+/// The vector from pursuer to target at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct State<N> {
     /// The time (s).
     pub t: N,
     /// From the pursuer to the target (m).
     pub d: [N; 2],
-    /// A bound of the error of d (m).
+    /// An error bound of d (m).
     pub error: f64,
 }
 
-/// How a pursuit ends.
+/// The end of a pursuit.
 #[derive(Clone, Copy, Debug)]
 pub enum End {
-    /// The two meet: when and where.
+    /// The two meet.
     Meet {
         /// The time (s).
         time: Ball<Dd>,
         /// The place (m).
         place: [Ball<Dd>; 2],
     },
-    /// They have not met up to this time (s), at which they are so far apart (m).
+    /// The two do not meet up to a time.
     Apart {
-        /// The time (s).
+        /// The time to which they are followed (s).
         until: f64,
-        /// The distance (m).
+        /// Their distance at that time (m).
         distance: f64,
     },
 }
 
 impl<N: Real> State<N> {
-    /// |D|.
+    /// Returns |D|.
     pub fn distance(&self) -> f64 {
         self.d[0].hypot(self.d[1]).approx()
     }
 
-    /// The way as numbers that know their error.
+    /// Returns D as numbers with error bounds.
     pub fn enclosed(&self) -> [Ball<Dd>; 2]
     where
         N: Into<Dd>,
@@ -91,16 +98,17 @@ impl<N: Real> State<N> {
     }
 }
 
-/// What the numbers can tell apart, and how near the two are when they count as met, both as parts of the first distance.
+/// Returns the resolution of the numbers, and the distance at which the two count as met, both as
+/// fractions of the first distance.
 fn fineness<N: Real>() -> (f64, f64) {
-    // Longer numbers than f64 tell more.
+    // Numbers longer than f64 resolve more digits.
     let third = N::from_f64(1.0) / N::from_f64(3.0);
     let longer = (third - N::from_f64(third.approx())).approx() != 0.0;
     if longer { (1e-29, 1e-22) } else { (2e-16, 1e-14) }
 }
 
 impl<N: Real> Course<N> {
-    /// Speed of the pursuer and velocity of the target at a time.
+    /// Returns the speed of the pursuer and the velocity of the target at a time.
     fn rates(&self, t: N) -> Result<(N, [N; 2]), Diagnostic> {
         let b = self.target.at(t)?;
         Ok((self.speed.at(t)?.si().0[0], [b[0].0[1], b[1].0[1]]))
@@ -112,7 +120,7 @@ impl<N: Real> Course<N> {
         Ok([b[0] - v * d[0] / l, b[1] - v * d[1] / l])
     }
 
-    /// The modified midpoint rule with `n` parts.
+    /// Performs the modified midpoint rule with `n` parts.
     fn midpoint(&self, from: &State<N>, h: N, n: usize) -> Result<[N; 2], Diagnostic> {
         let part = h / N::from_f64(n as f64);
         let two = N::from_f64(2.0);
@@ -127,7 +135,8 @@ impl<N: Real> Course<N> {
         Ok([0, 1].map(|k| (here[k] + last[k]) / two))
     }
 
-    /// One step of Gragg, Bulirsch and Stoer, and its error; `None` where the extrapolation has not come to rest.
+    /// Performs one step of Gragg, Bulirsch and Stoer, and returns it with its error; `None` if the
+    /// extrapolation has not converged.
     fn step(&self, from: &State<N>, h: N, tolerance: f64) -> Result<Option<([N; 2], f64)>, Diagnostic> {
         let mut row: Vec<[N; 2]> = Vec::new();
         for k in 0..COLUMNS {
@@ -154,10 +163,10 @@ impl<N: Real> Course<N> {
 }
 
 impl Chase<'_> {
-    /// The first state.
+    /// Returns the state at t = 0.
     ///
     /// # Errors
-    /// Where a law has no value.
+    /// If a law has no value.
     pub fn start<N: Real>(&self) -> Result<State<N>, Diagnostic> {
         let zero = N::from_f64(0.0);
         let b = self.target.at(zero)?;
@@ -169,7 +178,7 @@ impl Chase<'_> {
         Ok(Course { speed: self.speed.folded()?, target: self.target.folded()? })
     }
 
-    /// Goes on to a time, or until the two have all but met; every state on the way goes to `seen`.
+    /// Integrates to a time, or until the two have almost met; `seen` gets every state on the way.
     ///
     /// # Errors
     /// Laws without a value, and a course that the steps do not follow.
@@ -183,7 +192,7 @@ impl Chase<'_> {
         let (first, laws) = (self.start::<N>()?.distance(), self.folded::<N>()?);
         let mut here = start;
         let mut wish: Option<f64> = None;
-        // Steps that were too long, in all.
+        // The number of steps that may be rejected as too long, in total.
         let mut budget = MOST_STEPS;
         let mut slower = 0;
         seen(&here);
@@ -210,14 +219,15 @@ impl Chase<'_> {
             if until.is_none() && here.t.approx() > HORIZON * first / v {
                 return Ok((here, false));
             }
-            // So far the two do not pass one another: they come nearer at this rate, which turns with the line between them.
+            // Limits the step so that the two do not pass one another: at this rate they approach,
+            // or the line between them turns.
             let [x, y] = here.d.map(|c| c.approx() / l);
             let (bx, by) = (b[0].approx(), b[1].approx());
             let most = 0.5 * l / (v - bx * x - by * y).abs().max((bx * y - by * x).abs()).max(SLOWEST * v);
             let mut h = wish.unwrap_or(0.1 * l / v).min(most);
             let mut halved = false;
             let made = loop {
-                // The last step ends where it is to end.
+                // The last step ends exactly at the given time.
                 let (by, last) =
                     if h >= left * (1.0 - 1e-9) { (until.map_or(N::from_f64(h), |u| u - here.t), true) } else { (N::from_f64(h), false) };
                 if let Some((d, error)) = laws.step(&here, by, 32.0 * unit * l.max(near * first))? {
@@ -249,24 +259,25 @@ impl Chase<'_> {
         Err(Diagnostic::error(LOST, message).help(help))
     }
 
-    /// When and where the two meet.
+    /// Returns the end of the pursuit: time and place of the meeting, if the two meet.
     ///
     /// # Errors
-    /// As [`Chase::follow`].
+    /// The same as for [`Chase::follow`].
     pub fn end<N: Real + Into<Dd>>(&self) -> Result<End, Diagnostic> {
         self.end_seen::<N>(&mut |_| {})
     }
 
-    /// The same; every state on the way goes to `seen`.
+    /// Returns the end of the pursuit; `seen` gets every state on the way.
     ///
     /// # Errors
-    /// As [`Chase::follow`].
+    /// The same as for [`Chase::follow`].
     pub fn end_seen<N: Real + Into<Dd>>(&self, seen: &mut dyn FnMut(&State<N>)) -> Result<End, Diagnostic> {
         let (last, met) = self.follow(self.start::<N>()?, None, seen)?;
         if !met {
             return Ok(End::Apart { until: last.t.approx(), distance: last.distance() });
         }
-        // What is left of the way is run through within these times, whatever the target does.
+        // The two meet after the rest of the way within these times, independent of the target's
+        // motion.
         let (v, b) = self.folded()?.rates(last.t)?;
         let (v, w) = (v.approx(), b[0].hypot(b[1]).approx());
         let [low, high] = [(last.distance() - last.error).max(0.0) / (v + w), (last.distance() + last.error) / closing(v, w, last.d, b)];
@@ -279,7 +290,8 @@ impl Chase<'_> {
     }
 }
 
-/// The least rate at which the two come nearer: the faster pursuer gains in any case; another one only meets what runs against it.
+/// Returns the least closing speed: a faster pursuer gains in any case; a slower one meets only a
+/// target that runs toward it.
 fn closing<N: Real>(v: f64, w: f64, d: [N; 2], b: [N; 2]) -> f64 {
     if v > w {
         return v - w;
@@ -293,8 +305,8 @@ mod tests {
     use super::*;
     use crate::particle::read;
 
-    /// Round a circle after a target that is faster, as fast, or slower: there is a meeting, or it is told how far the two have been
-    /// followed, after a bounded number of steps.
+    /// A pursuit on a circle of a target that is faster, as fast, or slower: after a bounded number
+    /// of steps the result is a meeting, or the time to which the two have been followed.
     #[test]
     fn a_pursuit_without_an_end_is_told_soon() {
         for (speed, meets) in [(5.0, false), (8.99, false), (9.0, false), (12.0, true)] {

@@ -1,4 +1,4 @@
-//! The file: its keys, and what belongs together.
+//! Reads the file: its keys, and their consistency.
 
 use super::ask;
 use super::law::{Turning, Way, jet};
@@ -12,19 +12,19 @@ use hodograph_scene::Localized;
 use hodograph_scene::front::{self, Front, Law, RawFront, TIME};
 use hodograph_scene::units::Wanted;
 
-/// The keys beside those of the front.
+/// The keys in addition to those of the front.
 pub(super) const KEYS: [&str; 6] = ["statement", "time", "points", "plates", "motions", "find"];
 /// The keys of a motion.
 pub(super) const MOTION: [&str; 14] =
     ["point", "on", "angle", "to_axis", "centre", "radius", "s", "x", "y", "r", "phi", "toward", "speed", "from"];
 /// The keys of a plate.
 pub(super) const PLATE: [&str; 6] = ["link", "axis", "angle", "omega", "alpha", "offset"];
-/// More points are not taken.
+/// The largest permitted number of points.
 const MOST: usize = 20;
-/// Keys of scenes alone.
+/// Keys that only scenes have.
 const OF_SCENES: [&str; 4] = ["links", "ground", "driver", "synthesis"];
 
-/// Whether a file is one of motions without a mechanism: it has `motions`, and nothing of a linkage.
+/// True if a file describes motions without a mechanism: it has `motions`, and no key of a linkage.
 pub fn is_problem(source: &[u8]) -> bool {
     json::parse(source, &mut Faults::default()).is_ok_and(|(_, root)| match &root.kind {
         NodeKind::Object(members) => {
@@ -53,17 +53,17 @@ pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Problem>, Faults> {
     }
 }
 
-/// The file, and where its faults go.
+/// The file, with a list of its faults.
 struct Reader<'a> {
     front: &'a Front<'a>,
     faults: &'a mut Faults,
-    /// Places of points: name, coordinates.
+    /// The places of points: name, coordinates.
     places: Vec<(Word, [Law; 2])>,
     /// The instant (s).
     now: f64,
-    /// Points whose places could not be read.
+    /// Points with places that could not be read.
     misplaced: Vec<String>,
-    /// The points of motions that could not be read; none where not even that is known.
+    /// The points of motions that could not be read; `None` if even the point is unknown.
     faulty: Vec<Option<String>>,
 }
 
@@ -120,7 +120,8 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
         );
         r.faults.push(d.at(name.span));
     }
-    // Questions are looked at even where other things are wrong; those of motions that could not be read have no meaning yet.
+    // Questions are checked even if other parts have faults; those about motions that could not be
+    // read are not reported.
     let before = r.faults.has_errors();
     let found = r.find(&f, &out);
     if !before {
@@ -130,7 +131,7 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
     Some(out)
 }
 
-/// A statement with the values of the parameters as they are written.
+/// Returns a statement with the values of the parameters as written.
 fn filled(text: Localized, parameters: &[(String, String)]) -> Localized {
     let fill = |s: &str| parameters.iter().fold(s.to_owned(), |s, (name, value)| s.replace(&format!("{{{name}}}"), value));
     Localized { en: fill(&text.en), zh: fill(&text.zh) }
@@ -152,10 +153,10 @@ impl Reader<'_> {
         self.faults.push(Diagnostic::error(code, message).at(at).help(help));
     }
 
-    /// The radius of a circle: a length that is more than nothing at the instant.
+    /// Reads the radius of a circle: a length greater than zero at the instant.
     fn radius(&mut self, f: &Fields) -> Option<Law> {
         let law = self.need(f, "radius", Wanted::Length, "\"200 mm\"")?;
-        // What has no value is told where it is worked out.
+        // A law without a value is reported when it is evaluated.
         let Some(value) = jet(&law, self.now).ok().map(|r| r.0[0]).filter(|r| *r <= 0.0) else { return Some(law) };
         let at = f.get("radius").map_or(f.span(), |n| n.span);
         let message = both!("the radius `{}` is {value} m", "半径 `{}` 为 {value} m", law.text);
@@ -182,7 +183,7 @@ impl Reader<'_> {
         self.law(node, wanted, key)
     }
 
-    /// Two lengths.
+    /// Reads two lengths.
     fn two(&mut self, node: &Node, key: &str) -> Option<[Law; 2]> {
         let items = list(node, &format!("\"{key}\""), self.faults)?;
         let [x, y] = items else {
@@ -308,7 +309,7 @@ impl Reader<'_> {
                     );
                     self.fault("pursuit", name.span, message, help);
                 }
-                // What is wrong with that motion is told.
+                // The fault of that motion is reported elsewhere.
                 None if unread || self.misplaced.contains(&name.text) => {}
                 None => self.no_motion(&name, &all),
             }
@@ -366,7 +367,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Where a point is at the start: of `from`, or of `points`.
+    /// Reads the place of a point at the start: from `from`, or from `points`.
     fn from(&mut self, f: &Fields, point: &Word, needed: bool) -> Option<[Law; 2]> {
         if let Some(n) = f.get("from") {
             return self.two(n, "from");
@@ -375,7 +376,7 @@ impl Reader<'_> {
         if known.is_none() && !needed {
             return Some([Law::zero(), Law::zero()]);
         }
-        // What is wrong with its place is told there.
+        // The fault of its place is reported there.
         if known.is_none() && !self.misplaced.contains(&point.text) {
             let message = both!("where `{}` starts is not said", "未给出 `{}` 的起点", point.text);
             let help = both!("add \"points\": {{\"{}\": [0, 0]}}", "请加 \"points\": {{\"{}\": [0, 0]}}", point.text);

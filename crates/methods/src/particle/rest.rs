@@ -1,5 +1,5 @@
-//! Points of the plane that have a place and no motion: they are at rest. Such a point belongs to a problem where a pursuer runs toward it, or a
-//! question names it: a buoy, a radar station.
+//! Points of the plane with a place and no motion: they are at rest. A problem contains such a
+//! point if a pursuer runs toward it or a question names it: a buoy, a radar station.
 
 use super::law::Way;
 use super::{Kind, Motion, Problem, ask};
@@ -7,15 +7,15 @@ use hodograph_base::diag::Span;
 use hodograph_base::json::Word;
 use hodograph_scene::front::Law;
 
-/// A place, by name.
+/// A place with its name.
 pub(super) type Place = (Word, [Law; 2]);
 
-/// A point at rest.
+/// Returns a point at rest.
 pub(super) fn still((name, place): &Place) -> Motion {
     Motion { point: name.text.clone(), kind: Kind::Fixed(Way::Free(place.clone())) }
 }
 
-/// Those of the places that questions name, as points at rest.
+/// Returns the places that questions name, as points at rest.
 pub(super) fn asked<'a>(problem: &Problem, places: impl Iterator<Item = &'a Place>, questions: &[&str]) -> Vec<Motion> {
     let mut all = problem.clone();
     let moved = all.motions.len();

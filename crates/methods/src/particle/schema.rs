@@ -1,8 +1,8 @@
 //! The JSON Schema of motions without a mechanism, for editors and other programs.
 //!
-//! It says the keys and their shapes; what belongs together only [`super::read`] knows.
+//! It defines the keys and their shapes; only [`super::read`] checks their consistency.
 
-/// The schema, draft 2020-12.
+/// Returns the schema, draft 2020-12.
 pub fn schema() -> &'static str {
     include_str!("schema.json")
 }

@@ -1,7 +1,8 @@
 //! The answers, with intervals that contain them.
 //!
-//! What follows from laws alone is evaluated in balls of `f64`, and of 256 bits where those leave fewer digits than are wanted. What rests on a pursuit
-//! starts from the integrated place with the bound of its error.
+//! Quantities that follow from laws alone are evaluated in balls of `f64`, or of 256 bits if those
+//! leave fewer digits than wanted. Quantities of a pursuit start from the integrated place with its
+//! error bound.
 
 use super::ask::{Asked, Mutual};
 use super::plate::State;
@@ -17,25 +18,25 @@ const BITS: usize = 256;
 /// An answer.
 #[derive(Clone, Debug)]
 pub struct Answer {
-    /// Its place in the questions.
+    /// The index of the question.
     pub find: usize,
-    /// Its value; none where there is none, and why.
+    /// The value, or the reason for which there is none.
     pub value: Value,
 }
 
 /// A value (SI).
 #[derive(Clone, Debug)]
 pub enum Value {
-    /// A vector or place by x, y and, of space, z; and its magnitude.
+    /// A vector or place by x, y and, in space, z; then its magnitude.
     Vector(Vec<Enclosure>, Enclosure),
     /// A number.
     Scalar(Enclosure),
-    /// There is none.
+    /// No value, with the reason.
     None(Diagnostic),
 }
 
 impl Value {
-    /// The number, to `f64`.
+    /// Returns the number, to `f64`.
     pub fn scalar(&self) -> Option<f64> {
         match self {
             Value::Scalar(e) => Some(e.approx),
@@ -43,7 +44,7 @@ impl Value {
         }
     }
 
-    /// The components, to `f64`.
+    /// Returns the components, to `f64`.
     pub fn vector(&self) -> Option<Vec<f64>> {
         match self {
             Value::Vector(all, _) => Some(all.iter().map(|e| e.approx).collect()),
@@ -55,22 +56,23 @@ impl Value {
 /// The answers of a problem.
 #[derive(Clone, Debug)]
 pub struct Solved {
-    /// One for each question, in order.
+    /// The answers, one for each question, in order.
     pub answers: Vec<Answer>,
-    /// How each pursuit ends: the place of its motion in the list.
+    /// The end of each pursuit, with the index of its motion in the list.
     pub ends: Vec<(usize, End)>,
 }
 
 /// Solves a problem.
 ///
 /// # Errors
-/// Laws without a value at the instant, pursuits that cannot be followed, an instant after the meeting.
+/// Laws without a value at the instant, pursuits that cannot be followed, an instant after the
+/// meeting.
 pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
     let mut ends = Vec::new();
     let (mut chases, mut lost) = (Vec::new(), Vec::new());
     for (k, m) in problem.motions.iter().enumerate() {
         let Some((chase, target)) = problem.chase(m) else { continue };
-        // A pursuit whose end is not found can still be told at the instant.
+        // Answers at the instant are possible even if the end of a pursuit is not found.
         match ended(&chase) {
             Ok(end) => ends.push((k, end)),
             Err(d) if d.code == pursuit::LOST => lost.push((k, d)),
@@ -82,10 +84,11 @@ pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
     Ok(Solved { answers: answered(problem, &chases, &ends, &lost)?, ends })
 }
 
-/// The same at another instant: pursuits end as is known, and are followed in `f64`, with fewer certain digits and in a hundredth of the time.
+/// Solves a problem at another instant: ends of pursuits are known, and courses are followed in
+/// `f64`, with fewer certain digits and in a hundredth of the time.
 ///
 /// # Errors
-/// As [`solve`].
+/// The same as for [`solve`].
 pub fn solve_again(problem: &Problem, known: &Solved) -> Result<Solved, Faults> {
     let mut chases = Vec::new();
     for (k, end) in &known.ends {
@@ -121,8 +124,9 @@ fn answered(
     problem.find.iter().enumerate().map(answer).collect()
 }
 
-/// How a pursuit ends, in the longest numbers that its laws have values in. Whether it has an end is found in `f64`: what goes round after a
-/// faster target for good is not followed in numbers that cost fifty times as much, nor is what goes round for long before it meets.
+/// Returns the end of a pursuit, in the longest numbers in which its laws have values. `f64`
+/// decides whether there is an end: a pursuit that circles behind a faster target for ever, or for
+/// a long time before the meeting, is not followed in numbers that take fifty times as long.
 fn ended(chase: &Chase) -> Result<End, Diagnostic> {
     let mut steps = 0;
     match chase.end_seen::<f64>(&mut |_| steps += 1)? {
@@ -131,7 +135,7 @@ fn ended(chase: &Chase) -> Result<End, Diagnostic> {
     }
 }
 
-/// Whether double-double numbers tell the laws.
+/// True if the laws have values in double-double numbers.
 fn longer(chase: &Chase) -> Result<bool, Diagnostic> {
     let start = chase.start::<Dd>()?;
     Ok(start.d.iter().all(|x| x.is_decided()) && chase.target.at(start.t)?.iter().all(|j| j.is_decided()))
@@ -139,7 +143,7 @@ fn longer(chase: &Chase) -> Result<bool, Diagnostic> {
 
 type Line = [Ball<Dd>; 2];
 
-/// The way from pursuer to target at the instant.
+/// Returns the vector from pursuer to target at the instant.
 fn caught(problem: &Problem, chase: &Chase, m: &Motion, target: &str, end: Option<&End>, long: bool) -> Result<Line, Faults> {
     let now = problem.instant();
     if let Some(End::Meet { time, .. }) = end
@@ -165,10 +169,10 @@ fn at_instant<N: Real + Into<Dd>>(problem: &Problem, chase: &Chase) -> Result<Li
     Ok(state.enclosed())
 }
 
-/// The states of a pursuit at times in order, for figures.
+/// Returns the states of a pursuit at times in ascending order, for figures.
 ///
 /// # Errors
-/// As [`Chase::follow`].
+/// The same as for [`Chase::follow`].
 pub fn course(chase: &Chase, times: &[f64]) -> Result<Vec<pursuit::State<f64>>, Diagnostic> {
     let mut here = chase.start::<f64>()?;
     let mut out = Vec::new();
@@ -190,7 +194,7 @@ fn scalar<N: Certain>(x: N) -> Value {
 fn vector<N: Certain>(all: &[N]) -> Value {
     let zero = N::from_f64(0.0);
     let size = all.iter().fold(zero, |s, x| s + *x * *x);
-    // A root of what is zero but for rounding would lose half of the digits.
+    // The root of a value that is zero to rounding would lose half of the digits.
     let size = if all.iter().all(|x| x.approx() == 0.0 && x.radius() == 0.0) { zero } else { size.sqrt() };
     let parts: Option<Vec<Enclosure>> = all.iter().map(|x| x.enclosure()).collect();
     match (parts, size.enclosure()) {
@@ -199,7 +203,7 @@ fn vector<N: Certain>(all: &[N]) -> Value {
     }
 }
 
-/// What a meeting tells, from its time and place.
+/// Returns the answer from time and place of a meeting.
 fn meeting(problem: &Problem, k: usize, ends: &[(usize, End)], tell: impl Fn(Ball<Dd>, [Ball<Dd>; 2]) -> Value) -> Value {
     let m = &problem.motions[k];
     let target = problem.chase(m).map_or("", |c| c.1);
@@ -221,16 +225,17 @@ fn cross<N: Real>(a: [N; 2], b: [N; 2]) -> N {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// A pursuer at the instant.
+/// The state of a pursuer at the instant.
 struct Pursuer<N> {
-    /// The length of the line to the target, and its rate of turning.
+    /// The length of the line to the target, and its angular velocity.
     line: [N; 2],
-    /// Place, velocity, acceleration.
+    /// Place, velocity and acceleration.
     state: [[N; 2]; 3],
     speed: N,
 }
 
-/// What the way from pursuer to target tells at the instant: v along it, ω of it, a = v′ along it and vω square to it.
+/// Returns the quantities that follow from the vector from pursuer to target at the instant: v
+/// along it, its ω, and a = v′ along it and vω square to it.
 fn pursuer(problem: &Problem, k: usize, chases: &[(usize, Line)]) -> Result<Option<Pursuer<Ball<Dd>>>, Diagnostic> {
     type N = Ball<Dd>;
     let m = &problem.motions[k];
@@ -238,7 +243,7 @@ fn pursuer(problem: &Problem, k: usize, chases: &[(usize, Line)]) -> Result<Opti
         return Ok(None);
     };
     let t = problem.time.at(N::from_f64(0.0))?.number.0[0];
-    // Where the longer numbers do not tell the laws, f64 with its bound does.
+    // If the laws have no values in the longer numbers, f64 with its error bound is used.
     let short = |x: Ball<f64>| Ball::new(Dd::from_f64(x.middle()), x.radius());
     let [x, y] = chase.target.at(t)?;
     let [x, y] = if x.is_decided() && y.is_decided() {
@@ -273,7 +278,8 @@ fn of_chase(problem: &Problem, k: usize, chases: &[(usize, Line)], what: Asked) 
     })
 }
 
-/// What two points have to do with one another: by their laws in long numbers, beside a pursuer in those of its course.
+/// Returns a quantity of two points: from their laws in long numbers, or with a pursuer in the
+/// numbers of its course.
 fn between(problem: &Problem, two: [usize; 2], m: Mutual, chases: &[(usize, Line)]) -> Result<Value, Diagnostic> {
     let pursues = |k: usize| matches!(problem.motions[k].kind, Kind::Toward { .. });
     if two.into_iter().any(pursues) {
@@ -296,7 +302,7 @@ fn mutual_by_laws<N: Certain>(problem: &Problem, [a, b]: [usize; 2], m: Mutual) 
     Ok(mutual(a, b, m))
 }
 
-/// Place, velocity and acceleration of a point that moves in the plane by a law.
+/// Returns place, velocity and acceleration of a point that moves in the plane by a law.
 fn by_way<N: Real>(problem: &Problem, k: usize) -> Result<Option<[[N; 2]; 3]>, Diagnostic> {
     let Kind::Fixed(way) = &problem.motions[k].kind else { return Ok(None) };
     let [x, y] = way.at(problem.time.at(N::from_f64(0.0))?.number.0[0])?;
@@ -322,7 +328,8 @@ fn straight(point: &str) -> Diagnostic {
     Diagnostic::error("straight", both!("the path of {point} does not bend at the instant", "此瞬时 {point} 的轨迹不弯曲（ρ = ∞）"))
 }
 
-/// What laws alone tell: in `f64` with its bound, in longer numbers where that leaves too few digits.
+/// Returns an answer from laws alone: in `f64` with its error bound, or in longer numbers if that
+/// leaves too few digits.
 fn by_law(problem: &Problem, k: usize, what: Asked) -> Result<Value, Diagnostic> {
     let fine = within(BITS, || in_numbers::<Ball<Big>>(problem, k, what))?;
     match fine {
@@ -362,7 +369,7 @@ fn in_numbers<N: Certain>(problem: &Problem, k: usize, what: Asked) -> Result<Va
     })
 }
 
-/// |v|³ / |v × a|.
+/// Returns the radius of curvature |v|³ / |v × a|.
 fn curvature<N: Certain>(point: &str, v: &[N], a: &[N]) -> Value {
     let zero = N::from_f64(0.0);
     let at = |v: &[N], k: usize| v.get(k).copied().unwrap_or(zero);

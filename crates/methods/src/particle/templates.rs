@@ -1,19 +1,19 @@
-//! Templates of motions without a mechanism, whose parameters can be set.
+//! Templates of motions without a mechanism, with adjustable parameters.
 
 use hodograph_base::diag::Both;
 use hodograph_templates::MOTIONS;
 
-/// The names of all templates, in order.
+/// Returns the names of all templates, in order.
 pub fn names() -> impl Iterator<Item = &'static str> + Clone {
     MOTIONS.iter().map(|(name, _)| *name)
 }
 
-/// The text of a template; `None` for an unknown name.
+/// Returns the text of a template; `None` for an unknown name.
 pub fn get(name: &str) -> Option<&'static str> {
     MOTIONS.iter().find(|(n, _)| *n == name).map(|(_, text)| *text)
 }
 
-/// The title of a template.
+/// Returns the title of a template.
 pub fn title(name: &str) -> Both {
     get(name).and_then(|text| super::read(text).ok()).map(|p| p.value.title).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! A pursuit on the board: its course, integrated, and velocities and acceleration at the instant.
+//! A pursuit on the board: its integrated course, and velocities and acceleration at the instant.
 
 use super::super::ask::Asked;
 use super::super::law::jet;
@@ -12,17 +12,18 @@ use hodograph_base::number::Real;
 use hodograph_board::construct::scale::{choose_in, fitted};
 use hodograph_scene as scene;
 
-/// Room of the course (mm).
+/// The space for the course (mm).
 const COURSE_MM: [f64; 2] = [120.0, 75.0];
-/// Lines of sight.
+/// The number of lines of sight.
 pub const SIGHTS: usize = 8;
-/// Places between two of them.
+/// The number of places between two lines of sight.
 pub const FINE: usize = 12;
-/// Of the time to the meeting, so much is drawn: there the two stand on each other.
+/// The drawn fraction of the time to the meeting: at the meeting itself the two points coincide.
 const NEARLY: f64 = 1.0 - 1e-6;
-/// What a handful of operations may lose to rounding, relative: thirty-two units in the last place.
+/// The relative rounding error of a few operations: thirty-two units in the last place.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
-/// What drawing and analysis promise one another, relative: a reading that has lost more is none.
+/// The relative accuracy on which drawing and analysis agree: a reading with a larger error is
+/// discarded.
 const PROMISED: f64 = 1e-9;
 
 /// A pursuit from its start to its end.
@@ -37,7 +38,7 @@ impl Whole {
     fn of(chase: &Chase, now: f64) -> Result<Whole, Diagnostic> {
         let (until, meets) = match chase.end::<f64>() {
             Ok(End::Meet { time, .. }) => (time.approx(), true),
-            // Of a pursuit without an end so much as shows how it goes.
+            // For a pursuit without an end, a sufficient time to show the course.
             Ok(End::Apart { .. }) | Err(_) => {
                 let speed = jet(chase.speed, 0.0)?.0[0];
                 ((2.0 * now).max(8.0 * chase.start::<f64>()?.distance() / speed), false)
@@ -54,14 +55,15 @@ impl Whole {
         Ok(Whole { places, until, meets })
     }
 
-    /// That of a drawing at another instant.
+    /// Returns the course of a drawing at another instant.
     fn again(drawn: &Drawn) -> Option<Whole> {
         let Views::Chase { course, until, meets, .. } = &drawn.views else { return None };
         let places = course.iter().map(|pair| pair.map(|p| (p.to_vec2() * drawn.mu[0]).to_point())).collect();
         Some(Whole { places, until: *until, meets: *meets })
     }
 
-    /// m for a millimetre, with the two at the instant, round in a unit (m).
+    /// Returns the scale (m per mm) at which the course and the two points at the instant fit, a
+    /// round number in a unit (m).
     fn scale(&self, now: [Point; 2], unit: f64) -> f64 {
         let all = || self.places.iter().flatten().copied().chain(now);
         let most = |f: fn(Point) -> f64| all().map(f).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)]);
@@ -85,11 +87,11 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
     let Some(along) = (on_paper_b - on_paper_a).unit() else { return Ok(None) };
     let mu_v = fitted(&problem.paper, scene::Kind::Velocity, most(&[v_b, along * speed[0]]), ROOM_MM);
     let (tip_a, tip_b) = (along * (speed[0] / mu_v), v_b * (1.0 / mu_v));
-    // The perpendicular from b on the line of v_A.
+    // The perpendicular from b to the line of v_A.
     let foot = along * along.dot(tip_b);
     let across = tip_b - foot;
     let (arm, rate) = (on_paper_a.distance(on_paper_b), across.norm());
-    // The direction of the line is known to the rounding of the places.
+    // The direction of the line is as accurate as the rounding of the places.
     let blurred = (on_paper_a.to_vec2().norm() + on_paper_b.to_vec2().norm()) / arm;
     let lost = ROUNDING * tip_b.norm() * (1.0 + blurred);
     let seen = lost <= PROMISED * rate;
@@ -166,7 +168,8 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
         readings.push((Asked::LineOmega(k), vec![omega]));
         readings.push((Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]));
     }
-    // Of an acceleration along the line a turning that is not seen leaves the reading what it is.
+    // For an acceleration along the line, an invisible rotation of the line does not change the
+    // reading.
     let lost = tip_a.norm() * mu_v * (lost * mu_v / (arm * mu_l));
     if lost <= PROMISED * whole.norm() {
         readings.push((Asked::Acceleration(k), vec![acc.x, acc.y]));
@@ -185,7 +188,8 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
     Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, calculated: false, unread, views }))
 }
 
-/// What is said where the target moves along the line of sight but for less than the paper shows.
+/// Returns the note for a target that moves along the line of sight, or deviates from it by less
+/// than the paper shows.
 fn nearly_straight(point: &str, target: &str) -> Diagnostic {
     let message = both!(
         "`{target}` moves along the line {point}{target}, or nearly so: the drawing does not show how that line turns; ω and what rests on it are those of the analysis alone",
