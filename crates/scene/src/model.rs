@@ -55,10 +55,9 @@ impl Localized {
 pub struct Given<T = f64> {
     /// SI value.
     pub value: T,
-    /// Bound on the difference between the value and the written text, as few decimals are an exact
-    /// `f64` (of an angle: in the unit of `value`).
+    /// Bound on the error of `value`: few decimals are an exact `f64` (of an angle: in its unit).
     pub radius: f64,
-    /// The text as written (`"100 mm"`, `"2*r"`), for the list of data and for exact arithmetic.
+    /// Text as written (`"100 mm"`, `"2*r"`), for the data list and exact arithmetic.
     pub text: String,
     /// Place in the file.
     pub span: Span,
@@ -121,8 +120,8 @@ pub struct Link {
 /// constraints). At least one of the two is given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guide {
-    /// The point that runs in the guide; with `slider`, a point of that link. A bare pin that runs
-    /// in two guides may be on no link.
+    /// The point that runs in the guide, with `slider` a point of that link; a bare pin in two
+    /// guides may be on no link.
     pub pin: Option<PointId>,
     /// The numbered slider.
     pub slider: Option<LinkId>,
@@ -130,8 +129,8 @@ pub struct Guide {
     pub on: LinkId,
     /// Shape of the guide.
     pub path: GuidePath,
-    /// Bearing length of the slider (m), half of it on either side of the point from which the
-    /// position of the guide force is measured.
+    /// Bearing length of the slider (m), symmetric about the point from which the place of the
+    /// guide force is measured.
     pub length: Option<Given>,
     /// The rolling pair that needs this guide for its second centre, unless the guide is one of the
     /// file: it keeps the two links in touch. The guide of a toothed pair only constrains what no
@@ -150,8 +149,7 @@ pub enum GuidePath {
         through: Through,
         /// Its direction, also the positive sense of sliding.
         direction: Direction,
-        /// Distance (m) of the line from its parallel through `through`, positive to the left when
-        /// looking along the direction.
+        /// Distance (m) from the parallel through `through`, positive to the left of the direction.
         offset: Option<Given>,
     },
     /// A slot along a circle about a point of the carrying link.
@@ -166,8 +164,7 @@ pub enum GuidePath {
 /// The point that fixes a straight guide (before its offset).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Through {
-    /// The running pin itself, at its place at the instant; without a pin, the position of the line
-    /// has no effect.
+    /// The running pin itself, at its place at the instant; without a pin, any line.
     Pin,
     /// A point of the carrying link.
     Point(PointId),
@@ -180,8 +177,7 @@ pub enum Through {
 pub enum Direction {
     /// Angle from the x axis at the instant.
     Instant(Given<Angle>),
-    /// From the first point toward the second, both on the carrying link, turned by the angle if
-    /// one is given.
+    /// From the first point toward the second, on the carrying link, turned by the angle if given.
     Along(PointId, PointId, Option<Given<Angle>>),
     /// Not given: no other data fix the direction of the carrying link, so the guide *is* the
     /// link's direction (a lever known by its pivot and its slot only).
@@ -200,8 +196,7 @@ pub struct Driver {
     pub rate: Given,
     /// Time derivative of the rate; `None`: the rate is constant.
     pub acceleration: Option<Given>,
-    /// True if the scene gives the rate; where only the pose is read, a missing rate may count as
-    /// one unit.
+    /// True if the scene gives the rate; for reading a pose, a missing rate may count as one unit.
     pub rate_told: bool,
     /// The law of time for its position; rate and acceleration at the instant follow from it.
     pub law: Option<TimeLaw>,
@@ -229,8 +224,8 @@ pub enum DriverKind {
         against: LinkId,
         /// The line of the driven link whose angle is given; default: its first two points.
         line: Option<(PointId, PointId)>,
-        /// The line of `against` from which the angle is measured; default: the x axis for ground,
-        /// else its first two points.
+        /// The line of `against` from which the angle is measured; default: x axis, or first two
+        /// points.
         against_line: Option<(PointId, PointId)>,
         /// The angle (rad); absent if coordinates give the pose.
         angle: Option<Given<Angle>>,
@@ -250,8 +245,8 @@ pub enum DriverKind {
         b: PointId,
         /// Their distance (m); absent if coordinates give the pose.
         length: Option<Given>,
-        /// Numbers of barrel and rod, if they have numbers: links that turn with the line a–b and
-        /// carry no further points.
+        /// Numbers of barrel and rod, if any: links that turn with the line a–b without further
+        /// points.
         links: Vec<LinkId>,
     },
 }
@@ -332,8 +327,8 @@ pub struct Seen {
 pub struct Attempted {
     /// The mistake.
     pub mistake: Mistake,
-    /// The point at which it is made, where several are possible: a pin in a slot, a contact, a
-    /// point found by the velocity or acceleration image.
+    /// The point of the mistake, where several are possible: a pin in a slot, a contact, a point
+    /// found by image.
     pub pair: Option<String>,
     /// The link for which it is made.
     pub link: Option<LinkId>,
@@ -359,8 +354,7 @@ pub struct Paper {
 }
 
 impl Paper {
-    /// Returns the scale of a kind (SI per mm): the fixed one, or the one that `choose` finds round
-    /// in a unit (SI).
+    /// Returns the scale of a kind (SI per mm): the fixed one, or a round one from `choose`.
     pub fn scale(&self, kind: Kind, choose: impl FnOnce(f64) -> f64) -> f64 {
         self.scales.get(kind).unwrap_or_else(|| choose(self.unit(kind)))
     }
@@ -419,8 +413,7 @@ pub struct Scene {
     pub length_unit: &'static Unit,
     /// The units of printed answers, scales and tables.
     pub book: Book,
-    /// The file of a scene with cams or loads, for reading it again at other positions and with
-    /// other parameters.
+    /// The file of a scene with cams or loads, to be read again at other positions and parameters.
     pub source: Option<Source>,
 }
 
