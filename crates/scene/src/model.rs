@@ -120,8 +120,7 @@ pub struct Link {
 /// constraints). At least one of the two is given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guide {
-    /// The point that runs in the guide, with `slider` a point of that link; a bare pin in two
-    /// guides may be on no link.
+    /// The running point (of the `slider`); a bare pin that runs in two guides may be on no link.
     pub pin: Option<PointId>,
     /// The numbered slider.
     pub slider: Option<LinkId>,
@@ -129,8 +128,7 @@ pub struct Guide {
     pub on: LinkId,
     /// Shape of the guide.
     pub path: GuidePath,
-    /// Bearing length of the slider (m), symmetric about the point from which the place of the
-    /// guide force is measured.
+    /// Bearing length of the slider (m), centred on the reference point of the guide force.
     pub length: Option<Given>,
     /// The rolling pair that needs this guide for its second centre, unless the guide is one of the
     /// file: it keeps the two links in touch. The guide of a toothed pair only constrains what no
@@ -224,8 +222,7 @@ pub enum DriverKind {
         against: LinkId,
         /// The line of the driven link whose angle is given; default: its first two points.
         line: Option<(PointId, PointId)>,
-        /// The line of `against` from which the angle is measured; default: x axis, or first two
-        /// points.
+        /// Zero line of the angle on `against`; default: x axis, or its first two points.
         against_line: Option<(PointId, PointId)>,
         /// The angle (rad); absent if coordinates give the pose.
         angle: Option<Given<Angle>>,
@@ -327,8 +324,8 @@ pub struct Seen {
 pub struct Attempted {
     /// The mistake.
     pub mistake: Mistake,
-    /// The point of the mistake, where several are possible: a pin in a slot, a contact, a point
-    /// found by image.
+    /// The point of the mistake, if several are possible: a pin in a slot, a contact, an image
+    /// point.
     pub pair: Option<String>,
     /// The link for which it is made.
     pub link: Option<LinkId>,
