@@ -233,8 +233,7 @@ impl One<'_> {
                     face.angle = Some(RawQuantity { text: format!("({})+90 deg", guide.text), span: self.raw.span, bare: false });
                     face.left = Some(face.left.unwrap_or(true));
                 }
-                // The positive sense of the guide is the rise, unless the scene gives the cam's
-                // side.
+                // The positive sense of the guide is the rise, unless the scene has the cam's side.
                 Some(q) if face.left.is_none() => {
                     let u = Vec2::from_angle(self.told(q, Wanted::Angle, faults)?.value);
                     face.left = Some(u.perp().dot(Vec2::from_angle(guide.value)) < 0.0);
