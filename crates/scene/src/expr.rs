@@ -1,8 +1,8 @@
 //! Expressions: parsing to a tree that keeps every number literal as written. [`super::eval`]
 //! computes their values.
 //!
-//! The tree is public because the precision ladder evaluates it again with more digits. Places in the tree are byte
-//! offsets into the expression's own text.
+//! The tree is public because the precision ladder evaluates it again with more digits. Places in
+//! the tree are byte offsets into the expression's own text.
 
 use super::units::{Unit, unit_named};
 use hodograph_base::diag::{Both, Diagnostic, Span, both};
@@ -49,7 +49,7 @@ pub enum ExprKind {
     Number(String),
     /// The ratio of a circle's circumference to its diameter.
     Pi,
-    /// One of a unit.
+    /// A unit, with the value one.
     Unit(&'static Unit),
     /// A parameter, by name.
     Parameter(String),
@@ -146,7 +146,7 @@ pub fn is_name(text: &str) -> bool {
 /// Checks the limits of written expressions.
 ///
 /// # Errors
-/// A diagnostic whose span counts from the beginning of `text`: too long, or parentheses too deep.
+/// A diagnostic with its span from the beginning of `text`: too long, or parentheses too deep.
 pub fn bounded(text: &str) -> Result<(), Diagnostic> {
     within(text, MAX_LENGTH, MAX_PARENTHESES)
 }
@@ -180,7 +180,8 @@ fn within(text: &str, length: usize, parentheses: usize) -> Result<(), Diagnosti
 /// names besides units.
 ///
 /// # Errors
-/// A diagnostic whose span counts from the beginning of `text`: too long, too deep, not an expression, an unknown name.
+/// A diagnostic with its span from the beginning of `text`: too long, too deep, not an expression,
+/// an unknown name.
 pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
     within(text, MAX_MADE_LENGTH, MAX_MADE_PARENTHESES)?;
     let tree = read::whole(text, parameters)?;

@@ -62,7 +62,7 @@ impl<N: Real> Folded<N> {
     /// Returns value, rate and second derivative (SI) at a time (s); an angle keeps its degrees.
     ///
     /// # Errors
-    /// A place without a value, or without a derivative.
+    /// A time at which the law has no value or no derivative.
     pub fn at(&self, t: N) -> Result<Value<Jet<N>>, Diagnostic> {
         let time = Value { number: Jet::variable(t), dim: Dim::TIME, degrees: false };
         let value = valued(&self.expr, &|wanted| if wanted == TIME { Some(time) } else { find(&self.known, wanted) })?;

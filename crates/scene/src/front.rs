@@ -141,7 +141,7 @@ impl Curve {
     /// Returns its value.
     ///
     /// # Errors
-    /// A place at which the expression has no value, or a value that is not a pure number.
+    /// An argument without a value, or a value that is not a pure number.
     pub fn at(&self, x: f64) -> Result<f64, Diagnostic> {
         let dim = if self.angle.is_some() { Dim::ANGLE } else { Dim::NUMBER };
         let variable = Value { number: x, dim, degrees: self.angle.unwrap_or(false) };
@@ -210,7 +210,7 @@ impl Law {
     /// For many evaluations use [`Law::folded`] once.
     ///
     /// # Errors
-    /// A place without a value, or without a derivative.
+    /// A time at which the law has no value or no derivative.
     pub fn at<N: Real>(&self, t: N) -> Result<Value<Jet<N>>, Diagnostic> {
         self.folded()?.at(t)
     }

@@ -108,7 +108,8 @@ pub fn begins_a_question(text: &str) -> bool {
 /// Reads a scene file: JSON in UTF-8, in the format that `docs/scene.md` describes.
 ///
 /// # Errors
-/// All faults of the file in one list, each with its place as byte offsets into `source`; warnings are among them.
+/// All faults of the file in one list, each with its place as byte offsets into `source`; the list
+/// includes warnings.
 ///
 /// ```
 /// let scene = hodograph_scene::read(r#"{

@@ -41,7 +41,7 @@ pub struct Localized {
 }
 
 impl Localized {
-    /// The text in one language.
+    /// Returns the text in one language.
     pub fn get(&self, lang: Lang) -> &str {
         match lang {
             Lang::En => &self.en,
@@ -83,7 +83,7 @@ pub enum Place {
     Unknown,
     /// Coordinates in the fixed plane at the instant (m): a fixed pivot, or part of the pose.
     At([Given; 2]),
-    /// Coordinates (m) in the link that carries `base`: origin in `base.0`, x toward `base.1`, y to the left.
+    /// Coordinates (m) in the link that carries `base`: origin `base.0`, x toward `base.1`, y left.
     InLink {
         /// Two points of the link.
         base: (PointId, PointId),

@@ -12,7 +12,7 @@ use serde_json::Value;
 pub struct Reading {
     /// Its name; empty for the file itself.
     pub name: String,
-    /// The whole scene.
+    /// The text of the whole scene.
     pub text: String,
 }
 

@@ -21,12 +21,12 @@ pub struct Dim {
 }
 
 impl Dim {
-    /// A pure number.
+    /// The dimension of a pure number.
     pub const NUMBER: Dim = Dim::new(0, 0, 0);
-    /// An angle.
+    /// The dimension of an angle.
     pub const ANGLE: Dim = Dim::new(0, 0, 1);
 
-    /// A time.
+    /// The dimension of a time.
     pub const TIME: Dim = Dim::new(0, 1, 0);
 
     const fn new(length: i8, time: i8, angle: i8) -> Dim {

@@ -1,4 +1,5 @@
-//! Quantities of the scene: parameters in order, the `units` table, and every number to SI with its dimension checked.
+//! Quantities of the scene: parameters in order, the `units` table, and conversion of every number
+//! to SI units with a check of its dimension.
 
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};

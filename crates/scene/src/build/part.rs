@@ -1,4 +1,5 @@
-//! Entries of a scene with several members: drivers, guides, gears, wheels. A method for each member, named as in the file.
+//! Entries of a scene with several members: drivers, guides, gears, wheels. Each member has a
+//! method with the name that it has in the file.
 
 use super::amount::{Acceleration, Angle, AngularAcceleration, AngularVelocity, Length, Velocity};
 use serde_json::{Map, Value, json};

@@ -14,7 +14,8 @@
 //! parameters in addition to those of the file (`cam1_x`, `cam1_s`, ...).
 //!
 //! # Source
-//! The path of a point in a turning frame: 孙桓, *Machine Theory*, 反转法; the support function of a convex curve: h + h″ is its radius of curvature.
+//! The path of a point in a turning frame: 孙桓, *Machine Theory*, 反转法; the support function of a
+//! convex curve: h + h″ is its radius of curvature.
 
 use super::super::model::{Given, LinkId, PointId, Scene};
 use super::super::raw::{RawDriver, RawDriverKind, RawPlace, RawQuantity};

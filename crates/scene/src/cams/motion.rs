@@ -134,8 +134,9 @@ impl Scene {
         own.map(of).collect()
     }
 
-    /// The scene whose followers that drivers stand for are where double precision has put them within the bounds of its errors, on every rung of the
-    /// ladder; `None` where there are none.
+    /// Returns the scene with error bounds on the followers that are drivers: their place, rate and
+    /// acceleration are double-precision values with these bounds at every precision of the ladder;
+    /// `None` without such followers.
     pub fn bounded(&self) -> Option<Scene> {
         let standing = self.standing(&|_| None);
         let on_courses = self.courses().map(|(_, k, course)| (k, course.0.off(&standing)));

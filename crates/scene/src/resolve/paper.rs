@@ -28,7 +28,7 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
             faults.push(Diagnostic::error("not-positive", both!("`{key}` must be greater than zero", "`{key}` 应大于零")).at(q.span));
             return None;
         }
-        // The value counts per metre of paper.
+        // The value is per metre of paper.
         Some((kind, given.value / 1000.0))
     };
     let scales = [

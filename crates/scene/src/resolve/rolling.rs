@@ -1,4 +1,5 @@
-//! The sections `gears` and `rolling`: rolling pairs, the guides that keep them in touch, and the distances of their centres.
+//! The sections `gears` and `rolling`: rolling pairs, their guides, and the distances of their
+//! centres.
 
 use super::super::rolling::{Contours, Flanks, Rolling, RollingId, RollingKind, Sizes};
 use super::*;

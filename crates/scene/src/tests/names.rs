@@ -4,7 +4,8 @@ use super::*;
 
 #[test]
 fn names_that_overlap() {
-    // With O and O2 declared, O2 is the point; the point of link 2 at O has to be written with its partner or a comma.
+    // With O and O2 declared, O2 is the point; the point of link 2 at O needs its partner or a
+    // comma.
     let scene = |find: &str| {
         format!(
             r#"{{"links": {{"1": ["O", "O2"], "2": ["O2", "AB", "A"], "4": ["O", "B", "BB"]}}, "ground": "4",
