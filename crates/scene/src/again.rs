@@ -47,9 +47,9 @@ impl Scene {
     ///
     /// # Errors
     /// Those of reading; `no-source` for a scene without cams or loads, for one that was not read
-    /// from a file, and for one with a cam behind wheels whose angle is not known.
+    /// from a file, and for one with a cam driven through wheels at an unknown angle.
     pub fn read_again(&self, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Scene, Faults> {
-        // The file gives the angle of a cam behind wheels at the instant.
+        // The file gives the angle of a cam driven through wheels at the instant.
         let angle = |cam: &RawCam| {
             let own = |c: &&Cam| self.link_name(c.cam) == cam.cam.text && self.link_name(c.follower) == cam.follower.text;
             let turning = self.cams.iter().find(own)?.disc.as_ref()?;

@@ -339,8 +339,7 @@ fn written(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<St
     let text = word(node, what, faults)?.text;
     let Err(d) = expr::bounded(&text) else { return Some(text) };
     let Span { start, end } = node.span;
-    // Places count from behind the quotation mark; a string with escapes has no such
-    // correspondence.
+    // Places count from after the quotation mark; a string with escapes has no such correspondence.
     let inner = d.span.filter(|_| end - start == text.len() + 2).map(|s| Span::new(start + 1 + s.start, start + 1 + s.end));
     faults.push(d.at(inner.unwrap_or(node.span)));
     None

@@ -212,8 +212,8 @@ pub fn is_bare(expr: &Expr) -> bool {
     }
 }
 
-/// Returns the correct form of a quotient whose divisor has the unit: `sqrt(3)/2 m` means
-/// sqrt(3)/(2 m). Returns `None` for other expressions.
+/// Returns a quotient with the unit outside, if the unit binds to the divisor: `(k/2) m` for
+/// `k/2 m`, which is k/(2 m). Returns `None` for other expressions.
 pub(super) fn unit_in_divisor(text: &str, expr: &Expr) -> Option<String> {
     let ExprKind::Binary(Op::Div, _, divisor) = &expr.kind else { return None };
     let ExprKind::Binary(Op::Mul, value, unit) = &divisor.kind else { return None };

@@ -121,7 +121,7 @@ pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     read_with(source.as_ref(), None)
 }
 
-/// First place that counts in the questions of [`read_asking`] instead of in the file; no file is
+/// First place in the questions of [`read_asking`]; smaller places are in the file, which is never
 /// that long.
 const ASKED: usize = usize::MAX / 2;
 
@@ -155,7 +155,7 @@ pub fn language_of(source: &[u8]) -> Option<Lang> {
     decode::language_of(&root)
 }
 
-/// Reads the links and pairs for a count of freedoms: a driver, its rate, the direction of a guide
+/// Reads the links and pairs for a mobility count: a driver, its rate, the direction of a guide
 /// or any length may be missing.
 ///
 /// # Errors

@@ -94,7 +94,7 @@ pub enum Contours {
         /// centres.
         guide: Option<GuideId>,
     },
-    /// The first link is straight; the wheel lies to the left of the contact line.
+    /// The first link is straight; the wheel is to the left of the contact line.
     Track {
         /// The wheel's centre.
         centre: PointId,
@@ -181,8 +181,8 @@ pub enum Sizes {
 }
 
 impl RollingKind {
-    /// True if the pair counts as a lower pair, which removes two freedoms; a higher pair removes
-    /// one.
+    /// True if the pair counts as a lower pair, which removes two degrees of freedom; a higher pair
+    /// removes one.
     pub fn is_lower(self) -> bool {
         match self {
             RollingKind::Wheel => true,
@@ -206,8 +206,8 @@ impl RollingKind {
         }
     }
 
-    /// True if the pair does not itself keep the distance of its links, as other pairs do. Teeth,
-    /// which touch on both sides, keep it only where no other pair does.
+    /// True if another pair keeps the distance of the links. Teeth, which touch on both sides, keep
+    /// it themselves only where no other pair does.
     pub fn leaves_distance(self) -> bool {
         match self {
             RollingKind::Gears | RollingKind::Rope => true,

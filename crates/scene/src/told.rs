@@ -55,7 +55,7 @@ impl Scene {
     }
 
     /// Returns a length for messages with four significant digits, in the unit of the book, else in
-    /// that of the scene. Lengths in millimetres are given in metres from 10 m on.
+    /// that of the scene; if that is millimetres, lengths from 10 m on are in metres.
     pub fn length_words(&self, value_m: f64) -> String {
         if let Some(unit) = self.book.chosen(Kind::Length) {
             return unit.text(&hodograph_base::digits::significant(unit.of(value_m), 4));

@@ -21,7 +21,7 @@ pub fn write(value: &Value) -> String {
     out
 }
 
-/// Writes a value at an indentation, behind `before` columns of its line.
+/// Writes a value at an indentation, after `before` columns of its line.
 fn laid_out(value: &Value, indent: usize, before: usize, out: &mut String) {
     let line = in_line(value);
     let entries: Vec<(Option<&String>, &Value)> = match value {

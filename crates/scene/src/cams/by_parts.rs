@@ -1,4 +1,4 @@
-//! A profile of arcs and lines: checks its parts, finds the piece of contact, writes the pair of
+//! A profile of arcs and lines: checks its parts, finds the piece in contact, writes the pair of
 //! that piece and selects the assembly.
 
 use super::super::model::*;

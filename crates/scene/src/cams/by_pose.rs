@@ -1,4 +1,4 @@
-//! The piece of contact where different links carry cam and follower: the coordinates of the pose
+//! The piece in contact where different links carry cam and follower: the coordinates of the pose
 //! determine it.
 //!
 //! On one carrying link the piece follows from the angle of the cam ([`super::by_parts`]). On
@@ -22,7 +22,7 @@ use hodograph_base::geom::Vec2;
 use hodograph_base::json::Word;
 
 /// A follower at a greater distance from its piece, as a fraction of the cam's size, does not touch
-/// it; smaller distances are judged with the other pins in guides.
+/// it; smaller distances are checked with those of pins from their guides.
 const OFF: f64 = 1e-6;
 
 /// A profile of several pieces placed by the pose.
@@ -38,7 +38,7 @@ pub(super) struct Posed {
 }
 
 impl One<'_> {
-    /// Returns the pieces in the frame of the cam's first two points, and the piece of contact in
+    /// Returns the pieces in the frame of the cam's first two points, and the piece in contact in
     /// the pose.
     pub(super) fn by_pose(
         &self,

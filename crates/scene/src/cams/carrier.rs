@@ -202,7 +202,7 @@ impl One<'_> {
         if p == *second {
             return Some([d, zero()]);
         }
-        // For a base in the opposite sense, both coordinates change sign.
+        // A base in the opposite sense turns both axes by 180°.
         let from_base = |base: (PointId, PointId), [x, y]: [String; 2]| match base {
             (a, b) if (a, b) == (*first, *second) => Some([x, y]),
             (a, b) if (a, b) == (*second, *first) => Some([format!("({d})-({x})"), format!("-({y})")]),

@@ -19,7 +19,7 @@ pub struct Led {
     /// The coordinate of the driver that replaces the contact, and its first two time derivatives
     /// (SI).
     pub place: [f64; 3],
-    /// Index of the piece of contact.
+    /// Index of the piece in contact.
     pub piece: usize,
 }
 
@@ -67,8 +67,8 @@ impl PartialEq for Course {
 
 impl Cam {
     /// Returns the point of contact of a follower with a round end and the outward unit normal of
-    /// the cam, if a driver replaces the contact; `None` for a flat face, whose direction only its
-    /// pair has.
+    /// the cam, if a driver replaces the contact; `None` for a flat face, because only a pair gives
+    /// its direction.
     pub fn touched_on_course<N: Real>(&self, scene: &Scene, place: &dyn Fn(PointId) -> Option<Point<N>>) -> Option<(Point<N>, Vec2<N>)> {
         let pieces = self.posed.as_ref().filter(|_| self.is_on_course())?;
         let (end, radius) = (place(self.follows.point())?, self.end_in(scene)?);
@@ -78,7 +78,7 @@ impl Cam {
 }
 
 impl Pieces {
-    /// Returns the outward normal of the piece of contact at a place.
+    /// Returns the outward normal of the piece in contact at a place.
     fn normal<N: Real>(&self, scene: &Scene, place: &dyn Fn(PointId) -> Option<Point<N>>, at: Point<N>) -> Option<Vec2<N>> {
         let [from, to] = self.frame;
         let origin = place(from)?;

@@ -9,7 +9,7 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::json::fields::{Fields, suggest, word, wrong};
 use hodograph_base::json::{Kind, Node, Word};
 
-/// Decodes one cam; a count of freedoms needs neither profile nor radius. Returns `None` if a
+/// Decodes one cam; a mobility count needs neither profile nor radius. Returns `None` if a
 /// member could not be read, so that the remaining members are not judged alone.
 pub(crate) fn cam(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawCam> {
     let before = faults.list.len();

@@ -55,7 +55,7 @@ fn of_the_pose(code: &str) -> bool {
 }
 
 /// Writes the pairs of all cams. `bare` is the scene without them; `on` (cam, piece) overrides the
-/// piece of contact of the pose.
+/// piece in contact in the pose.
 pub(crate) fn expand(raw: RawScene, source: &str, bare: &Scene, on: Option<(usize, usize)>, faults: &mut Faults) -> Expanded {
     let parameters = raw.parameters.clone();
     let (values, _) = Values::new(source, &raw.units, &parameters, &mut Faults::default());
@@ -76,7 +76,7 @@ pub(super) struct One<'a> {
     pub names: Names<'a>,
     pub raw: &'a RawCam,
     pub name: String,
-    /// The piece of contact that overrides that of the pose.
+    /// The piece in contact, overriding that of the pose.
     pub on: Option<usize>,
 }
 
@@ -187,7 +187,7 @@ impl One<'_> {
         };
         match (told, before) {
             (Some(()), _) => {}
-            // If the pose does not determine the contact, its existence is enough for a count.
+            // A mobility count needs no more than the existence of the contact.
             (None, Some(before)) if faults.list[known..].iter().all(|d| of_the_pose(d.code)) => {
                 faults.list.truncate(known);
                 *raw = before;
@@ -354,7 +354,7 @@ impl One<'_> {
         Some((geometry, touch, arm))
     }
 
-    /// Reports a missing piece of contact; `why` is the reason on the carrying link, if known.
+    /// Reports that the piece in contact is unknown; `why` is the fault on the carrying link.
     pub(super) fn no_pose<T>(&self, why: Option<&Lacking>, faults: &mut Faults) -> Option<T> {
         let why = why.map_or(Both::default(), |l| both!(": {}", "：{}", l.what));
         let d = Diagnostic::error(

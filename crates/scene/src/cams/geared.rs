@@ -157,8 +157,8 @@ impl One<'_> {
         by_phase.or_else(|| centre().then(|| Told { value: 0.0, text: "0 deg".into() }))
     }
 
-    /// Returns the angle of the other wheel from the line of centres, as the position of wheels
-    /// counts it: with whole turns if its own driver gives it, else within half a turn.
+    /// Returns the angle of the other wheel from the line of centres, in the convention for
+    /// positions of wheels: with whole turns if its own driver gives it, else within half a turn.
     fn against_line(&self, mesh: &Mesh, frame: LinkId, turned: &Turned, beyond: &mut Vec<LinkId>) -> Option<Told> {
         let stands = self.stands(mesh.other, frame, turned, beyond)?;
         // A train's driver without an angle begins at 0.
@@ -174,8 +174,8 @@ impl One<'_> {
         })
     }
 
-    /// Adds the data of a cam behind wheels to the scene: the angle of the cam becomes the phase of
-    /// the next pair. Returns `None` after a reported fault.
+    /// Adds the data of a cam driven through wheels to the scene: the angle of the cam becomes the
+    /// phase of the next pair. Returns `None` after a reported fault.
     pub(super) fn behind_wheels(&self, raw: &mut RawScene, cam: LinkId, on: Option<&OnPivot>, faults: &mut Faults) -> Option<()> {
         let frame = on.map_or(self.bare.ground, |on| on.frame);
         if let Some(on) = on.filter(|_| self.turned_by(cam, frame).is_none()) {
@@ -214,7 +214,7 @@ impl One<'_> {
     }
 
     /// Gives the angle 0 to a driver whose wheel has only its centre, so that other positions of
-    /// the cam behind it are defined.
+    /// the cam that it drives through wheels are defined.
     fn begun(&self, raw: &mut RawScene, driver: usize) {
         if let Some(RawDriverKind::Turn { angle: angle @ None, .. }) = raw.drivers.get_mut(driver).map(|d| &mut d.kind) {
             *angle = Some(RawQuantity { text: "0 deg".into(), span: self.raw.span, bare: false });

@@ -64,7 +64,7 @@ fn slid(raw: &mut RawScene, index: usize) {
     let pin = guide.pin.clone().unwrap_or_else(|| Word { text: fresh(raw, &["F"]), span });
     let guide = &mut raw.guides[i];
     let grounded = guide.on.as_ref().is_none_or(|on| raw.ground.as_ref().is_some_and(|g| g.text == on.text));
-    // A bare number has the unit of the scene's angles, which a sum with degrees would change.
+    // A bare number has the unit of the scene's angles, which a sum with degrees would lose.
     let unit = raw.units.iter().find(|(key, _)| key.text == "angle").map_or("", |(_, unit)| unit.text.as_str());
     let square = guide.angle.as_ref().map(|q| {
         let text = if q.bare { format!("({} {unit})+90 deg", q.text) } else { format!("({})+90 deg", q.text) };

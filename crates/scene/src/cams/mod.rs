@@ -10,7 +10,7 @@
 //!   s′α.
 //!
 //! The replacement gives the right velocity and acceleration at the instant, and is exact along
-//! circles and lines. For a profile of several pieces, the piece of contact in the pose is
+//! circles and lines. For a profile of several pieces, the piece in contact in the pose is
 //! replaced; at a joint of two pieces, the next one in the driver's sense.
 //!
 //! [`decode`] reads the section, [`marked`] adds implied data, [`carrier`] and [`place`] locate cam
@@ -53,7 +53,8 @@ pub enum Follows {
     Edge(PointId),
     /// A roller 滚子 about a point of the follower, with its radius (m).
     Roller(PointId, f64),
-    /// A round end (mushroom) 曲面: the centre of its arc, a point of the follower, and its radius (m).
+    /// A round end (mushroom) 曲面: the centre of its arc, a point of the follower, and its radius
+    /// (m).
     Arc(PointId, f64),
     /// A flat face 平底 through a point of the follower, or parallel to the line through it.
     Face(PointId),
@@ -139,7 +140,7 @@ impl Cam {
         self.circle.map(|c| c.1).or_else(|| self.disc.as_ref().and_then(of_disc)).or_else(several)
     }
 
-    /// Returns the piece of contact in the pose; `None` for a law.
+    /// Returns the piece in contact in the pose; `None` for a law.
     fn touched(&self) -> Option<usize> {
         let of_disc = || self.disc.as_ref().and_then(|t| t.touched);
         self.circle.map(|_| 0).or_else(of_disc).or_else(|| self.posed.as_ref().map(|p| p.touched))
@@ -163,7 +164,7 @@ pub struct Pieces {
     pub segments: Vec<Segment>,
     /// The texts of their numbers, if each has one.
     pub texts: Option<MotionTexts>,
-    /// Index of the piece of contact in the pose.
+    /// Index of the piece in contact in the pose.
     pub touched: usize,
     /// The scene with each of the other pieces in contact, if that is possible.
     pub others: Vec<(usize, Scene)>,
@@ -172,7 +173,7 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// Returns the scene whose contact is on a piece; `None` for the piece of contact in the pose,
+    /// Returns the scene whose contact is on a piece; `None` for the piece in contact in the pose,
     /// and for a piece that cannot be touched.
     pub fn on(&self, piece: usize) -> Option<&Scene> {
         self.others.iter().find(|(k, _)| *k == piece).map(|(_, scene)| scene)
@@ -197,8 +198,8 @@ pub struct Turning {
     /// Ratio of the cam's rotation in the carrying link to the driver's: +1; −1 where the driver
     /// turns the carrying link about the cam; the gear ratio of a train of wheels.
     pub way: f64,
-    /// Angle of the cam in the carrying link (rad) at driver position 0; it is 0 except behind
-    /// wheels.
+    /// Angle of the cam in the carrying link (rad) at driver position 0; it is 0 unless wheels
+    /// drive the cam.
     pub from: f64,
     /// For a law: the driver that replaces the contact.
     pub by_law: Option<usize>,
@@ -208,7 +209,7 @@ pub struct Turning {
     pub origin: f64,
     /// +1 if this coordinate grows with that of [`Disc`], −1 otherwise.
     pub outward: f64,
-    /// Index of the piece of contact, if a pair replaces the contact.
+    /// Index of the piece in contact, if a pair replaces the contact.
     pub touched: Option<usize>,
     /// On a moving carrier: the place of a point of the follower in the pose, in the carrier's
     /// axes; it selects the assembly.
@@ -220,8 +221,8 @@ pub struct Turning {
 }
 
 impl Turning {
-    /// Returns true if the cam's angle is that of its driver or its negative; behind gears, a belt
-    /// or a chain it is a multiple of it plus a constant.
+    /// Returns true if the cam's angle is that of its driver or its negative; if gears, a belt or a
+    /// chain drive the cam, its angle is a multiple of the driver's plus a constant.
     pub fn is_drivers_own(&self) -> bool {
         self.way.abs() == 1.0 && self.from == 0.0
     }

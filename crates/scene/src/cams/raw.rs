@@ -43,7 +43,7 @@ impl RawFollows {
         }
     }
 
-    /// True for a round end without a radius, which a count of freedoms does not need.
+    /// True for a round end without a radius, which a mobility count does not need.
     pub fn lacks_radius(&self) -> bool {
         match self {
             RawFollows::Roller { radius, .. } | RawFollows::Arc { radius, .. } => radius.is_none(),
@@ -90,7 +90,7 @@ pub(crate) enum RawProfile {
         clockwise: bool,
         stages: Vec<RawStage>,
     },
-    /// Not given, for a count of freedoms.
+    /// Not given, for a mobility count.
     Untold,
 }
 

@@ -1,8 +1,8 @@
 //! Rollers that are links of the file.
 //!
-//! Books number the roller, count it with its local freedom 局部自由度, and then solve the mechanism
-//! with the roller fixed to the follower. Accordingly, the roller is a link where pairs are
-//! counted; otherwise it is not, and its angular velocity is that of rolling on the cam.
+//! Books number the roller, count it with its local degree of freedom 局部自由度, and then solve the
+//! mechanism with the roller fixed to the follower. Accordingly, the roller is a link in a mobility
+//! count; otherwise it is not, and its angular velocity is that of rolling on the cam.
 
 use super::super::raw::{Extent, RawDriverKind, RawLink, RawScene};
 use super::marked::named;
@@ -32,7 +32,7 @@ fn is_used(raw: &RawScene, link: &str) -> bool {
         })
 }
 
-/// Returns the scene with the rollers as links where pairs are counted. Otherwise the rollers are
+/// Returns the scene with the rollers as links for a mobility count. Otherwise the rollers are
 /// removed, each cam has the name of its roller, and questions for their angular velocities become
 /// questions for rollers.
 pub(crate) fn settled(raw: &RawScene, faults: &mut Faults) -> RawScene {

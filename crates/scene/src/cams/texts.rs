@@ -1,7 +1,7 @@
 //! The numbers of a cam and its follower as written, so that higher-precision numbers are read from
 //! the same texts.
 //!
-//! The choices made in double precision remain: the piece of contact, the outward side of a
+//! The choices made in double precision remain: the piece in contact, the outward side of a
 //! follower, the stage of a law.
 
 use super::super::exact::Inputs;
@@ -192,7 +192,7 @@ impl Turning {
         let start = inputs.text(&texts.angle[1])?;
         let turned = |angle: N| if self.disc.sense < 0.0 { start - angle } else { angle - start };
         // At the scene's own instant the texts give the angle; at another position its driver gives
-        // it, and behind wheels double precision.
+        // it, and for a cam driven through wheels double precision.
         let phi = if (self.phi - texts.phi).abs() <= 4.0 * f64::EPSILON * texts.phi.abs() {
             turned(inputs.text(&texts.angle[0])?)
         } else {
@@ -259,7 +259,7 @@ impl Cam {
         self.end.as_ref().map_or_else(|| (value == 0.0).then(|| N::from_f64(0.0)), |text| inputs(scene).text(text))
     }
 
-    /// Returns the radius of the arc of contact in numbers of a given type: see
+    /// Returns the radius of the arc in contact in numbers of a given type: see
     /// [`Cam::touched_radius`].
     pub fn touched_radius_in<N: Real>(&self, scene: &Scene) -> Option<N> {
         let value = self.touched_radius()?;

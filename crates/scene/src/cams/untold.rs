@@ -1,8 +1,8 @@
-//! A contact with a known cam and follower only: enough for a count of freedoms.
+//! A contact with a known cam and follower only: enough for a mobility count.
 //!
 //! For every profile, a round end runs in a slot of the cam, and for a follower with a face, a
-//! point of the cam (the centre of the arc of contact) runs in a guide of the follower: each
-//! removes one freedom. The places of slot and guide have no effect.
+//! point of the cam (the centre of the arc in contact) runs in a guide of the follower: each
+//! removes one degree of freedom. The places of slot and guide have no effect.
 
 use super::super::raw::{RawGuide, RawLink, RawScene};
 use super::expand::{One, Pending};

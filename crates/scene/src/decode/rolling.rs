@@ -8,7 +8,7 @@ use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 use hodograph_base::json::fields::{Fields, list, word};
 use hodograph_base::json::{Node, Word};
 
-/// Decodes a gear pair, or a gear and its rack; a count of freedoms needs no sizes.
+/// Decodes a gear pair, or a gear and its rack; a mobility count needs no sizes.
 pub(super) fn gear(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawRolling> {
     let f = Fields::open(node, both!("a gear pair", "齿轮副"), keys::GEAR, faults)?;
     let before = faults.list.len();
@@ -93,7 +93,7 @@ pub(super) fn gear(node: &Node, extent: Extent, faults: &mut Faults) -> Option<R
     Some(RawRolling { sides, sizes, kind: RollingKind::Gears, strand: None, line, through, angle, at, phase, flanks, span: node.span })
 }
 
-/// Decodes a wheel that rolls without slip on a straight or round track; a count of freedoms needs
+/// Decodes a wheel that rolls without slip on a straight or round track; a mobility count needs
 /// no radius.
 pub(super) fn wheel(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawRolling> {
     let f = Fields::open(node, both!("a rolling wheel", "滚轮"), keys::ROLLING, faults)?;
@@ -157,7 +157,7 @@ pub(super) fn wheel(node: &Node, extent: Extent, faults: &mut Faults) -> Option<
     })
 }
 
-/// Returns sizes for a count of freedoms. Their values have no effect, except that a ring must be
+/// Returns sizes for a mobility count. Their values have no effect, except that a ring must be
 /// the larger one: with a planet between a sun of equal size and the ring, the ring has three times
 /// their teeth.
 fn some_teeth(links: &[Word], (ring, rack): (&Option<Word>, &Option<Word>), module: Option<RawQuantity>, span: Span) -> RawSizes {

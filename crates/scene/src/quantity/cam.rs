@@ -5,7 +5,7 @@
 //! They follow from the geometry of the cam alone ([`hodograph_base::cam`]), in a given number type
 //! from the texts of the scene. If no single link carries cam and follower, the pressure angle and
 //! the radius of curvature are those of the pose: the angle of a round end's path against the
-//! normal at the contact, and the radius of the arc of contact.
+//! normal at the contact, and the radius of the arc in contact.
 
 use super::along::along;
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};

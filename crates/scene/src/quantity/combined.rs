@@ -203,8 +203,8 @@ impl Quantity for Combined {
     }
 }
 
-/// Combines two values; returns `None` if the divisor may be zero within its error, or if the forms
-/// differ.
+/// Combines two values; returns `None` if the forms differ, or if a ratio is undecided or not
+/// finite.
 pub fn combine<N: Real>(operation: Operation, a: Value<N>, b: Value<N>) -> Option<Value<N>> {
     let size = |v: Value<N>| match v {
         Value::Scalar(s) => Some(s),

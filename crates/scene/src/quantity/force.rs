@@ -1,4 +1,5 @@
-//! `F_12`, `F_B3`, `h_65`, `M_b`, `P`: reactions, balancing moment and force, inertia forces, power.
+//! `F_12`, `F_B3`, `h_65`, `M_b`, `P`: reactions, balancing moment and force, inertia forces,
+//! power.
 //!
 //! F_ij is the force of link i on link j; F_ji = −F_ij. [`Forces`] holds the forces of an instant:
 //! the free-body solutions fill it, a question looks its value up.

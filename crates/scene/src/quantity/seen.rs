@@ -63,8 +63,8 @@ impl Seen {
     }
 }
 
-/// Returns the direction of a velocity; `None` if the velocity is no larger than rounding errors of
-/// `fastest`, the largest velocity of the mechanism.
+/// Returns the direction of a velocity; `None` if its magnitude is within rounding errors relative
+/// to `fastest`, the largest velocity of the mechanism.
 pub fn heading<N: Real>(velocity: Vec2<N>, fastest: f64) -> Option<Vec2<N>> {
     if vanishes(velocity.norm(), fastest) { None } else { velocity.unit() }
 }

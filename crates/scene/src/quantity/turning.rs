@@ -1,6 +1,5 @@
 //! `omega_3`, `alpha_3`: angular velocity and acceleration of a link, positive counter-clockwise;
 //! `omega_3/2`: relative to link `2`.
-//! 2. Positive counter-clockwise.
 
 use super::{Entry, Form, Meaning, Of, Over, Quantity, Rate};
 use crate::model::{LinkId, Scene};

@@ -91,8 +91,8 @@ impl Value {
 /// mechanism.
 pub const ROUNDING: f64 = 1e-13;
 
-/// Returns true if a difference is no larger than rounding errors of size `beside`; number types
-/// that refine their values decide exactly.
+/// Returns true if a difference is within rounding errors relative to `beside`; never for number
+/// types that refine their values.
 pub(super) fn vanishes<N: Real>(value: N, beside: f64) -> bool {
     !N::refines() && value.approx().abs() <= ROUNDING * beside
 }

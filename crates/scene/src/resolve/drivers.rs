@@ -140,7 +140,7 @@ fn guided(
     angle: Option<Given<Angle>>,
     faults: &mut Faults,
 ) -> Option<Option<Given<Angle>>> {
-    // For a count of pairs alone, a guide without a direction has an arbitrary one.
+    // For a mobility count, a guide without a direction has an arbitrary one.
     let stated = guides.iter().filter(|_| !c.raw.extent.is_of_pairs()).find_map(|(g, _)| match &g.path {
         GuidePath::Line { direction: Direction::Instant(angle), .. } if g.on == link => Some(angle),
         GuidePath::Line { .. } | GuidePath::Arc { .. } => None,

@@ -161,7 +161,7 @@ fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &
         (Some((a, b)), turned) => Direction::Along(a, b, turned),
         (None, Some(angle)) if raw.slid => Direction::Slid(angle),
         (None, Some(angle)) => Direction::Instant(angle),
-        // For a count of pairs, the direction has no effect.
+        // For a mobility count, the direction has no effect.
         (None, None) if c.raw.extent.is_of_pairs() => {
             Direction::Instant(Given { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span: raw.span })
         }

@@ -231,7 +231,7 @@ fn straight(
     Some((Contours::Track { centre: wheel, radius, guide }, GuidePath::Line { through, direction, offset }))
 }
 
-/// Returns the direction of a track without one, for a count of freedoms: that of the guide in
+/// Returns the direction of a track without one, for a mobility count: that of the guide in
 /// which its link slides.
 fn sliding_angle(c: &Context, on: LinkId, span: Span) -> Given<Angle> {
     let mine = |g: &&RawGuide| g.slider.as_ref().is_some_and(|w| w.text == c.link_name(on));
