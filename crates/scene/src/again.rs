@@ -1,6 +1,8 @@
-//! A scene with cams read once more, standing elsewhere: each contact is then replaced by the pairs that are right there.
+//! A scene with cams, read again at another position: each contact is then replaced by the pairs
+//! that are right there.
 //!
-//! One linkage stands for a cam at one instant. What no driver of a whole motion answers is answered by the scene as it is read for each position.
+//! One equivalent linkage replaces a cam at one instant. Questions without a driver for the whole
+//! motion are answered with the scene read again at each position.
 
 use super::cams::raw::RawCam;
 use super::json::Word;
@@ -11,7 +13,7 @@ use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 use std::fmt;
 use std::sync::Arc;
 
-/// What a scene with cams was read from.
+/// The source from which a scene with cams was read.
 #[derive(Clone)]
 pub struct Source(Arc<(RawScene, String)>);
 
@@ -27,7 +29,7 @@ impl fmt::Debug for Source {
     }
 }
 
-/// Scenes are compared by what they say.
+/// Scenes compare by their contents.
 impl PartialEq for Source {
     fn eq(&self, _: &Source) -> bool {
         true
@@ -39,13 +41,15 @@ fn quantity(value: f64, unit: &str, span: Span) -> RawQuantity {
 }
 
 impl Scene {
-    /// The scene as it is read where its drivers stand now, at their rates. `place` tells where points are (m): those that coordinates give, and
-    /// roughly those whose assembly is to be the same.
+    /// Returns the scene as read at the present positions and rates of its drivers. `place` returns
+    /// the places of points (m): exact for points with coordinates, rough for those that select the
+    /// assembly.
     ///
     /// # Errors
-    /// Those of reading; `no-source` for a scene without cams, one that was not read, or one with a cam behind wheels whose angle is not known.
+    /// Those of reading; `no-source` for a scene without cams or loads, for one that was not read
+    /// from a file, and for one with a cam driven through wheels at an unknown angle.
     pub fn read_again(&self, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Scene, Faults> {
-        // Of a cam behind wheels the file tells the angle at the instant.
+        // The file gives the angle of a cam driven through wheels at the instant.
         let angle = |cam: &RawCam| {
             let own = |c: &&Cam| self.link_name(c.cam) == cam.cam.text && self.link_name(c.follower) == cam.follower.text;
             let turning = self.cams.iter().find(own)?.disc.as_ref()?;
@@ -82,7 +86,7 @@ impl Scene {
         })
     }
 
-    /// The scene as it is read with other values of some parameters, each an expression.
+    /// Returns the scene as read with other values of some parameters, each an expression.
     ///
     /// # Errors
     /// As [`Scene::read_again`].
@@ -110,7 +114,7 @@ impl Scene {
     }
 }
 
-/// Puts a driver that is told where it stands to where it stands now.
+/// Gives a driver with a stated position its present position.
 fn stand(own: &mut RawDriverKind, driver: &Driver) {
     let Some(position) = driver.kind.position() else { return };
     let (RawDriverKind::Turn { angle: slot, .. }

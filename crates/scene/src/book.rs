@@ -1,7 +1,8 @@
-//! The units of the book: in which unit each kind of quantity is printed.
+//! The units of the book: the unit in which each kind of quantity is printed.
 //!
-//! Decided here, and nowhere else: the SI unit of each kind, the unit that a scene's `answers` asks for, and how
-//! either is written. All values of the program stay SI; what is printed goes through [`Book`] once, at the end.
+//! This module alone defines the SI unit of each kind, the unit that a scene's `answers` choose,
+//! and their written forms. All values of the program are in SI units; printing converts them once,
+//! by [`Book`].
 
 use super::expr::{self, Expr, ExprKind, Op};
 use super::units::{Dim, UNITS, Unit, Wanted};
@@ -14,7 +15,7 @@ use hodograph_base::trig::radians;
 pub struct BookUnit {
     name: String,
     label: String,
-    /// Two whole numbers, so that a value is converted without a rounded factor.
+    /// Two whole numbers, so that a conversion has no rounded factor.
     up: f64,
     down: f64,
     degrees: bool,
@@ -24,14 +25,14 @@ impl BookUnit {
     /// Reads a unit such as `in/s^2`.
     ///
     /// # Errors
-    /// The units that fit, where the text is none of this kind.
+    /// The units that fit, if the text is not a unit of this kind.
     pub fn read(text: &str, kind: Kind) -> Result<BookUnit, Vec<String>> {
         BookUnit::of_kind(text, kind).ok_or_else(|| fitting(kind))
     }
 
     fn of_kind(text: &str, kind: Kind) -> Option<BookUnit> {
         let word: String = text.split_whitespace().collect();
-        // Behind a number `r/min` is a unit, and not a parameter over minutes.
+        // After a number `r/min` is a unit, and not a parameter divided by minutes.
         let expr = expr::parse(&format!("1 {word}"), &[]).ok()?;
         let mut made = Made { dim: Dim::NUMBER, up: 1.0, down: 1.0, degrees: 0 };
         made.multiply(&expr, 1)?;
@@ -45,43 +46,44 @@ impl BookUnit {
         })
     }
 
-    /// A value in this unit; `si` in SI units. In numbers that know their error the result knows it too: ratios of units are
-    /// whole numbers, and π is a ball.
+    /// Returns a value in this unit; `si` is in SI units. Number types with an error bound keep it:
+    /// ratios of units are whole numbers, and π is a ball.
     pub fn of<N: Real>(&self, si: N) -> N {
         let value = if self.degrees { si * N::from_f64(180.0) / N::pi() } else { si };
-        // A factor of one is left out: it would only add to the bound of the error.
+        // A factor of one is omitted: it would only add to the error bound.
         let value = if self.down == 1.0 { value } else { value * N::from_f64(self.down) };
         if self.up == 1.0 { value } else { value / N::from_f64(self.up) }
     }
 
-    /// One of the unit, in SI units.
+    /// Returns one unit, in SI units.
     pub fn size(&self) -> f64 {
         let size = self.up / self.down;
         if self.degrees { radians(size) } else { size }
     }
 
-    /// As a text says it: `in/s²`.
+    /// Returns its form in a text: `in/s²`.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// A number with the unit, for a text: `12.5 in/s²`, `60°`.
+    /// Returns a number with the unit, for a text: `12.5 in/s²`, `60°`.
     pub fn text(&self, number: &str) -> String {
         if self.is_degree() { format!("{number}°") } else { format!("{number} {}", self.name) }
     }
 
-    /// The same in the label language: `12.5 in/s^2`, `60\degree`.
+    /// Returns a number with the unit in the label language: `12.5 in/s^2`, `60\degree`.
     pub fn label(&self, number: &str) -> String {
         if self.is_degree() { format!("{number}\\degree") } else { format!("{number} {}", self.label) }
     }
 
-    /// Whether it is the degree, which stands at its number without a space.
+    /// Returns true for the degree, which follows its number without a space.
     pub fn is_degree(&self) -> bool {
         matches!(self.name.as_str(), "deg" | "°")
     }
 }
 
-/// The units of a kind that consist of a unit of length or angle and seconds, and those with a name of their own.
+/// Returns the units of a kind: those of a unit of length or angle and seconds, and those with
+/// their own names.
 fn fitting(kind: Kind) -> Vec<String> {
     let dim = Wanted::of(kind).dim();
     let per = match dim.time {
@@ -109,7 +111,8 @@ struct Made {
 }
 
 impl Made {
-    /// Multiplies by the `k`-th power of an expression; `None` where it holds anything but units.
+    /// Multiplies by the `k`-th power of an expression; returns `None` if it contains anything but
+    /// units.
     fn multiply(&mut self, expr: &Expr, k: i32) -> Option<()> {
         match &expr.kind {
             ExprKind::Unit(unit) => self.unit(unit, k),
@@ -122,7 +125,7 @@ impl Made {
     }
 
     fn unit(&mut self, unit: &Unit, k: i32) -> Option<()> {
-        // No quantity of kinematics has a higher power of a unit than the second.
+        // Quantities of kinematics contain no power of a unit above the second.
         if k.abs() > 4 {
             return None;
         }
@@ -140,13 +143,13 @@ impl Made {
     }
 }
 
-/// The product of two whole numbers; `None` where it is rounded.
+/// Returns the product of two whole numbers; `None` if it is rounded.
 fn exact(a: f64, b: f64) -> Option<f64> {
     let product = a * b;
     (product.is_finite() && libm::fma(a, b, -product) == 0.0).then_some(product)
 }
 
-/// A whole exponent as it is written.
+/// Returns a whole exponent as written.
 fn exponent(expr: &Expr) -> Option<i32> {
     match &expr.kind {
         ExprKind::Number(text) => text.parse().ok().filter(|k: &i32| k.abs() <= 4),
@@ -155,12 +158,12 @@ fn exponent(expr: &Expr) -> Option<i32> {
     }
 }
 
-/// The greatest common divisor of two whole numbers, by Euclid's algorithm.
+/// Returns the greatest common divisor of two whole numbers, by Euclid's algorithm.
 fn divisor(a: f64, b: f64) -> f64 {
     if b == 0.0 { a } else { divisor(b, a % b) }
 }
 
-/// A unit's powers for a text: `in/s^2` as `in/s²`.
+/// Returns a unit with superscripts for a text: `in/s^2` as `in/s²`.
 fn superscripts(word: &str) -> String {
     let mut out = String::new();
     for (k, part) in word.replace('*', "·").split('^').enumerate() {
@@ -174,7 +177,7 @@ fn superscripts(word: &str) -> String {
     out
 }
 
-/// The same for the label language: an exponent of more than one character stands in braces.
+/// Returns a unit for the label language: exponents of more than one character are in braces.
 fn labelled(word: &str) -> String {
     let mut out = String::new();
     for (k, part) in word.replace('*', "·").split('^').enumerate() {
@@ -189,7 +192,8 @@ fn labelled(word: &str) -> String {
     out
 }
 
-/// In which unit each kind is printed: what the scene's `answers` say, else SI with angles in degrees.
+/// The unit in which each kind is printed: that of the scene's `answers`, else SI with angles in
+/// degrees.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Book {
     units: [Option<BookUnit>; Kind::ALL.len()],
@@ -202,17 +206,17 @@ impl Book {
         }
     }
 
-    /// The unit that the scene asks for; `None`: the usual one.
+    /// Returns the unit that the scene chooses; `None`: the default.
     pub fn chosen(&self, kind: Kind) -> Option<&BookUnit> {
         self.units.get(kind as usize)?.as_ref()
     }
 
-    /// Whether any of these kinds has a unit of the book.
+    /// Returns true if any of these kinds has a chosen unit.
     pub fn any(&self, kinds: &[Kind]) -> bool {
         kinds.iter().any(|k| self.chosen(*k).is_some())
     }
 
-    /// An SI value in the unit that is printed (angles, unless others are asked for, in degrees).
+    /// Returns an SI value in the printed unit (for angles the default is degrees).
     pub fn value(&self, kind: Kind, si: f64) -> f64 {
         match self.chosen(kind) {
             Some(unit) => unit.of(si),
@@ -221,12 +225,12 @@ impl Book {
         }
     }
 
-    /// The same in any number, where a unit is chosen; else SI as it is.
+    /// Returns a value in any number type in the chosen unit, else in SI units.
     pub fn in_chosen<N: Real>(&self, kind: Kind, si: N) -> N {
         self.chosen(kind).map_or(si, |unit| unit.of(si))
     }
 
-    /// A number with its unit, for a text: `12.5 in/s²`, `60°`.
+    /// Returns a number with its unit, for a text: `12.5 in/s²`, `60°`.
     pub fn text(&self, kind: Kind, number: &str) -> String {
         match self.name(kind) {
             "°" => format!("{number}°"),
@@ -235,7 +239,7 @@ impl Book {
         }
     }
 
-    /// A number with its unit in the label language: `12.5 in/s^2`, `60\degree`.
+    /// Returns a number with its unit in the label language: `12.5 in/s^2`, `60\degree`.
     pub fn label(&self, kind: Kind, number: &str) -> String {
         match self.label_name(kind) {
             "\\degree" => format!("{number}\\degree"),
@@ -244,7 +248,7 @@ impl Book {
         }
     }
 
-    /// The unit's name: `in/s²`, `°`.
+    /// Returns the unit's name: `in/s²`, `°`.
     pub fn name(&self, kind: Kind) -> &str {
         match self.chosen(kind) {
             Some(unit) if unit.is_degree() => "°",
@@ -267,7 +271,8 @@ impl Book {
         }
     }
 
-    /// The unit alone in the label language, upright though no number stands before it: `\text{in/s}^2`.
+    /// Returns the unit alone in the label language, upright without a number before it:
+    /// `\text{in/s}^2`.
     pub fn upright(&self, kind: Kind) -> String {
         match self.label_name(kind) {
             "\\degree" => "\\degree".into(),
@@ -275,18 +280,18 @@ impl Book {
         }
     }
 
-    /// The unit of a scale, for a text: `(in/s²)/mm`.
+    /// Returns the unit of a scale, for a text: `(in/s²)/mm`.
     pub fn scale_name(&self, kind: Kind) -> String {
         per_mm(self.name(kind))
     }
 
-    /// The same in the label language.
+    /// Returns the unit of a scale in the label language.
     pub fn scale_label(&self, kind: Kind) -> String {
         per_mm(self.label_name(kind))
     }
 
-    /// The unit of small things, and how many of it an SI unit has: as elsewhere, but lengths, unless another unit is asked for,
-    /// in millimetres. The unit is upright in the label language.
+    /// Returns the unit for small quantities, and its number per SI unit: the printed unit, but
+    /// millimetres for lengths without a chosen unit. The unit is upright in the label language.
     pub fn fine(&self, kind: Kind) -> (String, f64) {
         match (self.chosen(kind), kind) {
             (None, Kind::Length) => (upright("mm"), 1e3),
@@ -295,20 +300,21 @@ impl Book {
         }
     }
 
-    /// In how many parts of its unit a driver's position is told, where that is `usual` of a degree or a millimetre: as finely, to a
-    /// power of ten, in any other unit.
+    /// Returns the number of parts of a unit in which a driver's position is given. It is `usual`
+    /// for a degree or a millimetre, and equally fine, to a power of ten, for other units.
     pub fn parts(&self, kind: Kind, usual: f64) -> f64 {
         let (factor, plain) = (self.fine(kind).1, Book::default().fine(kind).1);
         if factor == plain { usual } else { libm::exp10(libm::round(libm::log10(usual * plain / factor))).max(1.0) }
     }
 
-    /// One of the unit in SI units, where one is chosen: scales are round in it. Else 1.
+    /// Returns one chosen unit in SI units, because scales are round in it; 1 without a chosen
+    /// unit.
     pub fn size(&self, kind: Kind) -> f64 {
         self.chosen(kind).map_or(1.0, BookUnit::size)
     }
 }
 
-/// A unit in the label language, its letters upright where no number stands before them.
+/// Returns a unit in the label language, with upright letters if no number precedes them.
 fn upright(name: &str) -> String {
     let mut out = String::new();
     for (k, part) in name.split('^').enumerate() {

@@ -1,4 +1,4 @@
-//! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
+//! JSON tree to [`RawScene`]: checks shapes and keys, not the meaning of the words.
 
 mod attempts;
 mod belts;
@@ -18,20 +18,22 @@ use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 use hodograph_base::json::fields::{self, Fields, What, list, object, word, wrong};
 use hodograph_base::json::{Kind, Node, Word};
 
-/// More entries of one kind are refused. A textbook mechanism has a dozen links; the solvers' matrices grow with the square
-/// and their time with the cube of the number of links, so these bounds keep a run under a few seconds.
+/// Largest number of links. A textbook mechanism has a dozen; the solvers' matrices grow with the
+/// square of the number of links and their time with its cube, so these bounds keep a run under a
+/// few seconds.
 pub(super) const MAX_LINKS: usize = 500;
-/// The same for points.
+/// Largest number of points.
 pub(super) const MAX_POINTS: usize = 2000;
-/// The same for every other list of the file.
+/// Largest number of entries in every other list of the file.
 const MAX_ENTRIES: usize = 5000;
-/// Longest title, in characters: it is one line of a figure, and of half a thousand letters already one of two metres.
+/// Longest title, in characters: it is one line of a figure, and 500 letters make a line of two
+/// metres.
 const MAX_TITLE: usize = 500;
-/// Longest statement: some pages, broken into lines word by word.
+/// Longest statement, in characters: some pages, broken into lines word by word.
 pub(super) const MAX_STATEMENT: usize = 10_000;
 
-/// Decodes a whole file, which has to tell as much as `extent` says. Faults are collected; what could be read is returned, so that later stages
-/// find theirs too.
+/// Decodes a whole file; it must give the data that `extent` demands. Faults are collected, and the
+/// readable parts are returned so that later stages find their faults too.
 pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<RawScene> {
     let f = Fields::open(root, both!("a scene", "机构文件"), keys::SCENE, faults)?;
     let mut raw = RawScene { extent, ..RawScene::default() };
@@ -94,7 +96,7 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
     for node in items(f.get("ropes"), "\"ropes\"", faults) {
         raw.rolling.extend(ropes::rope(node, faults));
     }
-    // Points that move by laws of time drive what there is.
+    // Points that move by laws of time are drivers themselves.
     let drivers = match extent.is_at_rest() || f.get("motions").is_some() {
         true => f.get("driver"),
         false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),
@@ -145,7 +147,8 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
     Some(raw)
 }
 
-/// The keys that a scene shares with other files; all others are left to who reads those.
+/// Decodes the keys that a scene shares with other files; the readers of those files decode all
+/// other keys.
 pub(super) fn front(root: &Node, faults: &mut Faults) -> RawScene {
     let mut raw = RawScene::default();
     let get = |key: &str| match &root.kind {
@@ -170,7 +173,7 @@ pub(super) fn front(root: &Node, faults: &mut Faults) -> RawScene {
     raw
 }
 
-/// The members of an optional object, within the limit.
+/// Returns the members of an optional object, up to the limit.
 fn entries<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [(Word, Node)] {
     let what = what.into();
     let limit = if what.is("\"links\"") { MAX_LINKS } else { MAX_ENTRIES };
@@ -178,7 +181,7 @@ fn entries<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Fault
     within(members, limit, &what, faults, |(key, _)| key.span)
 }
 
-/// The items of an optional list, within the limit.
+/// Returns the items of an optional list, up to the limit.
 pub(super) fn items<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [Node] {
     let what = what.into();
     let items = node.and_then(|n| list(n, &what, faults)).unwrap_or_default();
@@ -196,7 +199,7 @@ fn within<'a, T>(all: &'a [T], limit: usize, what: &What, faults: &mut Faults, s
     }
 }
 
-/// True or false.
+/// Reads true or false.
 fn flag(node: &Node, key: &str, faults: &mut Faults) -> Option<bool> {
     match node.kind {
         Kind::Bool(value) => Some(value),
@@ -262,7 +265,8 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (angle, offset, radius, length) = (value("angle"), value("offset"), value("radius"), value("length"));
     let through = through(&f, faults);
-    // A guide with a member that could not be read must not be judged by what is left of it.
+    // A guide with an unreadable member is dropped, so that its remaining members are not judged
+    // alone.
     (faults.list.len() == before).then_some(RawGuide {
         pin,
         slider,
@@ -280,7 +284,7 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
     })
 }
 
-/// A point by its name or by coordinates.
+/// Reads a point by its name or by coordinates.
 fn through(f: &Fields, faults: &mut Faults) -> Option<RawThrough> {
     f.get("through").and_then(|n| match &n.kind {
         Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
@@ -302,7 +306,7 @@ fn paper(node: &Node, faults: &mut Faults) -> RawPaper {
     RawPaper { size, mu_l: value("mu_l"), mu_v: value("mu_v"), mu_a: value("mu_a"), mu_f: value("mu_F"), pencil: value("pencil") }
 }
 
-/// The members of one section, as they stand; none where there is no such object.
+/// Returns the members of one section, undecoded; empty if there is no such object.
 pub(super) fn members_of<'a>(root: &'a Node, section: &str) -> &'a [(Word, Node)] {
     let Kind::Object(members) = &root.kind else { return &[] };
     match members.iter().find(|(key, _)| key.text == section) {
@@ -311,7 +315,7 @@ pub(super) fn members_of<'a>(root: &'a Node, section: &str) -> &'a [(Word, Node)
     }
 }
 
-/// The language that the scene names, if it is one.
+/// Returns the language that the scene names, if it is a known one.
 pub(super) fn language_of(root: &Node) -> Option<Lang> {
     let Kind::Object(members) = &root.kind else { return None };
     match &members.iter().find(|(key, _)| key.text == "language")?.1.kind {
@@ -320,7 +324,7 @@ pub(super) fn language_of(root: &Node) -> Option<Lang> {
     }
 }
 
-/// A number or an expression in quotation marks.
+/// Reads a number or an expression in quotation marks.
 pub(super) fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
     let (text, bare) = match &node.kind {
         Kind::Number(text) => (text.clone(), true),
@@ -330,18 +334,18 @@ pub(super) fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) 
     Some(RawQuantity { text, span: node.span, bare })
 }
 
-/// The text of an expression that is no longer than a person writes.
+/// Returns the text of an expression within the limit of length.
 fn written(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<String> {
     let text = word(node, what, faults)?.text;
     let Err(d) = expr::bounded(&text) else { return Some(text) };
     let Span { start, end } = node.span;
-    // Behind the quotation mark; with escapes in the string the two texts do not run in step.
+    // Places count from after the quotation mark; a string with escapes has no such correspondence.
     let inner = d.span.filter(|_| end - start == text.len() + 2).map(|s| Span::new(start + 1 + s.start, start + 1 + s.end));
     faults.push(d.at(inner.unwrap_or(node.span)));
     None
 }
 
-/// Two quantities, such as coordinates.
+/// Reads two quantities, such as coordinates.
 pub(super) fn two_quantities(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
     let what = what.into();
     match list(node, &what, faults)? {

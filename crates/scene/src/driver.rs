@@ -1,22 +1,23 @@
-//! What kinds of driver have in common, and what sets them apart: asked here instead of matched in the rooms.
+//! Common and different properties of the kinds of driver, as methods, so that other modules need
+//! not match the kinds.
 //!
-//! A new kind of driver answers these questions, and the rooms that ask them need not know it.
+//! A new kind of driver implements these methods, and the modules that call them need no change.
 
 use super::{Angle, DriverKind, Given, GuideId, LinkId, PointId};
 
 /// The position of a driver as the file gives it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Position<'a> {
-    /// An angle, counted as the driver says.
+    /// An angle, measured as the driver defines it.
     Angle(&'a Given<Angle>),
     /// A coordinate along a guide, or a distance (m).
     Length(&'a Given),
 }
 
-/// Where the position of a driver is held.
+/// The storage of a driver's position.
 #[derive(Debug)]
 pub enum PositionSlot<'a> {
-    /// An angle, counted as the driver says.
+    /// An angle, measured as the driver defines it.
     Angle(&'a mut Option<Given<Angle>>),
     /// A coordinate along a guide (m), of either sign.
     Coordinate(&'a mut Option<Given>),
@@ -25,7 +26,7 @@ pub enum PositionSlot<'a> {
 }
 
 impl Position<'_> {
-    /// Its value: rad or m.
+    /// Returns its value: rad or m.
     pub fn value(self) -> f64 {
         match self {
             Position::Angle(angle) => angle.value.radians(),
@@ -35,7 +36,8 @@ impl Position<'_> {
 }
 
 impl DriverKind {
-    /// Whether its position is an angle; else it is a length, and its rate a speed.
+    /// Returns true if its position is an angle; else the position is a length, and the rate a
+    /// velocity.
     pub fn turns(&self) -> bool {
         match self {
             DriverKind::Turn { .. } => true,
@@ -43,7 +45,7 @@ impl DriverKind {
         }
     }
 
-    /// The link that it turns, and the one against which.
+    /// Returns the link that it turns, and the reference link.
     pub fn turned(&self) -> Option<(LinkId, LinkId)> {
         match *self {
             DriverKind::Turn { link, against, .. } => Some((link, against)),
@@ -51,12 +53,13 @@ impl DriverKind {
         }
     }
 
-    /// Whether it turns a link, or turns others against it.
+    /// Returns true if it turns a link, or turns another relative to it.
     pub fn turns_link(&self, l: LinkId) -> bool {
         self.turned().is_some_and(|(link, against)| link == l || against == l)
     }
 
-    /// The lines of the driven link and of the other between which its angle is counted, where they are not the usual ones.
+    /// Returns the lines of the driven link and of the reference link between which its angle is
+    /// measured, if they differ from the default.
     pub fn lines(&self) -> [Option<(PointId, PointId)>; 2] {
         match *self {
             DriverKind::Turn { line, against_line, .. } => [line, against_line],
@@ -64,7 +67,7 @@ impl DriverKind {
         }
     }
 
-    /// The guide along which it slides something.
+    /// Returns the guide along which it moves a body.
     pub fn guide(&self) -> Option<GuideId> {
         match *self {
             DriverKind::Slide { guide, .. } => Some(guide),
@@ -72,7 +75,7 @@ impl DriverKind {
         }
     }
 
-    /// The two points whose distance it gives.
+    /// Returns the two points whose distance it gives.
     pub fn ends(&self) -> Option<[PointId; 2]> {
         match *self {
             DriverKind::Cylinder { a, b, .. } => Some([a, b]),
@@ -80,7 +83,8 @@ impl DriverKind {
         }
     }
 
-    /// The links that are parts of the driver itself: barrel and rod of a cylinder, where they have numbers.
+    /// Returns the links that are parts of the driver itself: barrel and rod of a cylinder, if they
+    /// have numbers.
     pub fn parts(&self) -> &[LinkId] {
         match self {
             DriverKind::Cylinder { links, .. } => links,
@@ -88,13 +92,14 @@ impl DriverKind {
         }
     }
 
-    /// The ends of a cylinder, that of one of its parts first: the barrel is pinned at the first that the file names, the rod at the second.
+    /// Returns the ends of a cylinder, with the end of the given part first: the barrel is pinned
+    /// at the first point in the file, the rod at the second.
     pub fn ends_of(&self, part: LinkId) -> Option<[PointId; 2]> {
         let [a, b] = self.ends()?;
         Some(if self.parts().get(1) == Some(&part) { [b, a] } else { [a, b] })
     }
 
-    /// Its position; `None` where the pose is given by coordinates.
+    /// Returns its position; `None` if coordinates give the pose.
     pub fn position(&self) -> Option<Position<'_>> {
         match self {
             DriverKind::Turn { angle, .. } => angle.as_ref().map(Position::Angle),
@@ -102,7 +107,7 @@ impl DriverKind {
         }
     }
 
-    /// Where its position is held, to be changed.
+    /// Returns the storage of its position, for changes.
     pub fn slot(&mut self) -> PositionSlot<'_> {
         match self {
             DriverKind::Turn { angle, .. } => PositionSlot::Angle(angle),
@@ -111,7 +116,7 @@ impl DriverKind {
         }
     }
 
-    /// The angle that it gives, if it gives one.
+    /// Returns its given angle, if any.
     pub fn angle(&self) -> Option<&Given<Angle>> {
         match self.position()? {
             Position::Angle(angle) => Some(angle),
@@ -119,7 +124,7 @@ impl DriverKind {
         }
     }
 
-    /// The coordinate or distance that it gives, if it gives one.
+    /// Returns its given coordinate or distance, if any.
     pub fn length(&self) -> Option<&Given> {
         match self.position()? {
             Position::Length(length) => Some(length),

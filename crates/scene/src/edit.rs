@@ -1,4 +1,5 @@
-//! Small changes to a scene from outside its file: other questions, and quantities that a command line gives.
+//! Small changes to a scene from outside its file: other questions, and quantities from a command
+//! line.
 
 use super::eval::{NoValue, Value, evaluate};
 use super::json::{self, Kind};
@@ -8,10 +9,10 @@ use super::{exact, expr};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::number::Ball;
 
-/// The text of a scene with other questions; everything else stays byte for byte.
+/// Returns the text of a scene with other questions; all other bytes remain unchanged.
 ///
 /// # Errors
-/// A text that is no JSON object. Whether the questions can be asked is seen when the text is read.
+/// Text that is not a JSON object. Reading the text checks the questions.
 ///
 /// ```
 /// let text = r#"{"links": {}, "find": ["v_B"]}"#;
@@ -32,11 +33,12 @@ pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
     Ok(out)
 }
 
-/// The text of a scene with other values for some of its parameters; everything else stays byte for byte. A value is an expression
-/// as in the file; a bare number takes the unit of the value that it replaces.
+/// Returns the text of a scene with other values for some of its parameters; all other bytes remain
+/// unchanged. A value is an expression as in the file; a bare number has the unit of the value that
+/// it replaces.
 ///
 /// # Errors
-/// Unknown parameters, values that are no expressions: all of them in one list.
+/// Unknown parameters, values that are not expressions: all of them in one list.
 ///
 /// ```
 /// let text = r#"{"parameters": {"r": "100 mm", "s": "2*r"}}"#;
@@ -47,11 +49,12 @@ pub fn with_parameters(text: &str, values: &[(&str, &str)]) -> Result<String, Fa
     super::templates::with_parameters(text, values, both!("the scene", "机构文件"))
 }
 
-/// An angle as the scene would write it, such as `30 deg` or `pi/6`; a bare number counts degrees. Of more turns than an `f64`
-/// can count, the whole ones are taken off what is written.
+/// Reads an angle as in a scene, such as `30 deg` or `pi/6`; a bare number is in degrees. If the
+/// angle has more turns than an `f64` resolves, whole turns are subtracted from the written
+/// expression.
 ///
 /// # Errors
-/// What is no angle; places count in `text`.
+/// Text that is not an angle; places count in `text`.
 ///
 /// ```
 /// use hodograph_scene::{Angle, edit::angle};
@@ -63,7 +66,8 @@ pub fn angle(text: &str) -> Result<Angle, Faults> {
     Ok(angle_read(text)?.less_turns().angle())
 }
 
-/// Two angles, between which a driver turns: whole turns are taken off both alike, where an `f64` cannot count them.
+/// Reads the two angles between which a driver turns: the same whole turns are subtracted from both
+/// if an `f64` does not resolve them.
 ///
 /// # Errors
 /// As [`angle`].
@@ -80,26 +84,26 @@ pub fn angles(from: &str, to: &str) -> Result<[Angle; 2], Faults> {
     }
     let start = first.less_turns();
     let way = angle_read(&format!("({}) - ({})", last.text, first.text))?.value;
-    // Counted as the start is.
+    // In the unit of the start.
     let way = if start.degrees { way.angle().degrees() } else { way.si() };
     Ok([start.angle(), Value { number: start.number + way, ..start }.angle()])
 }
 
-/// A quantity that was read, with its text in full.
+/// A quantity with its full text.
 struct Read {
     text: String,
     value: Value,
-    /// How far the value may be from what is written.
+    /// Bound on the error of the value.
     off: f64,
 }
 
 impl Read {
-    /// Whether `f64` tells the angle, also within its turn.
+    /// Returns true if `f64` resolves the angle within its turn.
     fn told(&self) -> bool {
         exact::tells(self.value.angle(), self.off)
     }
 
-    /// The angle, less whole turns where there are too many.
+    /// Returns the angle, without whole turns if there are too many.
     fn less_turns(&self) -> Value {
         let rest = if self.told() { None } else { exact::less_turns(&[], &self.text, self.value.degrees) };
         rest.map_or(self.value, |(number, _)| Value { number, ..self.value })
@@ -114,10 +118,10 @@ fn angle_read(text: &str) -> Result<Read, Faults> {
     Ok(read)
 }
 
-/// A length in metres; a bare number counts millimetres.
+/// Reads a length in metres; a bare number is in millimetres.
 ///
 /// # Errors
-/// What is no length.
+/// Text that is not a length.
 pub fn length(text: &str) -> Result<f64, Faults> {
     let value = quantity(text, "mm")?.value;
     if (value.dim.length, value.dim.time) != (1, 0) {
@@ -126,10 +130,10 @@ pub fn length(text: &str) -> Result<f64, Faults> {
     Ok(value.si())
 }
 
-/// A time in seconds; a bare number counts seconds.
+/// Reads a time in seconds; a bare number is in seconds.
 ///
 /// # Errors
-/// What is no time.
+/// Text that is not a time.
 ///
 /// ```
 /// use hodograph_scene::edit::time;
@@ -149,7 +153,7 @@ fn wrong(text: &str, wanted: Both, value: Value) -> Faults {
     Diagnostic::error("dimension", both!("`{text}` is {}; {} is wanted", "`{text}` 是{}；此处需要{}", value.dim.describe(), wanted)).into()
 }
 
-/// A quantity without parameters; a bare number gets the unit.
+/// Reads a quantity without parameters; a bare number gets the unit.
 fn quantity(text: &str, unit: &str) -> Result<Read, Faults> {
     let parsed = expr::parse(text, &[])?;
     let bare = expr::is_bare(&parsed);

@@ -1,20 +1,24 @@
-//! A scene with its driver elsewhere: the same mechanism at another instant of its motion.
+//! A scene with its driver at another position: the same mechanism at another instant of its
+//! motion.
 
 use super::{Angle, Direction, Given, GuidePath, LinkId, Place, Point, PointId, Position, PositionSlot, Scene};
 
-/// The position of a driver: radians for a turning one, metres for a slider or a cylinder; `None` where the pose is given by
-/// coordinates.
+/// Returns the position of a driver: radians for a turning one, metres for a slider or a cylinder;
+/// `None` if coordinates give the pose.
 pub fn driver_position(scene: &Scene, driver: usize) -> Option<f64> {
     scene.drivers.get(driver)?.kind.position().map(Position::value)
 }
 
-/// The same scene with a driver elsewhere: just the decimal that is printed for `position` (radians or metres).
+/// Returns the scene with a driver at another position, exactly the decimal that is printed for
+/// `position` (radians or metres).
 ///
-/// The cams that the driver turns stand there too. Of a scene whose pose is given by coordinates these stay as they are.
+/// The cams that the driver turns move with it. In a scene whose pose is given by coordinates, the
+/// coordinates remain.
 pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
     let before = driver_position(scene, driver);
     let mut scene = scene.clone();
-    // The shortest decimal that reads back as the same double is within half a unit of its last place.
+    // The shortest decimal that reads back as the same double is within half a unit of its last
+    // place.
     let radius = position.abs() * f64::EPSILON;
     match scene.drivers[driver].kind.slot() {
         PositionSlot::Angle(Some(angle)) => {
@@ -33,7 +37,8 @@ pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
 }
 
 impl Scene {
-    /// Whether lengths and drivers tell the pose wherever the drivers stand; coordinates of a point that moves tell one pose only.
+    /// Returns true if lengths and drivers determine the pose at all driver positions; coordinates
+    /// of a moving point determine one pose only.
     pub fn is_told_everywhere(&self) -> bool {
         let fixed = |p: PointId| self.links[self.ground.0].points.contains(&p);
         let posed = |(p, point): (usize, &Point)| matches!(point.place, Place::At(_)) && !fixed(PointId(p));
@@ -41,7 +46,8 @@ impl Scene {
     }
 }
 
-/// Turns the guides whose direction is given at the instant with the links that carry them, which turn as a driven link does.
+/// Turns guides with a direction at the instant together with the links that carry them, which turn
+/// with a driven link.
 fn turn_guides(scene: &mut Scene, driven: LinkId, by: f64) {
     let turning = scene.turning_with(driven);
     for guide in scene.guides.iter_mut().filter(|g| turning[g.on.0]) {

@@ -1,6 +1,7 @@
-//! The value of an expression in any number, with its dimension; degrees stay degrees as long as they can.
+//! The value of an expression in any number type, with its dimension; angles remain in degrees as
+//! long as possible.
 //!
-//! What is decided (domains, whole exponents, sizes) is decided by the nearest `f64`.
+//! Decisions (domains, whole exponents, sizes) use the nearest `f64`.
 
 use super::expr::{Expr, ExprKind, Function, Op};
 use super::model::Angle;
@@ -9,18 +10,20 @@ use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::number::Real;
 use hodograph_base::trig;
 
-/// Larger or (unless zero) smaller values are refused. Squares and products of three values of this size still are
-/// finite in `f64`; a mechanism of a nanometre or a light year is far inside.
+/// Limit of values: larger ones, and nonzero ones below its reciprocal, are refused. Squares and
+/// products of three values of this size are still finite in `f64`; mechanisms from a nanometre to
+/// a light year are far inside.
 const HUGE: f64 = 1e90;
 
 /// A number with its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value<N = f64> {
-    /// In SI units (metres, seconds, radians), or in degrees to the first power where `degrees` says so.
+    /// In SI units (metres, seconds, radians); if `degrees` is true, one angle in it is in degrees.
     pub number: N,
     /// Its dimension.
     pub dim: Dim,
-    /// Whether one angle in the dimension is counted in degrees: `60 deg` stays 60, `300 rpm` is 1800 per second.
+    /// True if one angle in the dimension is in degrees: `60 deg` stays 60, `300 rpm` is 1800 per
+    /// second.
     pub degrees: bool,
 }
 
@@ -29,17 +32,17 @@ impl<N: Real> Value<N> {
         Value { number, dim: Dim::NUMBER, degrees: false }
     }
 
-    /// The SI value (radians).
+    /// Returns the SI value (radians).
     pub fn si(self) -> N {
         if self.degrees { self.number * N::pi() / N::from_f64(180.0) } else { self.number }
     }
 
-    /// The same in SI units throughout.
+    /// Returns the value in SI units throughout.
     fn plain(self) -> Self {
         Value { number: self.si(), degrees: false, ..self }
     }
 
-    /// (sin, cos); meaningful where `dim` is that of an angle.
+    /// Returns (sin, cos); meaningful if `dim` is that of an angle.
     pub fn sin_cos(self) -> (N, N) {
         if self.degrees { self.number.sin_cos_degrees() } else { self.number.sin_cos() }
     }
@@ -51,25 +54,27 @@ impl<N: Real> Value<N> {
 }
 
 impl Value {
-    /// As an angle; meaningful where `dim` is that of an angle.
+    /// Returns the value as an angle; meaningful if `dim` is that of an angle.
     pub fn angle(self) -> Angle {
         if self.degrees { Angle::Deg(self.number) } else { Angle::Rad(self.number) }
     }
 }
 
-/// Why an expression has no value.
+/// The reason why an expression has no value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoValue {
-    /// A fault, its span counted from the beginning of the expression.
+    /// A fault; its span counts from the beginning of the expression.
     Fault(Diagnostic),
-    /// It uses a parameter whose own fault has been reported already.
+    /// A parameter whose own fault has been reported.
     Reported,
 }
 
-/// Evaluates an expression; `lookup` gives the value of a parameter, `None` where its own fault has been reported.
+/// Evaluates an expression; `lookup` returns the value of a parameter, or `None` if its own fault
+/// has been reported.
 ///
 /// # Errors
-/// Dimensions that do not fit, functions outside their domain, values that are not finite or beyond all measure.
+/// Dimensions that do not fit, functions outside their domain, values that are not finite or are
+/// out of range.
 pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value<N>>) -> Result<Value<N>, NoValue> {
     let of = |e: &Expr| evaluate(e, lookup);
     let fault = |message: Both| NoValue::Fault(Diagnostic::error("expression", message).at(expr.span));
@@ -101,7 +106,8 @@ pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value<N>>)
         ExprKind::Call(f, a) => call(*f, of(a)?).map_err(fault)?,
     };
     let size = value.number.approx().abs();
-    // Twenty: no quantity of kinematics comes near, and the exponents' own arithmetic stays small.
+    // Quantities of kinematics have far smaller exponents than 20, and the arithmetic of exponents
+    // remains small.
     if value.dim.exponents().iter().any(|k| k.abs() > 20) {
         return Err(fault(both!("the powers of the units are beyond all measure", "单位的幂次过大")));
     }
@@ -121,7 +127,7 @@ fn literal<N: Real>(text: &str) -> Result<N, Both> {
     if number == 0.0 && mantissa.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
         return Err(both!("`{text}` is too small for a number", "`{text}` 过小，无法表示"));
     }
-    // What is too large is refused by its size, and need not be multiplied out.
+    // Values that are too large are refused later, so their decimals need no conversion.
     Ok(if number == 0.0 || number.abs() > HUGE { N::from_f64(number) } else { N::from_decimal(text) })
 }
 
@@ -129,7 +135,7 @@ fn in_unit<N: Real>(a: Value<N>, unit: &Unit) -> Value<N> {
     // Only one factor can be kept in degrees.
     let a = if unit.degrees { a.plain() } else { a };
     let (up, down) = (N::from_f64(unit.numerator), N::from_f64(unit.denominator));
-    // A factor of one is left out: it would only add to the bound of the error.
+    // A factor of one is omitted: it would only add to the error bound.
     let number = if unit.numerator == 1.0 { a.number } else { a.number * up };
     let number = if unit.denominator == 1.0 { number } else { number / down };
     Value { number, dim: a.dim.times(unit.dim, 1), degrees: a.degrees || unit.degrees }
@@ -156,7 +162,8 @@ fn add<N: Real>(a: Value<N>, b: Value<N>, minus: bool) -> Result<Value<N>, Both>
             false => both!("{} cannot be added to {}", "{}不能与{}相加", first, second),
         });
     }
-    // A length in metres and an arc in metres times radians, v/r and ω: the radians are pure numbers there.
+    // A length in metres and an arc in metres times radians, v/r and ω: in these sums radians are
+    // pure numbers.
     let plain = |d: Dim| if d.length == 0 && d.time != 0 { d.angle == 1 } else { d.angle == 0 };
     let dim = if plain(a.dim) { a.dim } else { b.dim };
     let (a, b) = if a.degrees == b.degrees && a.dim == b.dim { (a, b) } else { (a.plain(), b.plain()) };
@@ -205,7 +212,7 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
         let x = a.number.approx();
         match known(x) {
             Angle::Rad(r) if r.is_nan() => Err(both!("{name} has no value at {x}", "{name} 在 {x} 处无值")),
-            // An angle known in degrees is meant only where the number is just that.
+            // The angle in degrees is exact only if the number equals its `f64`.
             Angle::Deg(d) if a.number == N::from_f64(x) => Ok(Value::deg(N::from_f64(d))),
             _ => Ok(g(a.number)),
         }
@@ -267,7 +274,7 @@ mod tests {
     use hodograph_base::diag::Span;
     use hodograph_base::trig::radians;
 
-    /// The value of an expression with r = 100 mm, phi = 30°, k = 2.
+    /// Returns the value of an expression with r = 100 mm, phi = 30°, k = 2.
     fn value(text: &str) -> Result<Value, String> {
         let length = value_of("100 mm").expect("a length");
         let lookup = |name: &str| match name {
@@ -336,7 +343,7 @@ mod tests {
         }
     }
 
-    /// Minutes and seconds of arc, as books and keyboards write them.
+    /// Minutes and seconds of arc, as in books and on keyboards.
     #[test]
     fn minutes_and_seconds_of_arc() {
         let degrees = |text: &str| {
@@ -431,7 +438,7 @@ mod tests {
         assert!(said(&"(".repeat(25)).starts_with("parentheses are nested more than 24 deep"));
         assert!(said(&"1+".repeat(201)).starts_with("an expression has at most 400 bytes, this has 402"));
         assert_eq!(value(&format!("{}1", "1+".repeat(400))).unwrap_err(), "an expression has more than 400 levels");
-        // The deepest trees that the limits let through.
+        // The deepest trees within the limits.
         assert_eq!(value(&format!("{}1", "1+".repeat(199))).unwrap().number, 200.0);
         assert_eq!(value(&format!("{}1", "-".repeat(399))).unwrap().number, -1.0);
         assert_eq!(value(&format!("{}1{}", "(".repeat(24), ")".repeat(24))).unwrap().number, 1.0);

@@ -1,25 +1,29 @@
-//! The given numbers of a scene as they are written, in numbers of any kind.
+//! The given numbers of a scene as written, in any number type.
 //!
-//! `39.3 mm` is no `f64`. A number that knows its error takes the `f64` with the bound that the reader found; a longer
-//! one reads the text again, the parameters first, in the order of the scene.
+//! `39.3 mm` is not an exact `f64`. A number type with an error bound takes the `f64` with the
+//! bound from the reader; a longer one reads the text again, the parameters first, in the order of
+//! the scene.
 
 use super::eval::{Value, evaluate};
 use super::expr;
 use super::model::{Angle, Driver, Given, Scene};
 use hodograph_base::number::{Ball, Big, Real, within};
 
-/// Bits of the numbers in which a quantity is read again: numbers of a scene lie between 1e-90 and 1e90, so that of sums and
-/// differences of them 768 bits lose no digit.
+/// Precisions in bits for reading a quantity again: numbers of a scene are between 1e-90 and 1e90,
+/// so that sums and differences of them lose no digit in 768 bits.
 const BITS: [usize; 3] = [192, 384, 768];
 
-/// A value may be off by so much of itself: some hundred roundings. More is digits lost by the way in which it is written.
+/// Largest acceptable relative error of a value, some hundred roundings. A larger error means that
+/// the written form loses digits.
 const LOST: f64 = 1e-13;
 
-/// What is written as a difference of numbers and is no more than this in the longest ones is zero: a value that is not is larger.
+/// A difference of written numbers that is no larger than this in the longest number type is zero:
+/// nonzero differences are larger.
 const NOTHING: f64 = 1e-100;
 
-/// The value of a text and the same with a bound of its error; found in longer numbers, and rounded once, where the
-/// difference of large numbers, or the sine of a large angle, costs `f64` its digits. `texts` are the parameters before it.
+/// Returns the value of a text and its value with an error bound. If the difference of large
+/// numbers or the sine of a large angle loses digits in `f64`, they are computed in higher
+/// precision and rounded once. `texts` are the parameters before it.
 pub(super) fn settled(texts: &[(&str, &str)], text: &str, value: Value, ball: Value<Ball<f64>>) -> (Value, Value<Ball<f64>>) {
     let off = distance(&value, ball);
     if off <= LOST * value.number.abs() {
@@ -35,14 +39,15 @@ pub(super) fn settled(texts: &[(&str, &str)], text: &str, value: Value, ball: Va
     (Value { number, ..value }, Value { number: Ball::new(number, radius), dim: value.dim, degrees: value.degrees })
 }
 
-/// How far a value may be from the true number in a ball.
+/// Returns a bound on the distance of a value from the true number in a ball.
 pub(super) fn distance(value: &Value, ball: Value<Ball<f64>>) -> f64 {
     let number = in_unit_of(ball, value.degrees);
     (number.approx() - value.number).abs() + number.radius()
 }
 
-/// Whether an angle that may be off by so much (in its own unit) is told as well as one within a turn: a unit in the last place
-/// of a turn is 6e-14 degrees, and a mechanism magnifies that no more than the rounding of its lengths.
+/// Returns true if an angle with this error bound (in its own unit) is as accurate as one within a
+/// turn: a unit in the last place of a turn is 6e-14 degrees, and a mechanism magnifies it no more
+/// than the rounding of its lengths.
 pub(super) fn tells(angle: Angle, off: f64) -> bool {
     match angle {
         Angle::Deg(number) => number.abs() <= 360.0 || off <= 1e-12,
@@ -50,13 +55,13 @@ pub(super) fn tells(angle: Angle, off: f64) -> bool {
     }
 }
 
-/// The angle of a text less whole turns, and a bound of its error; in degrees, or radians.
+/// Returns the angle of a text minus whole turns, and an error bound; in degrees, or in radians.
 pub(super) fn less_turns(texts: &[(&str, &str)], text: &str, degrees: bool) -> Option<(f64, f64)> {
     BITS.into_iter().find_map(|bits| {
         within(bits, || {
             let mut rest = in_unit_of(Inputs::<Ball<Big>>::of_texts(texts).read(text)?, degrees);
             let turn: Ball<Big> = if degrees { Ball::from_f64(360.0) } else { Ball::pi() + Ball::pi() };
-            // Each round takes off what an `f64` tells of the turns that are left.
+            // Each pass subtracts the remaining turns as far as an `f64` resolves them.
             for _ in 0..8 {
                 let turns = libm::trunc(rest.approx() / turn.approx());
                 if turns == 0.0 || !turns.is_finite() {
@@ -69,7 +74,8 @@ pub(super) fn less_turns(texts: &[(&str, &str)], text: &str, degrees: bool) -> O
     })
 }
 
-/// The whole turns by which a text is more than a value that was made of it (degrees): in parts, each a number of `f64`.
+/// Returns the whole turns between a text and a value derived from it (degrees): in parts, each an
+/// `f64`.
 pub(super) fn turns_taken(texts: &[(&str, &str)], text: &str, degrees: f64) -> Vec<f64> {
     let longest = BITS.into_iter().fold(0, usize::max);
     within(longest, || {
@@ -96,27 +102,28 @@ fn in_unit_of<N: Real>(v: Value<N>, degrees: bool) -> N {
     }
 }
 
-/// The nearest `f64` and a bound of its distance, where the number is known that well.
+/// Returns the nearest `f64` and a bound of its distance, if the number is accurate enough.
 fn rounded(x: Ball<Big>) -> Option<(f64, f64)> {
     let (m, r) = (x.approx(), x.radius());
     if x.contains_zero() && r < NOTHING {
         return Some((0.0, m.abs() + r));
     }
-    // Half a unit in the last place for the rounding of the middle.
+    // Half a unit in the last place for the rounding of the midpoint.
     (r <= 0.25 * f64::EPSILON * m.abs()).then_some((m, r + 0.5 * f64::EPSILON * m.abs()))
 }
 
-/// A scene's quantities in numbers of one kind.
+/// A scene's quantities in one number type.
 #[derive(Clone, Debug)]
 pub struct Inputs<'a, N> {
-    /// Names and values of the parameters; empty where the `f64` of the reader is good enough.
+    /// Names and values of the parameters; empty if the `f64` values of the reader are accurate
+    /// enough.
     parameters: Vec<(&'a str, Option<Value<N>>)>,
-    /// Time since the scene's instant (s): drivers have gone on for so long.
+    /// Time since the scene's instant (s), during which the drivers move.
     time: Option<N>,
 }
 
 impl<'a, N: Real> Inputs<'a, N> {
-    /// The quantities of a scene.
+    /// Returns the quantities of a scene.
     pub fn of(scene: &'a Scene) -> Self {
         let mut inputs = Inputs { parameters: Vec::new(), time: None };
         if N::from_bounded(0.0, 0.0).is_none() {
@@ -128,7 +135,8 @@ impl<'a, N: Real> Inputs<'a, N> {
         inputs
     }
 
-    /// The same of parameters by name and text, each after those that it uses.
+    /// Returns the quantities of parameters given by name and text, each after those in its
+    /// expression.
     pub(super) fn of_texts(texts: &[(&'a str, &str)]) -> Self {
         let mut inputs = Inputs { parameters: Vec::new(), time: None };
         for (name, text) in texts {
@@ -138,7 +146,8 @@ impl<'a, N: Real> Inputs<'a, N> {
         inputs
     }
 
-    /// A quantity in SI units, of one without a text what double precision and its bound tell; undecided where its text has no value in these numbers.
+    /// Returns a quantity in SI units. Without a text it is the double-precision value with its
+    /// bound; if the text has no value in this number type, the result is undecided.
     pub fn number(&self, given: &Given) -> N {
         let untold = || given.text.is_empty().then(|| N::from_f64(given.value).widened(given.radius));
         N::from_bounded(given.value, given.radius)
@@ -147,7 +156,7 @@ impl<'a, N: Real> Inputs<'a, N> {
             .unwrap_or(N::from_f64(f64::NAN))
     }
 
-    /// (sin, cos) of an angle, reduced in degrees where it is written in degrees.
+    /// Returns (sin, cos) of an angle, reduced in degrees if it is written in degrees.
     pub fn sin_cos(&self, given: &Given<Angle>) -> (N, N) {
         let nothing = N::from_f64(f64::NAN);
         let untold = |x: f64| given.text.is_empty().then(|| N::from_f64(x).widened(given.radius));
@@ -159,7 +168,7 @@ impl<'a, N: Real> Inputs<'a, N> {
         .unwrap_or((nothing, nothing))
     }
 
-    /// An angle in degrees.
+    /// Returns an angle in degrees.
     pub fn degrees(&self, given: &Given<Angle>) -> N {
         let known =
             |x: f64| N::from_bounded(x, given.radius).or_else(|| given.text.is_empty().then(|| N::from_f64(x).widened(given.radius)));
@@ -172,12 +181,12 @@ impl<'a, N: Real> Inputs<'a, N> {
         .unwrap_or(N::from_f64(f64::NAN))
     }
 
-    /// The same quantities a time `t` (s) after the scene's instant.
+    /// Returns the same quantities at a time `t` (s) after the scene's instant.
     pub fn later(self, t: N) -> Self {
         Inputs { time: Some(t), ..self }
     }
 
-    /// By how much a driver has gone on: rate · t + acceleration · t²/2.
+    /// Returns the motion of a driver since the instant: rate · t + acceleration · t²/2.
     fn gone_on(&self, driver: &Driver) -> Option<N> {
         let t = self.time?;
         let way = self.number(&driver.rate) * t;
@@ -187,13 +196,13 @@ impl<'a, N: Real> Inputs<'a, N> {
         })
     }
 
-    /// The position of a sliding driver or the length of a cylinder (m).
+    /// Returns the position of a sliding driver or the length of a cylinder (m).
     pub fn driven(&self, driver: &Driver, given: &Given) -> N {
         let start = self.number(given);
         self.gone_on(driver).map_or(start, |way| start + way)
     }
 
-    /// (sin, cos) of the angle of a turning driver.
+    /// Returns (sin, cos) of the angle of a turning driver.
     pub fn driven_sin_cos(&self, driver: &Driver, given: &Given<Angle>) -> (N, N) {
         let (s, c) = self.sin_cos(given);
         match self.gone_on(driver).map(Real::sin_cos) {
@@ -202,7 +211,7 @@ impl<'a, N: Real> Inputs<'a, N> {
         }
     }
 
-    /// The value of a text in SI units.
+    /// Returns the value of a text in SI units.
     pub(super) fn text(&self, text: &str) -> Option<N> {
         self.read(text).map(Value::si).filter(|x| x.is_decided())
     }
@@ -210,7 +219,7 @@ impl<'a, N: Real> Inputs<'a, N> {
     fn read(&self, text: &str) -> Option<Value<N>> {
         let names: Vec<&str> = self.parameters.iter().map(|p| p.0).collect();
         let expr = expr::parse(text, &names).ok()?;
-        // A name may be declared twice; the last one counts, as in the reader.
+        // If a name is declared twice, the last one counts, as in the reader.
         let lookup = |name: &str| self.parameters.iter().rev().find(|p| p.0 == name).and_then(|p| p.1);
         evaluate(&expr, &lookup).ok()
     }
@@ -223,7 +232,8 @@ mod tests {
     use hodograph_base::number::decimal::Certain;
     use hodograph_base::number::{Ball, Big, Dd, within};
 
-    /// Every given number of every template: the value that the reader found is as near to the written one as it says.
+    /// Every given number of every template: the reader's value is within its error bound of the
+    /// written one.
     #[test]
     fn values_are_within_their_radius_of_what_is_written() {
         let mut checked = 0;
@@ -236,11 +246,13 @@ mod tests {
                 let mut check = |given: &Given| {
                     let (x, d) = (exact.number(given), double.number(given));
                     let off = (x - Real::from_f64(given.value)).approx().abs();
-                    // The centre of curvature of a law takes some fifty operations, a few of which take like numbers from one another.
+                    // The centre of curvature of a law needs some fifty operations, with a few
+                    // differences of nearly equal numbers.
                     let [plain, exact] = if given.text.contains("cam1_k") { [1e-12, 1e-25] } else { [1e-14, 0.0] };
                     assert!(off <= given.radius && given.radius <= plain * given.value.abs(), "{name}: {given:?} is off by {off:e}");
                     assert!(d.enclosure().unwrap().meets(&x.enclosure().unwrap()), "{name}: {given:?}");
-                    // The law of a cam takes a dozen operations, a cosine as many; what a person writes else, two or three.
+                    // The law of a cam and a cosine need a dozen operations each; other written
+                    // expressions need two or three.
                     let kept = if given.text.contains("cam1_") || given.text.contains("cos(") || given.text.contains("sin(") {
                         2e-28
                     } else {
@@ -262,7 +274,8 @@ mod tests {
         assert!(checked > 200, "{checked}");
     }
 
-    /// Expressions of absurd numbers: what is read is within its bound of the true value, and rounded from it, on every rung.
+    /// Expressions with extreme numbers: the value is within its bound of the true value, the bound
+    /// is small, and every precision encloses the true value.
     #[test]
     fn absurd_expressions_are_read_as_they_are_written() {
         let lost = ["1e20 mm + 5 mm - 1e20 mm", "(1e60 - 1e60 + 3)/7*1 m", "sin(1e22 deg + 30 deg)*1 m", "cos(1e25 rad)*1 m"];
@@ -279,7 +292,8 @@ mod tests {
                 r#"{{"parameters": {{"x": "1e80/3", "l": "{text}"}}, "units": {{"length": "m"}}, "links": {{"1": ["A", "B"], "2": ["A"]}}, "ground": "2",
                 "points": {{"A": [0, 0]}}, "lengths": {{"AB": "abs(l) + 1 m"}}, "driver": {{"link": "1", "angle": "0 deg", "omega": "1 rad/s"}}, "find": ["v_B"]}}"#
             );
-            // `x*…` is a pure number times a length only where x is one; what is refused is no wrong number.
+            // `x*…` is a pure number times a length only if x is one; a refused expression gives no
+            // wrong number.
             let Ok(scene) = read(&scene) else { continue };
             let (_, given) = &scene.value.parameters[1];
             let truth = within(3000, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure());

@@ -1,21 +1,22 @@
-//! Expressions: parsing to a tree that keeps every number literal as written. Their values are the business of [`super::eval`].
+//! Expressions: parsing to a tree that keeps every number literal as written. [`super::eval`]
+//! computes their values.
 //!
-//! The tree is public because the precision ladder evaluates it again with more digits. Places in the tree are byte
-//! offsets into the expression's own text.
+//! The tree is public because the precision ladder evaluates it again with more digits. Places in
+//! the tree are byte offsets into the expression's own text.
 
 use super::units::{Unit, unit_named};
 use hodograph_base::diag::{Both, Diagnostic, Span, both};
 
-/// Longer expressions are refused in a file: their parts can be named there.
+/// Longest expression in a file: parts of longer ones can be parameters.
 pub const MAX_LENGTH: usize = 400;
-/// The same of deeper parentheses.
+/// Deepest nesting of parentheses in a file.
 const MAX_PARENTHESES: usize = 24;
 
-/// The same for what is made of a file's expressions, such as derivatives, which repeat their parts.
+/// Longest expression made of a file's expressions, such as a derivative, which repeats its parts.
 const MAX_MADE_LENGTH: usize = 16_000;
-/// The parser recurses.
+/// Deepest nesting of parentheses there: the parser is recursive.
 const MAX_MADE_PARENTHESES: usize = 64;
-/// What goes through a tree recurses too.
+/// Deepest tree: functions over the tree are recursive.
 const MAX_DEPTH: usize = 400;
 
 mod read;
@@ -23,14 +24,14 @@ mod read;
 /// An expression and its place in its own text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// What it is.
+    /// Its kind.
     pub kind: ExprKind,
-    /// Bytes of the text it was parsed from.
+    /// Range of bytes in its text.
     pub span: Span,
 }
 
 impl Expr {
-    /// The parameters that it names, one for each place.
+    /// Returns the parameters in it, once for each occurrence.
     pub fn parameters(&self) -> Vec<&str> {
         match &self.kind {
             ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) => Vec::new(),
@@ -48,7 +49,7 @@ pub enum ExprKind {
     Number(String),
     /// The ratio of a circle's circumference to its diameter.
     Pi,
-    /// One of a unit.
+    /// A unit, with the value one.
     Unit(&'static Unit),
     /// A parameter, by name.
     Parameter(String),
@@ -104,7 +105,7 @@ pub enum Function {
 }
 
 impl Function {
-    /// Its name in expressions.
+    /// Returns its name in expressions.
     pub fn name(self) -> &'static str {
         FUNCTIONS.iter().find(|(_, f)| *f == self).map_or("", |(name, _)| name)
     }
@@ -124,27 +125,28 @@ const FUNCTIONS: [(&str, Function); 11] = [
     ("exp", Function::Exp),
 ];
 
-/// Units that a parameter may hide: `h` is the usual letter of a height, and no quantity of a mechanism is given per hour; `g`, `N` and `W` are those
-/// of gravity, a normal force and a weight.
-/// Directly after a number they still are units.
+/// Units whose names a parameter may have: `h` is the usual letter of a height, and no quantity of
+/// a mechanism is given per hour; `g`, `N` and `W` are those of gravity, a normal force and a
+/// weight. Directly after a number they are units.
 const HIDEABLE: [&str; 15] = ["h", "min", "in", "ft", "kg", "g", "lb", "slug", "blob", "N", "kN", "kgf", "lbf", "W", "kW"];
 
-/// Whether a name means something in every expression (a unit, a function, pi) and cannot name a parameter.
+/// Returns true if a name has a meaning in every expression (a unit, a function, pi) and cannot
+/// name a parameter.
 pub fn is_reserved(name: &str) -> bool {
     let unit = unit_named(name).is_some() && !HIDEABLE.contains(&name);
     read::is_pi(name) || unit || FUNCTIONS.iter().any(|(n, _)| *n == name)
 }
 
-/// Whether an expression consists of a single name that could name a parameter.
+/// Returns true if an expression is a single name that could name a parameter.
 pub fn is_name(text: &str) -> bool {
     let mut chars = text.chars();
     chars.next().is_some_and(char::is_alphabetic) && chars.all(read::is_letter)
 }
 
-/// Whether an expression keeps to the bounds of what a person writes.
+/// Checks the limits of written expressions.
 ///
 /// # Errors
-/// A diagnostic whose span counts from the beginning of `text`: too long, or parentheses too deep.
+/// A diagnostic with its span from the beginning of `text`: too long, or parentheses too deep.
 pub fn bounded(text: &str) -> Result<(), Diagnostic> {
     within(text, MAX_LENGTH, MAX_PARENTHESES)
 }
@@ -174,10 +176,12 @@ fn within(text: &str, length: usize, parentheses: usize) -> Result<(), Diagnosti
     Ok(())
 }
 
-/// Parses an expression, one of a file or one made of such. `parameters` are the names that may be used besides units.
+/// Parses an expression of a file, or one made of such expressions. `parameters` are the permitted
+/// names besides units.
 ///
 /// # Errors
-/// A diagnostic whose span counts from the beginning of `text`: too long, too deep, not an expression, an unknown name.
+/// A diagnostic with its span from the beginning of `text`: too long, too deep, not an expression,
+/// an unknown name.
 pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
     within(text, MAX_MADE_LENGTH, MAX_MADE_PARENTHESES)?;
     let tree = read::whole(text, parameters)?;
@@ -198,7 +202,7 @@ fn depth(expr: &Expr) -> usize {
     }
 }
 
-/// Whether any unit or parameter occurs: whether more than a bare number was written.
+/// Returns true if the expression contains neither a unit nor a parameter.
 pub fn is_bare(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Number(_) | ExprKind::Pi => true,
@@ -208,13 +212,13 @@ pub fn is_bare(expr: &Expr) -> bool {
     }
 }
 
-/// How a quotient is to be written whose divisor a unit binds to, such as `sqrt(3)/2 m`, which is sqrt(3)/(2 m); `None` for other
-/// expressions.
+/// Returns a quotient with the unit outside, if the unit binds to the divisor: `(k/2) m` for
+/// `k/2 m`, which is k/(2 m). Returns `None` for other expressions.
 pub(super) fn unit_in_divisor(text: &str, expr: &Expr) -> Option<String> {
     let ExprKind::Binary(Op::Div, _, divisor) = &expr.kind else { return None };
     let ExprKind::Binary(Op::Mul, value, unit) = &divisor.kind else { return None };
     let (left, between) = (text.get(..value.span.end)?, text.get(value.span.end..unit.span.start)?);
-    // In parentheses the divisor is meant.
+    // A divisor in parentheses is intended.
     let meant = left.get(..value.span.start)?.trim_end().ends_with('(') || !between.trim().is_empty();
     (!meant).then(|| format!("({}) {}", left.trim(), text.get(unit.span.start..).unwrap_or_default().trim()))
 }

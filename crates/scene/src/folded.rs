@@ -1,5 +1,6 @@
-//! A law of time made ready to be evaluated often (constant folding): in one kind of number, parameters, literals and all other parts without
-//! the time in them are evaluated once. A pursuit asks a law a thousand times at each step of its integration.
+//! A law of time prepared for many evaluations (constant folding): in one number type, all parts
+//! without the time (parameters, literals) are evaluated once. A pursuit evaluates a law a thousand
+//! times at each step of its integration.
 
 use super::eval::{NoValue, Value, evaluate};
 use super::expr::{Expr, ExprKind, Op};
@@ -8,15 +9,15 @@ use super::units::Dim;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::number::{Jet, Real};
 
-/// A law in one kind of number.
+/// A law in one number type.
 #[derive(Clone, Debug)]
 pub struct Folded<N> {
     text: String,
-    /// The law, each of its parts without the time a parameter.
+    /// The law, with a parameter for each part without the time.
     expr: Expr,
-    /// Their values: the name of the k-th is k, which no parameter of a file is called.
+    /// Values of these parameters: the k-th has the name k, which no parameter of a file can have.
     known: Vec<(String, Value<Jet<N>>)>,
-    /// Sine and cosine of an angle that stays.
+    /// Sine and cosine of a constant angle.
     turn: Option<(Jet<N>, Jet<N>)>,
 }
 
@@ -50,21 +51,23 @@ impl<N: Real> Folded<N> {
             ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) | ExprKind::Parameter(_) => expr.kind.clone(),
             ExprKind::Neg(a) => ExprKind::Neg(part(a)?),
             ExprKind::Call(f, a) => ExprKind::Call(*f, part(a)?),
-            // A unit after its number is no factor but rounded with it.
+            // A unit after its number is not a separate factor: number and unit are rounded
+            // together.
             ExprKind::Binary(Op::Mul, a, b) if matches!(b.kind, ExprKind::Unit(_)) => ExprKind::Binary(Op::Mul, part(a)?, b.clone()),
             ExprKind::Binary(op, a, b) => ExprKind::Binary(*op, part(a)?, part(b)?),
         };
         Ok(Expr { kind, span: expr.span })
     }
 
-    /// Value, rate and second derivative (SI) at a time (s); an angle keeps its degrees.
+    /// Returns value, rate and second derivative (SI) at a time (s); an angle keeps its degrees.
     ///
     /// # Errors
-    /// Where it has no value, or no derivative.
+    /// A time at which the law has no value or no derivative.
     pub fn at(&self, t: N) -> Result<Value<Jet<N>>, Diagnostic> {
         let time = Value { number: Jet::variable(t), dim: Dim::TIME, degrees: false };
         let value = valued(&self.expr, &|wanted| if wanted == TIME { Some(time) } else { find(&self.known, wanted) })?;
-        // A value that the numbers do not tell is undecided as a whole: who needs it takes longer ones.
+        // A value that the number type cannot decide is undecided as a whole; a longer number type
+        // may decide it.
         if value.number.is_decided() || !value.number.0[0].is_decided() {
             return Ok(value);
         }
@@ -72,7 +75,7 @@ impl<N: Real> Folded<N> {
         Err(Diagnostic::error("law", message))
     }
 
-    /// Sine and cosine of an angle, which may be written in degrees.
+    /// Returns sine and cosine of an angle, which may be written in degrees.
     ///
     /// # Errors
     /// As [`Folded::at`].
@@ -97,7 +100,8 @@ mod tests {
     use super::*;
     use crate::expr::parse;
 
-    /// Nothing that the time is not in is left to be evaluated, and the value is that of the expression as written.
+    /// All parts without the time are evaluated, and the value is that of the expression as
+    /// written.
     #[test]
     fn what_stays_is_evaluated_once() {
         let names = ["r", "w", TIME];

@@ -1,7 +1,9 @@
-//! What other files have in common with scenes: title, units, parameters, units of answers, paper and language, and quantities read alike.
+//! Data that other files share with scenes: title, units, parameters, units of answers, paper and
+//! language, and the reading of quantities.
 //!
-//! Decided here: nothing of its own. A synthesis file is no scene, yet `"2*r"` means the same in both, a bare number takes the unit of
-//! the same table, and a fault is told with its place in the same words.
+//! This module has no rules of its own. A synthesis file is not a scene, yet `"2*r"` means the same
+//! in both, a bare number has the unit of the same table, and faults have the same places and
+//! wording.
 
 use super::book::Book;
 use super::decode;
@@ -25,23 +27,23 @@ pub const KEYS: [&str; 7] = ["title", "parameters", "units", "answers", "paper",
 pub struct RawFront(RawScene);
 
 impl RawFront {
-    /// Takes the keys of the front from an object whose other keys are somebody else's.
+    /// Decodes the keys of the front from an object; other readers decode its other keys.
     pub fn decode(root: &Node, faults: &mut Faults) -> RawFront {
         RawFront(decode::front(root, faults))
     }
 }
 
-/// The front of a file, ready to read its quantities.
+/// The front of a file, for reading its quantities.
 pub struct Front<'a> {
     raw: &'a RawScene,
     values: Values<'a>,
     /// The file's title, if it has one.
     pub title: Option<Localized>,
-    /// The language it names.
+    /// Its language, if it names one.
     pub language: Option<Lang>,
-    /// Its sheet and scales.
+    /// Paper and scales.
     pub paper: Paper,
-    /// The units in which is printed.
+    /// The units of printed quantities.
     pub book: Book,
 }
 
@@ -54,90 +56,92 @@ impl<'a> Front<'a> {
         Front { raw, values, title, language, paper, book }
     }
 
-    /// A quantity in SI.
+    /// Returns a quantity in SI units.
     pub fn si(&self, node: &Node, wanted: Wanted, what: impl Into<What>, faults: &mut Faults) -> Option<f64> {
         let quantity = decode::quantity(node, what, faults)?;
         Some(self.values.si(&quantity, wanted, faults)?.value)
     }
 
-    /// An angle in radians, rounded once from what is written.
+    /// Returns an angle in radians, rounded once from the written form.
     pub fn angle(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<f64> {
         let quantity = decode::quantity(node, what, faults)?;
         Some(self.values.angle(&quantity, faults)?.value.radians())
     }
 
-    /// A number without a dimension.
+    /// Returns a number without a dimension.
     pub fn number(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<f64> {
         let quantity: RawQuantity = decode::quantity(node, what, faults)?;
         self.values.pure_number(&quantity, faults)
     }
 
-    /// A number without a dimension, or an angle: its number as written, and for an angle whether it counts degrees.
+    /// Returns a number without a dimension, or an angle: its number as written, and for an angle
+    /// true if it is in degrees.
     pub fn number_or_angle(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<(f64, Option<bool>)> {
         let quantity: RawQuantity = decode::quantity(node, what, faults)?;
         self.values.number_or_angle(&quantity, faults)
     }
 
-    /// A function of a variable, such as `ln(x)`.
+    /// Returns a function of a variable, such as `ln(x)`.
     pub fn curve(&self, node: &Node, variable: &str, what: impl Into<What>, faults: &mut Faults) -> Option<Curve> {
         let quantity = decode::quantity(node, what, faults)?;
         self.values.curve(&quantity, variable).map_err(|d| faults.push(d)).ok()
     }
 
-    /// A law of time: an expression in `t` and the parameters, whose value at the instant `t` (s) is of the wanted kind.
+    /// Returns a law of time: an expression in `t` and the parameters, whose value at the instant
+    /// `t` (s) is of the wanted kind.
     pub fn law(&self, node: &Node, wanted: Wanted, t: f64, what: impl Into<What>, faults: &mut Faults) -> Option<Law> {
         let quantity = decode::quantity(node, what, faults)?;
         self.values.law(&quantity, wanted, t).map_err(|d| d.into_iter().for_each(|d| faults.push(d))).ok()
     }
 
-    /// A time; a law that does not depend on itself.
+    /// Returns a time: a law that does not depend on itself.
     pub fn time(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<Law> {
         let quantity = decode::quantity(node, what, faults)?;
         self.values.time(&quantity).map_err(|d| d.into_iter().for_each(|d| faults.push(d))).ok()
     }
 
-    /// A text, or one in each language.
+    /// Returns a text, or one in each language.
     pub fn localized(&self, node: &Node, what: &'static str, faults: &mut Faults) -> Option<Localized> {
         resolve::localized(&decode::localized(node, what, decode::MAX_STATEMENT, faults))
     }
 
-    /// The parameters as written: name and value.
+    /// Returns the parameters as written: name and value.
     pub fn parameters(&self) -> Vec<(String, String)> {
         self.raw.parameters.iter().map(|(name, q)| (name.text.clone(), q.text.clone())).collect()
     }
 
-    /// The units of answers as written: quantity and unit.
+    /// Returns the units of answers as written: quantity and unit.
     pub fn answers(&self) -> Vec<(String, String)> {
         self.raw.answers.iter().map(|(key, unit)| (key.text.clone(), unit.text.clone())).collect()
     }
 
-    /// Warnings about parameters that nothing uses; to be asked when everything has been read.
+    /// Returns warnings about unused parameters; to be called after everything has been read.
     pub fn unused(&self) -> Vec<Diagnostic> {
         self.values.unused(&self.raw.parameters)
     }
 }
 
-/// A function of one variable, a pure number of a pure number or of an angle.
+/// A function of one variable: a pure number that depends on a pure number or on an angle.
 #[derive(Clone, Debug)]
 pub struct Curve {
     pub(super) expr: Expr,
     pub(super) variable: String,
-    /// Whether the variable is an angle, and whether it counts degrees.
+    /// `None` if the variable is a pure number; for an angle, true if it is in degrees.
     pub(super) angle: Option<bool>,
     pub(super) parameters: Vec<(String, Value)>,
 }
 
 impl Curve {
-    /// The same function of an angle, in degrees or in radians.
+    /// Returns the same function of an angle, in degrees or in radians.
     #[must_use]
     pub fn of_angle(self, degrees: bool) -> Curve {
         Curve { angle: Some(degrees), ..self }
     }
 
-    /// Its value.
+    /// Returns its value.
     ///
     /// # Errors
-    /// Where the expression has none, and where it is no pure number.
+    /// An argument without a value, or a value that is not a pure number.
     pub fn at(&self, x: f64) -> Result<f64, Diagnostic> {
         let dim = if self.angle.is_some() { Dim::ANGLE } else { Dim::NUMBER };
         let variable = Value { number: x, dim, degrees: self.angle.unwrap_or(false) };
@@ -160,18 +164,20 @@ impl Curve {
 /// The name of the time in laws.
 pub const TIME: &str = "t";
 
-/// A law of time over the parameters of its file, kept as written: it has a value in any number.
+/// A law of time over the parameters of its file, as written, with a value in any number type.
 #[derive(Clone, Debug)]
 pub struct Law {
-    /// As written.
+    /// Text as written.
     pub text: String,
     pub(super) expr: Expr,
-    /// Names and values of the parameters that it uses, in the order of the file: later ones use earlier ones.
+    /// Names and expressions of its parameters, in the order of the file: later ones use earlier
+    /// ones.
     pub(super) parameters: Vec<(String, Expr)>,
 }
 
 impl Law {
-    /// Of the parameters of a file those are kept that the expression uses, itself or through others.
+    /// Returns a law with the parameters of the file that the expression uses, directly or through
+    /// others.
     pub(super) fn new(text: String, expr: Expr, mut parameters: Vec<(String, Expr)>) -> Law {
         for k in (0..parameters.len()).rev() {
             let name = &parameters[k].0;
@@ -186,43 +192,44 @@ impl Law {
         Law { text: text.to_owned(), expr, parameters: Vec::new() }
     }
 
-    /// Zero.
+    /// Returns the law zero.
     pub fn zero() -> Law {
         Law::constant("0", Expr { kind: ExprKind::Number("0".to_owned()), span: Span::new(0, 1) })
     }
 
-    /// A number (SI) that stays.
+    /// Returns a constant law (SI).
     pub fn number(value: f64) -> Law {
-        // Rust writes the shortest digits that give the number again, without an exponent.
+        // Rust writes the shortest digits that read back as the number, without an exponent.
         let expr = |kind| Expr { kind, span: Span::new(0, 1) };
         let size = expr(ExprKind::Number(format!("{}", value.abs())));
         let whole = if value < 0.0 { expr(ExprKind::Neg(Box::new(size))) } else { size };
         Law::constant(&format!("{value}"), whole)
     }
 
-    /// Value, rate and second derivative (SI) at a time (s); an angle keeps its degrees. Who needs many of them takes [`Law::folded`] once.
+    /// Returns value, rate and second derivative (SI) at a time (s); an angle keeps its degrees.
+    /// For many evaluations use [`Law::folded`] once.
     ///
     /// # Errors
-    /// Where it has no value, or no derivative.
+    /// A time at which the law has no value or no derivative.
     pub fn at<N: Real>(&self, t: N) -> Result<Value<Jet<N>>, Diagnostic> {
         self.folded()?.at(t)
     }
 
-    /// The law in one kind of number, all that the time is not in evaluated.
+    /// Returns the law in one number type, with all parts that do not contain the time evaluated.
     ///
     /// # Errors
-    /// Where a part without the time has no value.
+    /// A part without the time that has no value.
     pub fn folded<N: Real>(&self) -> Result<Folded<N>, Diagnostic> {
         Folded::new(self)
     }
 
-    /// Whether the time is in it.
+    /// Returns true if the law contains the time.
     pub fn depends_on_time(&self) -> bool {
         mentions(&self.expr, TIME)
     }
 }
 
-/// Whether a parameter, or the time, is in an expression.
+/// Returns true if an expression contains a parameter, or the time.
 pub(super) fn mentions(e: &Expr, wanted: &str) -> bool {
     match &e.kind {
         ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) => false,

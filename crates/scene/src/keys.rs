@@ -1,4 +1,5 @@
-//! Every key of the format, object by object: the decoder, its messages and the test of the schema read these lists.
+//! All keys of the format, by object: the decoder, its messages and the test of the schema use
+//! these lists.
 
 pub(super) const SCENE: &[&str] = &[
     "title",

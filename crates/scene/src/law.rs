@@ -1,12 +1,13 @@
-//! Laws of time: an expression in `t` differentiated exactly, as the text of another expression.
+//! Laws of time: the exact derivative of an expression in `t`, as the text of another expression.
 //!
-//! Sum, product, quotient and chain rule on the tree of [`super::expr`]. A derivative that vanishes for every t is `None`, so that no
-//! term of it is written. An angle inside sin, cos, tan counts in radians: its derivative is divided by one.
+//! Sum, product, quotient and chain rule on the tree of [`super::expr`]. A derivative that vanishes
+//! for every t is `None`, so that its terms are not written. An angle inside sin, cos, tan is in
+//! radians: its derivative is divided by 1 rad.
 
 use super::expr::{Expr, ExprKind, Function, Op};
 use super::front::TIME;
 
-/// Why a law has no derivative.
+/// The reason why a law has no derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum NoDerivative {
     /// |u| has a corner.
@@ -15,10 +16,11 @@ pub(super) enum NoDerivative {
     Exponent,
 }
 
-/// The derivative of a law by time, in the words of an expression; `None`: it vanishes for every t.
+/// Returns the time derivative of a law as the text of an expression; `None` if it vanishes for
+/// every t.
 ///
 /// # Errors
-/// A corner, an exponent that depends on time.
+/// A corner, or an exponent that depends on time.
 pub(super) fn derivative(e: &Expr) -> Result<Option<String>, NoDerivative> {
     Ok(match &e.kind {
         ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) => None,
@@ -60,7 +62,7 @@ pub(super) fn derivative(e: &Expr) -> Result<Option<String>, NoDerivative> {
     })
 }
 
-/// A product; a factor 1 is not written.
+/// Returns a product; a factor 1 is not written.
 fn times(d: &str, other: &str) -> String {
     if d == "1" { other.to_owned() } else { format!("({other}*{d})") }
 }
@@ -75,7 +77,7 @@ fn joined(a: Option<String>, sign: &str, b: Option<String>) -> Option<String> {
     }
 }
 
-/// A tree as text, each operation in parentheses.
+/// Returns a tree as text, each operation in parentheses.
 fn text(e: &Expr) -> String {
     match &e.kind {
         ExprKind::Number(n) => n.clone(),

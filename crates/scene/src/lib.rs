@@ -1,13 +1,15 @@
-//! The file a person writes: raw mirror, validation, units, expressions, embedded templates.
+//! The scene file that a person writes: raw mirror, validation, units, expressions, templates.
 //!
-//! Bytes → JSON tree with places (`json`) → `RawScene` (`decode`) → [`Scene`] (`resolve`). A later stage finds
-//! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
+//! Bytes → JSON tree with places (`json`) → `RawScene` (`decode`) → [`Scene`] (`resolve`). A
+//! [`Scene`] leaves nothing for a later stage to interpret, and no stage depends on the rules of a
+//! later one.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 // clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
-// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+// The module maps name private modules too; `cargo doc --document-private-items` follows those
+// links.
 #![allow(rustdoc::private_intra_doc_links)]
 
 mod again;
@@ -65,10 +67,10 @@ use hodograph_base::diag::{Diagnostic, Faults, Severity, Span, Warned, both};
 use hodograph_base::json;
 use raw::Extent;
 
-/// Reads the error of a pencil as `"paper": {"pencil": ...}` would say it, such as `0.1 mm`; in mm.
+/// Reads the pencil error in the form of `"paper": {"pencil": ...}`, such as `0.1 mm`; returns mm.
 ///
 /// # Errors
-/// What is no length, not greater than zero, or more than 5 mm; places count in `text`.
+/// Text that is not a length, is not greater than zero or exceeds 5 mm; places count in `text`.
 ///
 /// ```
 /// assert_eq!(hodograph_scene::pencil("1/4 * 1 mm").unwrap(), 0.25);
@@ -81,10 +83,11 @@ pub fn pencil(text: &str) -> Result<f64, Faults> {
     read.filter(|_| !faults.has_errors()).ok_or(faults)
 }
 
-/// Reads the width of a page, such as `80 mm`; in mm.
+/// Reads the width of a page, such as `80 mm`; returns mm.
 ///
 /// # Errors
-/// What is no length, or no side of a paper; places count in `text`.
+/// Text that is not a length, or a length outside the limits for a side of the paper; places count
+/// in `text`.
 ///
 /// ```
 /// assert_eq!(hodograph_scene::width("80 mm").unwrap(), 80.0);
@@ -97,7 +100,7 @@ pub fn width(text: &str) -> Result<f64, Faults> {
     read.filter(|_| !faults.has_errors()).ok_or(faults)
 }
 
-/// Whether a text begins as a question does: `v_`, `omega_`.
+/// Returns true if the text begins as a question does: `v_`, `omega_`.
 pub fn begins_a_question(text: &str) -> bool {
     resolve::begins_a_question(text)
 }
@@ -105,7 +108,8 @@ pub fn begins_a_question(text: &str) -> bool {
 /// Reads a scene file: JSON in UTF-8, in the format that `docs/scene.md` describes.
 ///
 /// # Errors
-/// All faults of the file in one list, each with its place as byte offsets into `source`; warnings are among them.
+/// All faults of the file in one list, each with its place as byte offsets into `source`; the list
+/// includes warnings.
 ///
 /// ```
 /// let scene = hodograph_scene::read(r#"{
@@ -117,14 +121,15 @@ pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     read_with(source.as_ref(), None)
 }
 
-/// Places from here on count in the questions of [`read_asking`] instead of in the file: no file is so long.
+/// First place in the questions of [`read_asking`]; smaller places are in the file, which is never
+/// that long.
 const ASKED: usize = usize::MAX / 2;
 
-/// The same with other questions than the file's, such as `v_E, a_E`.
+/// Reads a scene file with other questions than its own, such as `v_E, a_E`.
 ///
 /// # Errors
-/// As [`read`]. The places of the questions, in these faults and in those of later stages, are told from the file's by
-/// [`place_in_asked`].
+/// As [`read`]. [`place_in_asked`] separates places in the questions from places in the file, in
+/// these faults and in those of later stages.
 ///
 /// ```
 /// use hodograph_base::diag::Span;
@@ -138,18 +143,20 @@ pub fn read_asking(source: impl AsRef<[u8]>, questions: &str) -> Result<Warned<S
     read_with(source.as_ref(), Some(questions))
 }
 
-/// A place in the questions of [`read_asking`]; `None` where it is one in the file.
+/// Returns the place within the questions of [`read_asking`], or `None` for a place in the file.
 pub fn place_in_asked(span: Span) -> Option<Span> {
     Some(Span::new(span.start.checked_sub(ASKED)?, span.end.checked_sub(ASKED)?))
 }
 
-/// The language that a scene names, as far as its JSON can be read: what is wrong with it is told in that.
+/// Returns the language that a scene names, if its JSON can be read that far; faults are reported
+/// in this language.
 pub fn language_of(source: &[u8]) -> Option<Lang> {
     let (_, root) = json::parse(source, &mut Faults::default()).ok()?;
     decode::language_of(&root)
 }
 
-/// Reads links and pairs, as counting them needs: a driver, its rate, the direction of a guide, any length may be missing.
+/// Reads the links and pairs for a mobility count: a driver, its rate, the direction of a guide
+/// or any length may be missing.
 ///
 /// # Errors
 /// As [`read`].
@@ -163,7 +170,8 @@ pub fn read_topology(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> 
     read_as(source.as_ref(), None, Extent::Pairs)
 }
 
-/// Reads a mechanism in its pose: drivers and their rates may be missing. A rate that is not told counts as one ([`Driver::rate_told`]).
+/// Reads a mechanism in its pose: drivers and their rates may be missing. A missing rate counts as
+/// one unit ([`Driver::rate_told`]).
 ///
 /// # Errors
 /// As [`read`].
@@ -178,8 +186,8 @@ pub fn read_pose(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     read_as(source.as_ref(), None, Extent::Pose)
 }
 
-/// Reads a scene for what does not depend on rates: those that are not told are zero, and where no driver is named the first link that can be driven
-/// is.
+/// Reads a scene for quantities that do not depend on rates. Missing rates are zero; without a
+/// driver, the first link that can be driven is the driver.
 ///
 /// # Errors
 /// As [`read`].
@@ -193,10 +201,11 @@ pub fn read_at_rest(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     read_as(source.as_ref(), None, Extent::Rest)
 }
 
-/// Reads a scene that says no rate, or no driver: one unit of the rate is taken where nothing that it asks depends on it, and a note says so.
+/// Reads a scene without a rate or without a driver. The missing rate is one unit where no question
+/// depends on it, and a note says so.
 ///
 /// # Errors
-/// As [`read`]; a question that depends on the rate leaves the scene without one.
+/// As [`read`]; a missing rate is a fault if a question depends on it.
 ///
 /// ```
 /// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
@@ -206,7 +215,7 @@ pub fn read_at_rest(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
 pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     let told = read_as(source.as_ref(), None, Extent::Motion);
     let Err(faults) = told else { return told };
-    // Friction needs the senses of the velocities.
+    // Friction depends on the senses of the velocities.
     let asks_no_rate =
         |f: &Find| matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Time | Kind::Number) && !matches!(f.what, Asked::Force(_));
     let free = read_as(source.as_ref(), None, Extent::AnyRate).ok().filter(|read| read.value.find.iter().all(asks_no_rate));
@@ -234,15 +243,15 @@ fn read_as(source: &[u8], questions: Option<&str>, extent: Extent) -> Result<War
     match scene {
         Some(value) if !faults.has_errors() => Ok(Warned { value, notes: faults.list }),
         _ => {
-            // Errors first; within each kind the order of the file, so that the list can be worked down from the top.
+            // Errors come first; within each severity the order is that of the file.
             faults.list.sort_by_key(|d| (d.severity != Severity::Error, d.span.map_or(0, |s| s.start)));
             Err(faults)
         }
     }
 }
 
-/// The questions of a list that is parted by commas, with their places: what does not begin as a question does (`v_`, `omega_`) belongs to
-/// the one before.
+/// Splits a list of questions at its commas, with their places. A part that does not begin as a
+/// question does (`v_`, `omega_`) belongs to the question before it.
 fn asked(questions: &str, faults: &mut Faults) -> Vec<json::Word> {
     let mut words = Vec::new();
     let mut start = ASKED;
@@ -252,7 +261,7 @@ fn asked(questions: &str, faults: &mut Faults) -> Vec<json::Word> {
         faults.list.extend(json::unprintable(&word));
         match words.last_mut() {
             _ if word.text.is_empty() => {}
-            // Names of points may be parted by a comma too.
+            // A comma may also separate the names of points.
             Some(last) if !begins_a_question(&word.text) => {
                 let last: &mut json::Word = last;
                 last.text = format!("{},{}", last.text, word.text);

@@ -1,10 +1,11 @@
-//! Forces of a scene: masses and gravity, applied forces and moments, springs, and where the balancing force acts.
+//! Forces of a scene: masses and gravity, applied forces and moments, springs, and the place of the
+//! balancing force.
 
 use super::model::{Angle, Given, GuideId, LinkId, PointId, Scene};
 use hodograph_base::diag::{Diagnostic, Span};
 use std::sync::{Arc, OnceLock};
 
-/// Everything that a scene says about forces.
+/// All data of a scene on forces.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Loads {
     /// Acceleration of free fall (m/s²), x and y.
@@ -17,7 +18,7 @@ pub struct Loads {
     pub springs: Vec<Spring>,
     /// Friction in pins and guides.
     pub friction: Vec<Friction>,
-    /// The force or moment that keeps the balance; `None`: one at each driver.
+    /// The balancing force or moment; `None`: one at each driver.
     pub balance: Option<Balance>,
 }
 
@@ -27,7 +28,7 @@ impl Loads {
         self.masses.is_empty() && self.applied.is_empty() && self.springs.is_empty()
     }
 
-    /// The mass of a link.
+    /// Returns the mass of a link.
     pub fn mass_of(&self, link: LinkId) -> Option<&Mass> {
         self.masses.iter().find(|m| m.link == link)
     }
@@ -40,11 +41,11 @@ pub struct Mass {
     pub link: LinkId,
     /// Mass (kg).
     pub m: Option<Given>,
-    /// Weight (N), where the file gives that instead of the mass.
+    /// Weight (N), if the file gives it instead of the mass.
     pub weight: Option<Given>,
     /// Moment of inertia about the centre of mass (kg·m²).
     pub j: Option<Given>,
-    /// The centre of mass; absent where only a moment of inertia is given.
+    /// The centre of mass; absent if only a moment of inertia is given.
     pub at: Option<PointId>,
     /// Its place in the file.
     pub span: Span,
@@ -57,7 +58,7 @@ pub struct Applied {
     pub link: LinkId,
     /// Point of application; `None` for a couple.
     pub at: Option<PointId>,
-    /// Size and direction; of a diagram the largest amount.
+    /// Size and direction; for a diagram the largest amount.
     pub size: Size,
     /// The part of the motion over which it acts; `None`: all of it.
     pub course: Option<Course>,
@@ -70,25 +71,26 @@ pub struct Applied {
 pub enum Size {
     /// Components of a force (N) along the axes.
     Components([Given; 2]),
-    /// A force (N) under an angle: from the x axis, or from the line of two points of a link, with which it turns.
+    /// A force (N) at an angle from the x axis, or from the line of two points of a link, with
+    /// which it turns.
     Directed {
         /// Signed magnitude.
         force: Given,
-        /// From the first point toward the second.
+        /// Reference line, from the first point toward the second.
         line: Option<(PointId, PointId)>,
-        /// From the line or the axis, counter-clockwise plus.
+        /// Angle from the line or the axis, positive counter-clockwise.
         angle: Option<Given<Angle>>,
     },
-    /// A force (N) against the velocity of its point.
+    /// A force (N) opposite to the velocity of its point.
     AgainstMotion(Given),
-    /// A couple (N·m), counter-clockwise plus.
+    /// A couple (N·m), positive counter-clockwise.
     Couple(Given),
-    /// A couple (N·m) against the turning of its link.
+    /// A couple (N·m) opposite to the rotation of its link.
     AgainstTurning(Given),
 }
 
 impl Size {
-    /// True if the motion gives its direction.
+    /// True if the motion determines its direction.
     pub fn is_against_motion(&self) -> bool {
         matches!(self, Size::AgainstMotion(_) | Size::AgainstTurning(_))
     }
@@ -99,16 +101,17 @@ impl Size {
 pub struct Course {
     /// The motion.
     pub along: Along,
-    /// The load acts from the first to the last; two at least, in order.
+    /// Stations, at least two, in order; the load acts from the first to the last.
     pub stations: Vec<Station>,
     /// Its place in the file.
     pub span: Span,
 }
 
-/// The motion along which a load is told.
+/// The motion along which a load is given.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Along {
-    /// The working stroke of a point in a straight guide on ground. On the way back the load does not act.
+    /// The working stroke of a point in a straight guide on ground. The load does not act during
+    /// the return stroke.
     Stroke {
         /// The point.
         point: PointId,
@@ -116,20 +119,21 @@ pub enum Along {
         guide: GuideId,
         /// Direction of the working stroke, from the x axis; `None`: the slower one.
         toward: Option<Given<Angle>>,
-        /// Its ends, found where they are first asked for.
+        /// Its ends, computed at the first use.
         ends: Ends,
     },
     /// The angle of a driven link.
     Turn {
         /// Its driver.
         driver: usize,
-        /// The angle after which the load comes again.
+        /// The angle after which the load repeats.
         period: Given<Angle>,
     },
 }
 
-/// Coordinates along the guide (m) at which a working stroke begins and ends, or the reason for which it has none: found once for a scene and its
-/// copies. All are equal: they follow from the rest of the scene.
+/// Coordinates along the guide (m) of the beginning and end of a working stroke, or the reason why
+/// there is none: computed once for a scene and its copies. All compare equal, because they follow
+/// from the rest of the scene.
 #[derive(Clone, Debug, Default)]
 pub struct Ends(pub Arc<OnceLock<Result<[Given; 2], Diagnostic>>>);
 
@@ -144,14 +148,14 @@ impl PartialEq for Ends {
 pub struct Station {
     /// Its place.
     pub at: Abscissa,
-    /// Amount of the load there, between stations in proportion; `None` where the load is constant.
+    /// Amount of the load there, linear between stations; `None` if the load is constant.
     pub amount: Option<Given>,
 }
 
 /// A place of a course.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Abscissa {
-    /// A part of the stroke, 0 to 1.
+    /// A fraction of the stroke, 0 to 1.
     Part(Given),
     /// Distance (m) from the beginning of the stroke.
     Way(Given),
@@ -160,7 +164,7 @@ pub enum Abscissa {
 }
 
 impl Abscissa {
-    /// The part, the distance (m), or the angle (degrees).
+    /// Returns the fraction, the distance (m), or the angle (degrees).
     pub fn value(&self) -> f64 {
         match self {
             Abscissa::Part(x) | Abscissa::Way(x) => x.value,
@@ -169,7 +173,7 @@ impl Abscissa {
     }
 }
 
-/// A spring between two points: it pulls with k (l − free), and pushes where that is negative.
+/// A spring between two points: it pulls with k (l − free), and pushes if this is negative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
     /// Its ends, each with the link on which it acts.
@@ -185,20 +189,20 @@ pub struct Spring {
 /// Friction in a pair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Friction {
-    /// The pair and how rough it is.
+    /// The pair and its friction.
     pub at: Rub,
     /// Its place in the file.
     pub span: Span,
 }
 
-/// A pair that rubs.
+/// A pair with friction.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Rub {
     /// A pin, with the radius (m) of its friction circle.
     Pin {
         /// The pin.
         point: PointId,
-        /// The link in which it is fast: on it the others turn.
+        /// The link on which the pin is fixed; the others turn on it.
         fast: LinkId,
         /// The radius ρ = f r.
         circle: Given,
@@ -212,7 +216,7 @@ pub enum Rub {
     },
 }
 
-/// The force or moment that keeps the balance in place of the driver's.
+/// The balancing force or moment that replaces that of the driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Balance {
     /// The link on which it acts.
@@ -224,12 +228,13 @@ pub struct Balance {
 }
 
 impl Applied {
-    /// True if the load depends on velocities: by its direction, or because it acts in one stroke alone.
+    /// True if the load depends on velocities: by its direction, or because it acts in one stroke
+    /// only.
     pub fn depends_on_motion(&self) -> bool {
         self.size.is_against_motion() || self.stroke().is_some()
     }
 
-    /// The point and guide of the stroke in which it acts.
+    /// Returns the point and guide of the stroke in which it acts.
     pub fn stroke(&self) -> Option<(PointId, GuideId)> {
         match self.course.as_ref()?.along {
             Along::Stroke { point, guide, .. } => Some((point, guide)),
@@ -239,8 +244,9 @@ impl Applied {
 }
 
 impl Scene {
-    /// The link that slides in a guide, and the point of it through which its friction acts: the pin, a point of the slider, else a place where
-    /// something runs or rolls on it.
+    /// Returns the link that slides in a guide, and its point through which the friction acts: the
+    /// pin, else a point of the slider, else a place at which another body runs or rolls on the
+    /// slider.
     pub fn sliding_at(&self, guide: GuideId) -> Option<(LinkId, PointId)> {
         let own = &self.guides[guide.0];
         let slider = own.slider.or_else(|| self.carriers(own.pin?).next())?;
@@ -250,7 +256,7 @@ impl Scene {
         Some((slider, point))
     }
 
-    /// True if links have inertia forces: something has mass, and a driver moves.
+    /// True if links have inertia forces: there are masses, and a driver moves.
     pub fn has_inertia(&self) -> bool {
         let moves = |d: &super::model::Driver| d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0);
         !self.loads.masses.is_empty() && self.drivers.iter().any(moves)

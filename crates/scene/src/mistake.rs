@@ -1,31 +1,33 @@
-//! The known mistakes of solutions by relative motion, by name.
+//! The known mistakes in solutions by relative motion, by name.
 //!
-//! Decided here: only what they are called. Where a scene lets one be made, and what it does to the equations, is decided in
-//! `attempts`, a file for each.
+//! This module defines the names only. The module `attempts` decides where a scene allows a mistake
+//! and how the mistake changes the equations, with one file for each.
 
 use hodograph_base::lang::Lang;
 
 /// A known mistake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mistake {
-    /// The momentary point of contact of two profiles taken for a lasting coincident point.
+    /// Momentary point of contact of two profiles taken as a permanent coincident point.
     ContactPoint,
-    /// The Coriolis acceleration at a turning guide left out.
+    /// Coriolis acceleration at a turning guide omitted.
     NoCoriolis,
-    /// The Coriolis acceleration with the angular velocity of a link other than that which carries the guide.
+    /// Coriolis acceleration with the angular velocity of a link other than the one that carries
+    /// the guide.
     CoriolisWrongOmega,
-    /// The point of a rolling wheel that touches taken to have no acceleration against its track, because it has no velocity.
+    /// Zero acceleration relative to the track assumed for the contact point of a rolling wheel,
+    /// because its velocity is zero.
     RollingPointAZero,
-    /// An image built on points of two links.
+    /// Image constructed from points of two links.
     ImageAcrossLinks,
-    /// The normal acceleration of a link left out.
+    /// Normal acceleration of a link omitted.
     NoNormal,
     /// Accelerations from the instantaneous centre of velocity, as if it had no acceleration.
     AccelerationByCentre,
 }
 
 impl Mistake {
-    /// All of them, in the order in which they are told.
+    /// All mistakes, in the order of output.
     pub const ALL: [Mistake; 7] = [
         Mistake::ContactPoint,
         Mistake::NoCoriolis,
@@ -36,7 +38,7 @@ impl Mistake {
         Mistake::AccelerationByCentre,
     ];
 
-    /// How a scene writes it.
+    /// Returns its name in a scene.
     pub fn name(self) -> &'static str {
         match self {
             Mistake::ContactPoint => "contact-point",
@@ -49,7 +51,7 @@ impl Mistake {
         }
     }
 
-    /// What it is called in headings.
+    /// Returns its name in headings.
     pub fn title(self, lang: Lang) -> &'static str {
         let [en, zh] = match self {
             Mistake::ContactPoint => ["Momentary contact point taken as a permanent coincident point", "把瞬时接触点当作始终不变的重合点"],

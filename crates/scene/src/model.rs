@@ -1,8 +1,8 @@
 //! The scene after reading: names resolved, SI units, nothing left to interpret.
 //!
-//! Lengths are metres, angles radians (see [`Angle`]), rates per second. The order of every list is the order in the file.
-//! Whether the given things suffice to fix the mechanism is *not* decided here but in `mechanism` and
-//! `position`.
+//! Lengths are in metres, angles in radians (see [`Angle`]), rates per second. Every list keeps the
+//! order of the file. Whether the data determine the mechanism is *not* decided here but in
+//! `mechanism` and `position`.
 
 use super::again::Source;
 use super::book::Book;
@@ -31,7 +31,7 @@ pub struct LinkId(pub usize);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct GuideId(pub usize);
 
-/// A text in both languages; a scene that gives one gets it in both.
+/// A text in both languages; a text given in one language serves for both.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Localized {
     /// English.
@@ -41,7 +41,7 @@ pub struct Localized {
 }
 
 impl Localized {
-    /// The text in one language.
+    /// Returns the text in one language.
     pub fn get(&self, lang: Lang) -> &str {
         match lang {
             Lang::En => &self.en,
@@ -55,11 +55,11 @@ impl Localized {
 pub struct Given<T = f64> {
     /// SI value.
     pub value: T,
-    /// How far the value may be from what is written: a decimal is seldom an `f64` (of an angle: in the unit of `value`).
+    /// Bound on the error of `value`: few decimals are an exact `f64` (of an angle: in its unit).
     pub radius: f64,
-    /// The text as written (`"100 mm"`, `"2*r"`), for the "given" list and for exact arithmetic.
+    /// Text as written (`"100 mm"`, `"2*r"`), for the data list and exact arithmetic.
     pub text: String,
-    /// Where it stands.
+    /// Place in the file.
     pub span: Span,
 }
 
@@ -68,35 +68,36 @@ pub struct Given<T = f64> {
 pub struct Point {
     /// Name as written, such as `A` or `O2`.
     pub name: String,
-    /// How its place is given, if at all.
+    /// The data that give its place, if any.
     pub place: Place,
-    /// Rough coordinates (m) that say which assembly is meant.
+    /// Rough coordinates (m) that select the assembly.
     pub sketch: Option<[f64; 2]>,
-    /// First mention.
+    /// Place of the first mention.
     pub span: Span,
 }
 
-/// How a point's place is given.
+/// The data that give a point's place.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Place {
-    /// Not given: to be found from lengths and guides.
+    /// Not given; it follows from lengths and guides.
     Unknown,
-    /// Coordinates in the plane at the instant (m): a fixed pivot, or part of the pose.
+    /// Coordinates in the fixed plane at the instant (m): a fixed pivot, or part of the pose.
     At([Given; 2]),
-    /// Coordinates (m) in the link that carries `base`: origin in `base.0`, x toward `base.1`, y to the left.
+    /// Coordinates (m) in the link that carries `base`: origin `base.0`, x toward `base.1`, y left.
     InLink {
         /// Two points of the link.
         base: (PointId, PointId),
         /// x and y.
         xy: [Given; 2],
     },
-    /// At `length` (m) from `base.0`, the direction turned by `angle` (counter-clockwise) from that of `base.0`→`base.1`.
+    /// Polar coordinates in the link that carries `base`: at `length` (m) from `base.0`, in the
+    /// direction of `base.0`→`base.1` turned by `angle` (counter-clockwise).
     Polar {
         /// Two points of the link.
         base: (PointId, PointId),
         /// Distance from `base.0`.
         length: Given,
-        /// Angle from the base, counter-clockwise plus.
+        /// Angle from the base, positive counter-clockwise.
         angle: Given<Angle>,
     },
 }
@@ -106,31 +107,34 @@ pub enum Place {
 pub struct Link {
     /// Number or name as written.
     pub name: String,
-    /// Its points, without repetition. A numbered slider has its pin here too. Empty for a slider without a pin, for a ground
-    /// that only carries guides, and for barrel and rod that only a cylinder names.
+    /// Its points, each once. A numbered slider has its pin here too. Empty for a slider without a
+    /// pin, for a ground that only carries guides, and for a barrel and rod that only a cylinder
+    /// names.
     pub points: Vec<PointId>,
-    /// Where it is declared.
+    /// Place of the declaration.
     pub span: Span,
 }
 
-/// A sliding pair. With `pin` and no `slider`: a bare pin in a slot (one constraint). With `slider`: that link keeps
-/// its direction against `on` as well (a prismatic pair, two constraints). At least one of the two is given.
+/// A sliding pair. With `pin` and no `slider`: a bare pin in a slot (one constraint). With
+/// `slider`: that link also keeps its direction relative to `on` (a prismatic pair, two
+/// constraints). At least one of the two is given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guide {
-    /// The point that runs in the guide; with `slider` a point of that link. A bare pin that runs in two guides may be on no link.
+    /// The running point (of the `slider`); a bare pin that runs in two guides may be on no link.
     pub pin: Option<PointId>,
     /// The numbered slider.
     pub slider: Option<LinkId>,
     /// The link that carries the guide.
     pub on: LinkId,
-    /// Its shape.
+    /// Shape of the guide.
     pub path: GuidePath,
-    /// The length (m) over which its slider bears, half of it on either side of the point from which the place of its force counts.
+    /// Bearing length of the slider (m), centred on the reference point of the guide force.
     pub length: Option<Given>,
-    /// The rolling pair whose second centre runs in it, where it is not the file's own guide: it keeps the two in touch, and a toothed
-    /// pair's holds only what nothing else holds.
+    /// The rolling pair that needs this guide for its second centre, unless the guide is one of the
+    /// file: it keeps the two links in touch. The guide of a toothed pair only constrains what no
+    /// other pair constrains.
     pub rolling: Option<RollingId>,
-    /// Where it is declared.
+    /// Place of the declaration.
     pub span: Span,
 }
 
@@ -141,63 +145,64 @@ pub enum GuidePath {
     Line {
         /// A point of the line (before `offset`).
         through: Through,
-        /// Its direction; also the positive sense of sliding.
+        /// Its direction, also the positive sense of sliding.
         direction: Direction,
-        /// The line lies this far (m) to the left of the parallel through `through` (left when looking along the direction).
+        /// Distance (m) from the parallel through `through`, positive to the left of the direction.
         offset: Option<Given>,
     },
     /// A slot along a circle about a point of the carrying link.
     Arc {
         /// Centre, a point of the carrying link.
         centre: PointId,
-        /// Radius (m); where absent, the distance centre–pin of the pose.
+        /// Radius (m); if absent, the distance from centre to pin in the pose.
         radius: Option<Given>,
     },
 }
 
-/// What a straight guide passes through (before its offset).
+/// The point that fixes a straight guide (before its offset).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Through {
-    /// The running pin itself, where it is at the instant; where a slider has no pin, the line's place does not matter.
+    /// The running pin itself, at its place at the instant; without a pin, any line.
     Pin,
     /// A point of the carrying link.
     Point(PointId),
-    /// A place in the plane (m); for guides on ground.
+    /// A place in the fixed plane (m); for guides on ground.
     At([Given; 2]),
 }
 
 /// The direction of a straight guide.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Direction {
-    /// At this angle from the x axis at the instant.
+    /// Angle from the x axis at the instant.
     Instant(Given<Angle>),
-    /// From the first point toward the second, both on the carrying link, turned by the angle if one is given.
+    /// From the first point toward the second, on the carrying link, turned by the angle if given.
     Along(PointId, PointId, Option<Given<Angle>>),
-    /// Not given: the carrying link has no other direction of its own, so its guide *is* its direction
-    /// (a lever known by its pivot and its slot only).
+    /// Not given: no other data fix the direction of the carrying link, so the guide *is* the
+    /// link's direction (a lever known by its pivot and its slot only).
     Own,
-    /// Turned by this angle from the guide of another moving link in which the carrying link slides: the face of a follower.
+    /// Turned by this angle from the guide in which the carrying link slides, a guide of another
+    /// moving link: the face of a follower.
     Slid(Given<Angle>),
 }
 
-/// What drives the mechanism.
+/// A driver of the mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Driver {
-    /// Which motion is given.
+    /// The motion that is given.
     pub kind: DriverKind,
-    /// Rate: rad/s for turning, m/s for sliding and cylinders.
+    /// Rate: rad/s for a turning driver, m/s for a sliding one and a cylinder.
     pub rate: Given,
-    /// Rate of the rate; absent means constant rate.
+    /// Time derivative of the rate; `None`: the rate is constant.
     pub acceleration: Option<Given>,
-    /// Whether its rate is told; where only the pose is read it may count as one.
+    /// True if the scene gives the rate; for reading a pose, a missing rate may count as one unit.
     pub rate_told: bool,
-    /// The law of time that gives its position, rate and acceleration at the instant.
+    /// The law of time for its position; rate and acceleration at the instant follow from it.
     pub law: Option<TimeLaw>,
-    /// Where it is declared.
+    /// Place of the declaration.
     pub span: Span,
 }
 
-/// A law of time, as it is written.
+/// A law of time, as written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TimeLaw {
     /// The expression in t.
@@ -209,24 +214,24 @@ pub struct TimeLaw {
 /// The kinds of driver.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DriverKind {
-    /// A link turns against another (usually ground).
+    /// A link turns relative to another (usually ground).
     Turn {
         /// The driven link.
         link: LinkId,
-        /// The link against which angle and rate are counted.
+        /// The link from which angle and rate are measured.
         against: LinkId,
         /// The line of the driven link whose angle is given; default: its first two points.
         line: Option<(PointId, PointId)>,
-        /// The line of `against` from which the angle is counted; default: the x axis for ground, else its first two points.
+        /// Zero line of the angle on `against`; default: x axis, or its first two points.
         against_line: Option<(PointId, PointId)>,
-        /// The angle; absent where the pose is given by coordinates.
+        /// The angle (rad); absent if coordinates give the pose.
         angle: Option<Given<Angle>>,
     },
     /// A pin or slider moves along its guide.
     Slide {
-        /// Which guide.
+        /// The guide.
         guide: GuideId,
-        /// Coordinate along the guide from its `through` point (m; metres of arc on a curved guide).
+        /// Coordinate along the guide from its `through` point (m; arc length on a curved guide).
         position: Option<Given>,
     },
     /// The distance of two points is given: a cylinder.
@@ -235,9 +240,10 @@ pub enum DriverKind {
         a: PointId,
         /// The other end.
         b: PointId,
-        /// Their distance (m); absent where the pose is given by coordinates.
+        /// Their distance (m); absent if coordinates give the pose.
         length: Option<Given>,
-        /// Numbers of barrel and rod, where they have numbers: links that turn with the line a–b. They carry no further points.
+        /// Numbers of barrel and rod, if any: links that turn with the line a–b without further
+        /// points.
         links: Vec<LinkId>,
     },
 }
@@ -249,46 +255,46 @@ pub struct Length {
     pub a: PointId,
     /// The other end.
     pub b: PointId,
-    /// Metres.
+    /// Distance (m).
     pub value: Given,
 }
 
-/// Says on which side of the directed line `from`→`to` a point lies.
+/// The side of the directed line `from`→`to` on which a point is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Side {
     /// The point.
     pub point: PointId,
-    /// Left (true) or right of the line.
+    /// True for left of the line, false for right.
     pub left: bool,
     /// Start of the line.
     pub from: PointId,
     /// End of the line.
     pub to: PointId,
-    /// Where it is said.
+    /// Place in the file.
     pub span: Span,
 }
 
-/// A point of a certain link: `B3` is the point of link 3 that lies at B.
+/// A point of a certain link: `B3` is the point of link 3 at the place B.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct OnLink {
     /// The place.
     pub point: PointId,
-    /// The link; `None` where the point is the same on all links that carry it.
+    /// The link; `None` if the point is the same on all links that carry it.
     pub link: Option<LinkId>,
 }
 
-/// One asked quantity.
+/// A question: one quantity to find.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Find {
-    /// Which.
+    /// The quantity.
     pub what: Asked,
-    /// As written, such as `v_E`.
+    /// Text as written, such as `v_E`.
     pub text: String,
-    /// Where.
+    /// Place in the file.
     pub span: Span,
 }
 
-/// What moves in a composite motion.
+/// The moving point of a composite motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moving {
     /// A point of the scene.
@@ -297,65 +303,66 @@ pub enum Moving {
     Contact {
         /// Index into [`Scene::cams`].
         cam: usize,
-        /// The link whose point it is.
+        /// The link that carries the point.
         on: LinkId,
     },
 }
 
-/// A moving point, and the frame from which its motion is seen.
+/// A moving point and the frame from which its motion is observed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seen {
     /// The moving point.
     pub of: Moving,
     /// The frame.
     pub frame: Frame,
-    /// Where it is said.
+    /// Place in the file.
     pub span: Span,
 }
 
-/// A wrong solution that is to be shown beside the right one.
+/// A wrong solution to show beside the right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attempted {
-    /// What was done wrong.
+    /// The mistake.
     pub mistake: Mistake,
-    /// The point at which it was done, where several offer themselves: a pin in a slot, a contact, a point found by image.
+    /// The point of the mistake, if several are possible: a pin in a slot, a contact, an image
+    /// point.
     pub pair: Option<String>,
-    /// The link of which it was done.
+    /// The link for which it is made.
     pub link: Option<LinkId>,
-    /// What was printed, by the question that it answers; of a vector its magnitude.
+    /// Printed results, each with its question; of a vector the magnitude.
     pub printed: Vec<(Find, Given)>,
-    /// The author's words for why it is wrong.
+    /// The author's explanation of the mistake.
     pub why: Option<Localized>,
-    /// Where it is said.
+    /// Place in the file.
     pub span: Span,
 }
 
 /// Paper and scales. A fixed scale is in SI per millimetre of paper.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Paper {
-    /// Width and height in mm; absent: as large as the sheet needs.
+    /// Width and height in mm; `None`: as large as the sheet needs.
     pub size_mm: Option<[f64; 2]>,
     /// Fixed scales, SI per mm of paper.
     pub scales: ByKind,
     /// The pencil error (mm) within which 95 % of the marks fall.
     pub pencil_mm: Option<f64>,
-    /// Units (SI) in which scales are round; of a kind without one the SI unit.
+    /// Units (SI) in which scales are round; a kind without one has the SI unit.
     pub round_in: ByKind,
 }
 
 impl Paper {
-    /// The scale of a kind (SI per mm): the fixed one, or the one that is chosen round in a unit (SI).
+    /// Returns the scale of a kind (SI per mm): the fixed one, or a round one from `choose`.
     pub fn scale(&self, kind: Kind, choose: impl FnOnce(f64) -> f64) -> f64 {
         self.scales.get(kind).unwrap_or_else(|| choose(self.unit(kind)))
     }
 
-    /// The unit (SI) in which the scale of a kind is round.
+    /// Returns the unit (SI) in which the scale of a kind is round.
     pub fn unit(&self, kind: Kind) -> f64 {
         self.round_in.get(kind).unwrap_or(1.0)
     }
 }
 
-/// A scene: everything its file says.
+/// A scene: the whole contents of its file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Title.
@@ -366,11 +373,12 @@ pub struct Scene {
     pub parameters: Vec<(String, Given)>,
     /// Points in order of first mention.
     pub points: Vec<Point>,
-    /// Links; sliders that are named only in a guide come after those of `links`.
+    /// Links; sliders that only a guide names follow those of `links`.
     pub links: Vec<Link>,
     /// The fixed link.
     pub ground: LinkId,
-    /// Sliding pairs, those that stand for the contact of a cam among them; after those of the file the guides of rolling pairs.
+    /// Sliding pairs, including those that replace the contact of a cam; the guides of rolling
+    /// pairs follow those of the file.
     pub guides: Vec<Guide>,
     /// Disc cams.
     pub cams: Vec<Cam>,
@@ -382,33 +390,33 @@ pub struct Scene {
     pub drivers: Vec<Driver>,
     /// Masses, forces, springs.
     pub loads: Loads,
-    /// Sides that choose the assembly.
+    /// Sides that select the assembly.
     pub sides: Vec<Side>,
-    /// What is asked.
+    /// The questions.
     pub find: Vec<Find>,
-    /// Moving points and frames whose composite motions are shown.
+    /// Moving points and frames of the composite motions to show.
     pub composite: Vec<Seen>,
-    /// Wrong solutions that are shown beside the right one.
+    /// Wrong solutions to show beside the right one.
     pub attempts: Vec<Attempted>,
     /// Names of other readings of a figure that is lost; see [`readings`](super::readings).
     pub readings: Vec<String>,
-    /// Language of the output unless the caller says otherwise.
+    /// Language of the output, unless the caller chooses another.
     pub language: Option<Lang>,
-    /// Name of the notation profile (`en`, `cn`), unless the caller says otherwise.
+    /// Name of the notation profile (`en`, `cn`), unless the caller chooses another.
     pub notation: Option<String>,
-    /// Paper.
+    /// Paper and scales.
     pub paper: Paper,
-    /// The unit in which the file writes its lengths: what is said of the scene is said in it.
+    /// The unit in which the file writes its lengths; messages about the scene use it.
     pub length_unit: &'static Unit,
-    /// The units in which answers, scales and tables are printed.
+    /// The units of printed answers, scales and tables.
     pub book: Book,
-    /// The file of a scene with cams or loads: other positions and parameters are read from it again.
+    /// The file of a scene with cams or loads, to be read again at other positions and parameters.
     pub source: Option<Source>,
 }
 
 impl Scene {
-    /// For each link whether it turns as this one for topological reasons: it is this one, or joined to one that does by a slider, which
-    /// keeps its direction on a straight guide.
+    /// Returns for each link whether it turns with `link` in every position: it is `link` itself,
+    /// or a slider on a straight guide joins it to a link that does.
     pub fn turning_with(&self, link: LinkId) -> Vec<bool> {
         let mut turning = vec![false; self.links.len()];
         turning[link.0] = true;
@@ -420,22 +428,22 @@ impl Scene {
         turning
     }
 
-    /// Name of a point.
+    /// Returns the name of a point.
     pub fn point_name(&self, p: PointId) -> &str {
         &self.points[p.0].name
     }
 
-    /// Name of a link.
+    /// Returns the name of a link.
     pub fn link_name(&self, l: LinkId) -> &str {
         &self.links[l.0].name
     }
 
-    /// The first moving link that carries a point.
+    /// Returns the first moving link that carries a point.
     pub fn mover(&self, p: PointId) -> Option<LinkId> {
         self.carriers(p).find(|l| *l != self.ground)
     }
 
-    /// The links that carry a point, in order.
+    /// Returns the links that carry a point, in order.
     pub fn carriers(&self, p: PointId) -> impl Iterator<Item = LinkId> + '_ {
         self.links.iter().enumerate().filter(move |(_, l)| l.points.contains(&p)).map(|(i, _)| LinkId(i))
     }

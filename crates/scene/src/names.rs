@@ -1,4 +1,5 @@
-//! Names run together, as in print: `AB`, `O2B`, `B3B2`, `omega_3/2`, taken apart by the names that the scene declares.
+//! Joined names, as in print: `AB`, `O2B`, `B3B2`, `omega_3/2`, separated with the names that the
+//! scene declares.
 
 use std::collections::HashMap;
 
@@ -8,11 +9,12 @@ use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::json::Word;
 use hodograph_base::json::fields::suggest;
 
-/// Longest name of a point or link. Figures print the names; nothing longer than this finds a place beside a joint.
+/// Longest name of a point or link. Figures print the names, and longer ones do not fit beside a
+/// joint.
 const MAX_NAME: usize = 16;
 
-/// Longest run of names that is taken apart: two points, each with a link, and a comma. The ways to cut a text grow with the
-/// square of its length.
+/// Longest text of joined names: two points, each with a link, and a comma. The number of ways to
+/// split a text grows with the square of its length.
 const MAX_RUN: usize = 4 * MAX_NAME + 1;
 
 /// The declared names.
@@ -23,14 +25,15 @@ pub(super) struct Names<'a> {
     by_link: HashMap<&'a str, LinkId>,
 }
 
-/// What a name is given to.
+/// The object of a name.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Named {
     Point,
     Link,
 }
 
-/// What is wrong with a new name, if anything. `what` is "point" or "link"; a point begins with a letter.
+/// Returns the fault of a new name, if any. `what` is "point" or "link"; a point begins with a
+/// letter.
 pub(super) fn check(name: &Word, what: Named) -> Option<Diagnostic> {
     let text = &name.text;
     let good = text.chars().all(|c| c.is_alphanumeric() || c == '\'' || c == '_');
@@ -51,7 +54,7 @@ pub(super) fn check(name: &Word, what: Named) -> Option<Diagnostic> {
     Some(Diagnostic::error("name", message).at(name.span).help(help))
 }
 
-/// The readings among which a writer is to choose.
+/// Returns a list of readings for the author to choose from.
 pub(super) fn written(readings: &[String]) -> Both {
     both!("write {}", "请写 {}", Both { en: readings.join(" or "), zh: readings.join(" 或 ") })
 }
@@ -67,13 +70,13 @@ fn within_run(text: &str, word: &Word) -> Result<(), Diagnostic> {
     Err(Diagnostic::error("name", message).at(word.span))
 }
 
-/// The two halves of `O2,B` or `O2-B`, if it is written so.
+/// Returns the two halves of `O2,B` or `O2-B`; `None` for other texts.
 fn halves(text: &str) -> Option<(&str, &str)> {
     text.split_once([',', '-']).map(|(a, b)| (a.trim(), b.trim()))
 }
 
 impl<'a> Names<'a> {
-    /// The names of these points and links.
+    /// Returns the names of these points and links.
     pub fn new(points: &'a [Point], links: &'a [Link]) -> Self {
         let by_point = points.iter().enumerate().map(|(i, p)| (p.name.as_str(), PointId(i))).collect();
         let by_link = links.iter().enumerate().map(|(i, l)| (l.name.as_str(), LinkId(i))).collect();
@@ -88,17 +91,17 @@ impl<'a> Names<'a> {
         self.by_link.get(name).copied()
     }
 
-    /// The point of a name.
+    /// Returns the point with a name.
     pub fn point(&self, word: &Word) -> Result<PointId, Diagnostic> {
         self.find_point(&word.text).ok_or_else(|| self.no_point(&word.text, word))
     }
 
-    /// The link of a name.
+    /// Returns the link with a name.
     pub fn link(&self, word: &Word) -> Result<LinkId, Diagnostic> {
         self.link_in(&word.text, word)
     }
 
-    /// The link called `text`, which is a part of `word`.
+    /// Returns the link `text`, which is a part of `word`.
     pub fn link_in(&self, text: &str, word: &Word) -> Result<LinkId, Diagnostic> {
         self.find_link(text).ok_or_else(|| {
             let d = Diagnostic::error("unknown-link", both!("there is no link `{text}`", "没有构件 `{text}`")).at(word.span);
@@ -107,7 +110,8 @@ impl<'a> Names<'a> {
         })
     }
 
-    /// What books mean by `BC` and `31` where a link is wanted: the link that carries both points, a link relative to another.
+    /// Returns help for the notations `BC` and `31` of books where a link is needed: the link that
+    /// carries both points, a link relative to another.
     fn meant_link(&self, text: &str) -> Option<Both> {
         let halves = || text.char_indices().skip(1).map(|(i, _)| text.split_at(i));
         let carrier = |(a, b): (&str, &str)| {
@@ -129,12 +133,12 @@ impl<'a> Names<'a> {
         d.help(suggest(text, self.points.iter().map(|p| p.name.as_str()), both!("the points are", "点有")))
     }
 
-    /// Two different points, as in `AB` or `O2,B`.
+    /// Returns two different points, as in `AB` or `O2,B`.
     pub fn pair(&self, word: &Word) -> Result<(PointId, PointId), Diagnostic> {
         self.pair_in(&word.text, word)
     }
 
-    /// Two different points named by `text`, which is a part of `word`.
+    /// Returns two different points named by `text`, which is a part of `word`.
     pub fn pair_in(&self, text: &str, word: &Word) -> Result<(PointId, PointId), Diagnostic> {
         within_run(text, word)?;
         let (a, b) = if let Some((a, b)) = halves(text) {
@@ -162,7 +166,7 @@ impl<'a> Names<'a> {
     }
 
     fn no_pair(&self, text: &str, word: &Word) -> Diagnostic {
-        // The longest declared name at the beginning leaves the part that is not known.
+        // The longest declared name at the beginning leaves the unknown part.
         let known = self.points.iter().filter(|p| text.starts_with(&p.name)).max_by_key(|p| p.name.len());
         match known {
             Some(p) if p.name.len() < text.len() => {
@@ -184,9 +188,11 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// One or two points, each perhaps with a link: `E`, `B3`, `CB`, `B3B2`, `B3,B2`, `O2,3`. `text` is a part of `word`.
+    /// Returns one or two points, each with or without a link: `E`, `B3`, `CB`, `B3B2`, `B3,B2`,
+    /// `O2,3`. `text` is a part of `word`.
     ///
-    /// A name that is declared as a whole goes first: with a point `O2`, `O2` is that point and not the point of link 2 at O.
+    /// A name that is declared as a whole has priority: with a point `O2`, `O2` is that point and
+    /// not the point of link 2 at O.
     pub fn on_links(&self, text: &str, word: &Word) -> Result<(OnLink, Option<OnLink>), Diagnostic> {
         within_run(text, word)?;
         let mut readings: Vec<(usize, (OnLink, Option<OnLink>))> = Vec::new();
@@ -195,7 +201,8 @@ impl<'a> Names<'a> {
             for a in self.singles(a) {
                 readings.extend(self.singles(b).into_iter().map(|b| (2 + weight(&a) + weight(&b), (a, Some(b)))));
             }
-            // A comma parts a point from its link too, where the two run together would be another name.
+            // A comma also separates a point from its link, if the joined names would be another
+            // name.
             if let (Some(point), Some(link)) = (self.find_point(a), self.find_link(b)) {
                 readings.push((3, (OnLink { point, link: Some(link) }, None)));
             }
@@ -221,12 +228,13 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// A moving point, and the frame from which it is seen: a link, else a point. Both are parts of `word`.
+    /// Returns a moving point, and the frame from which it is observed: a link, else a point. Both
+    /// are parts of `word`.
     pub fn seen_from(&self, point: &str, frame: &str, word: &Word) -> Result<(OnLink, Frame), Diagnostic> {
         Ok((self.one_on_link(point, word)?, self.frame(frame, word)?))
     }
 
-    /// A frame: a link or a point.
+    /// Returns a frame: a link or a point.
     pub fn frame(&self, frame: &str, word: &Word) -> Result<Frame, Diagnostic> {
         Ok(match self.find_link(frame) {
             Some(link) => Frame::Link(link),
@@ -240,7 +248,7 @@ impl<'a> Names<'a> {
         })
     }
 
-    /// One point, perhaps with a link.
+    /// Returns one point, with or without a link.
     fn one_on_link(&self, text: &str, word: &Word) -> Result<OnLink, Diagnostic> {
         match self.on_links(text, word)? {
             (one, None) => Ok(one),
@@ -251,7 +259,8 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// All readings of a text as one point, perhaps with a link. More than one where names overlap.
+    /// Returns all readings of a text as one point, with or without a link; several if names
+    /// overlap.
     fn singles(&self, text: &str) -> Vec<OnLink> {
         let mut out: Vec<_> = self.find_point(text).map(|point| OnLink { point, link: None }).into_iter().collect();
         for (i, _) in text.char_indices().skip(1) {
@@ -262,12 +271,13 @@ impl<'a> Names<'a> {
         out
     }
 
-    /// Whether a text names a link and can be read as no point.
+    /// Returns true if a text names a link and cannot be read as a point.
     pub fn is_link_only(&self, text: &str) -> bool {
         self.find_link(text).is_some() && self.find_point(text).is_none() && self.singles(text).is_empty()
     }
 
-    /// The point of a link as it is asked for: `B3`, or `O2,3` where `O23` is read in another way.
+    /// Returns the notation for the point of a link in a question: `B3`, or `O2,3` if `O23` has
+    /// another reading.
     pub fn run(&self, point: &str, link: &str) -> String {
         let run = format!("{point}{link}");
         let plain = matches!(self.singles(&run).as_slice(), [one] if one.link.is_some()) && self.point_pairs(&run) == 0;

@@ -1,4 +1,4 @@
-//! The order in which parameters are evaluated: a file may list them in any.
+//! The order of evaluation of parameters: a file may list them in any order.
 
 use super::expr;
 use super::raw::RawQuantity;
@@ -6,11 +6,12 @@ use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::json::Word;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// Indices of the parameters so that each comes after those that it names, otherwise in the order of the file; with a fault for each that names itself by
-/// way of others, or rests on such a one: these are left out.
+/// Returns indices of the parameters so that each comes after those in its expression, otherwise in
+/// the order of the file. Parameters that depend on themselves, and those that depend on such
+/// parameters, are omitted, each with a fault.
 pub(super) fn by_dependence(parameters: &[(Word, RawQuantity)]) -> (Vec<usize>, Vec<Diagnostic>) {
     let names: Vec<&str> = parameters.iter().map(|(name, _)| name.text.as_str()).collect();
-    // Of two parameters of one name, which is a fault of its own, the first is meant.
+    // If two parameters have the same name, which is a fault of its own, the first one counts.
     let index: HashMap<&str, usize> = names.iter().enumerate().rev().map(|(i, name)| (*name, i)).collect();
     let mut lacks: Vec<HashSet<usize>> = Vec::with_capacity(parameters.len());
     let mut wanted_by: Vec<Vec<usize>> = vec![Vec::new(); parameters.len()];

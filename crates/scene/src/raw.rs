@@ -1,4 +1,4 @@
-//! The scene file as written: the same words, each with its place, nothing interpreted yet.
+//! The scene file as written: the words of the file, each with its place, without interpretation.
 
 use super::cams::raw::RawCam;
 use super::model::TimeLaw;
@@ -9,11 +9,11 @@ use hodograph_base::json::Word;
 /// A number or expression as written.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RawQuantity {
-    /// `100`, `100 mm`, `2*r`.
+    /// Text as written: `100`, `100 mm`, `2*r`.
     pub text: String,
-    /// Its place, with quotation marks.
+    /// Its place, including quotation marks.
     pub span: Span,
-    /// Whether it was a JSON number, without quotation marks.
+    /// True for a JSON number, without quotation marks.
     pub bare: bool,
 }
 
@@ -51,19 +51,19 @@ pub(super) struct RawGuide {
     pub line: Option<Word>,
     pub through: Option<RawThrough>,
     pub angle: Option<RawQuantity>,
-    /// Whether the angle counts from the guide in which the carrying link slides.
+    /// True if the angle is measured from the guide in which the carrying link slides.
     pub slid: bool,
     pub offset: Option<RawQuantity>,
     pub centre: Option<Word>,
     pub radius: Option<RawQuantity>,
     pub length: Option<RawQuantity>,
-    /// Whether it stands for a contact of a cam: no guide that the author has written.
+    /// True if the guide replaces the contact of a cam and is not one of the file.
     pub contact: bool,
     pub span: Span,
 }
 
 impl RawGuide {
-    /// A slot on a link in which a pin runs, wherever it lies.
+    /// A slot on a link in which a pin runs, at any position.
     pub fn of_pin(pin: Word, on: Word, span: Span) -> RawGuide {
         RawGuide {
             pin: Some(pin),
@@ -86,11 +86,12 @@ impl RawGuide {
 /// A gear pair or a wheel on its track.
 #[derive(Clone, Debug)]
 pub(super) struct RawRolling {
-    /// The two links, each with the centre of its circle; a straight track or rack comes first and has none.
+    /// The two links, each with the centre of its circle; a straight track or rack comes first and
+    /// has no centre.
     pub sides: [RawRollingSide; 2],
     pub sizes: RawSizes,
     pub kind: RollingKind,
-    /// The strand of a belt or chain that they are joined by.
+    /// The strand of a belt or chain that joins them.
     pub strand: Option<RawStrand>,
     /// Direction of a straight track, and a point of it.
     pub line: Option<Word>,
@@ -102,19 +103,19 @@ pub(super) struct RawRolling {
     pub span: Span,
 }
 
-/// A strand of a belt or chain: it begins in the pair's `at`.
+/// A strand of a belt or chain; it begins at the pair's `at`.
 #[derive(Clone, Debug)]
 pub(super) struct RawStrand {
-    /// Which of the file's.
+    /// Index of the belt or chain in the file.
     pub belt: usize,
     pub crossed: bool,
-    /// Whether it lies right of the line of centres.
+    /// True if the strand is to the right of the line of centres.
     pub right: bool,
-    /// The name of its end.
+    /// Name of its end point.
     pub end: Option<Word>,
 }
 
-/// What the file says of a gear pair's flanks.
+/// The file's data of a gear pair's flanks.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawFlanks {
     pub pressure_angle: Option<RawQuantity>,
@@ -126,30 +127,30 @@ pub(super) struct RawFlanks {
 /// One link of a rolling pair.
 #[derive(Clone, Debug)]
 pub(super) struct RawRollingSide {
-    /// The link; without one the ground.
+    /// The link; `None` is the ground.
     pub link: Option<Word>,
-    /// Centre of its circle; without one it is straight.
+    /// Centre of its circle; `None` for a straight contour.
     pub centre: Option<Word>,
-    /// Whether the other one rolls inside it.
+    /// True if the other one rolls inside it.
     pub hollow: bool,
 }
 
 /// Sizes of the circles of a rolling pair.
 #[derive(Clone, Debug)]
 pub(super) enum RawSizes {
-    /// Radii, of a straight track the wheel's alone.
+    /// Radii; for a straight track, the wheel's only.
     Radii(Vec<RawQuantity>),
-    /// Numbers of teeth, of a rack the wheel's alone, and the module if it is given.
+    /// Numbers of teeth (for a rack, the gear's only), and the module if given.
     Teeth(Vec<RawQuantity>, Option<RawQuantity>),
 }
 
 #[derive(Clone, Debug)]
 pub(super) struct RawDriver {
     pub kind: RawDriverKind,
-    /// Missing where that has been reported.
+    /// Missing if its fault has been reported.
     pub rate: Option<RawQuantity>,
     pub acceleration: Option<RawQuantity>,
-    /// The law of time that gave rate and acceleration.
+    /// The law of time that gives rate and acceleration.
     pub law: Option<TimeLaw>,
     pub span: Span,
 }
@@ -192,7 +193,7 @@ pub(super) struct RawAttempt {
     pub mistake: Word,
     pub pair: Option<Word>,
     pub link: Option<Word>,
-    /// Questions with what was printed.
+    /// Questions with their printed results.
     pub printed: Vec<(Word, RawQuantity)>,
     pub why: Option<RawLocalized>,
     pub span: Span,
@@ -221,7 +222,7 @@ pub(super) struct RawFriction {
     pub span: Span,
 }
 
-/// Mass of a link, told as such or by its weight; its moment of inertia, told as such or by the radius of gyration.
+/// Mass of a link, or its weight; moment of inertia of a link, or its radius of gyration.
 #[derive(Clone, Debug)]
 pub(super) struct RawMass {
     pub link: Word,
@@ -253,7 +254,7 @@ pub(super) struct RawApplied {
     pub span: Span,
 }
 
-/// The part of a motion over which a load acts, with its amounts there.
+/// The part of a motion over which a load acts, with the amounts there.
 #[derive(Clone, Debug)]
 pub(super) struct RawCourse {
     pub slide: Option<Word>,
@@ -282,39 +283,41 @@ pub(super) struct RawBalance {
     pub span: Span,
 }
 
-/// How much of a mechanism a file has to tell.
+/// The data of a mechanism that a file must give.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Extent {
-    /// Links and pairs: neither a driver, nor the direction of a guide, nor the profile of a cam is missed.
+    /// Links and pairs: a driver, the direction of a guide and the profile of a cam may be missing.
     Pairs,
-    /// Its pose besides: only drivers and their rates may be missing.
+    /// The pose as well: only drivers and their rates may be missing.
     Pose,
-    /// The same for what does not depend on rates: a driver that is missing is added, rates that are not told are zero.
+    /// As `Pose`, for quantities that do not depend on rates: a missing driver is added, and
+    /// missing rates are zero.
     Rest,
-    /// The same with rates of one unit.
+    /// As `Rest`, with missing rates of one unit.
     AnyRate,
-    /// Its motion.
+    /// The motion: all data.
     #[default]
     Motion,
 }
 
 impl Extent {
-    /// Whether links and pairs are enough.
+    /// True if links and pairs are enough.
     pub fn is_of_pairs(self) -> bool {
         self == Extent::Pairs
     }
 
-    /// Whether drivers and their rates may be missing.
+    /// True if drivers and their rates may be missing.
     pub fn is_at_rest(self) -> bool {
         self != Extent::Motion
     }
 
-    /// Whether a driver is added where there is none.
+    /// True if a missing driver is added.
     pub fn is_driven(self) -> bool {
         matches!(self, Extent::Rest | Extent::AnyRate)
     }
 
-    /// The rate of a driver that tells none, in its unit. One where it shows, so that figures say which way is plus.
+    /// Returns the rate of a driver without one, in the unit of the driver. It is one where figures
+    /// show it, so that they show the positive sense.
     pub fn rate(self) -> f64 {
         match self {
             Extent::Rest => 0.0,
@@ -326,17 +329,18 @@ impl Extent {
 /// A scene file, decoded.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawScene {
-    /// How much it has to tell.
+    /// The data that the file must give.
     pub extent: Extent,
     pub title: Option<RawLocalized>,
     pub statement: Option<RawLocalized>,
     pub parameters: Vec<(Word, RawQuantity)>,
-    /// Whether the last of them is the instant.
+    /// True if the last parameter is the instant.
     pub is_timed: bool,
     pub units: Vec<(Word, Word)>,
     pub answers: Vec<(Word, Word)>,
     pub links: Vec<RawLink>,
-    /// Whether `links` could be read in full. If not, a name that is missing may stand in the part that could not be read.
+    /// True if the whole section `links` could be read. If not, a missing name may be in the unread
+    /// part.
     pub links_sound: bool,
     pub ground: Option<Word>,
     pub points: Vec<(Word, RawPlace)>,
@@ -348,11 +352,11 @@ pub(super) struct RawScene {
     pub loads: RawLoads,
     pub sketch: Vec<(Word, [RawQuantity; 2])>,
     pub sides: Vec<(Word, Word)>,
-    /// `None` where the file has no such key: everything is asked.
+    /// `None` if the file has no such key: everything is asked.
     pub find: Option<Vec<Word>>,
     pub composite: Vec<RawComposite>,
     pub attempts: Vec<RawAttempt>,
-    /// Names of other readings of the figure; what they change is read by [`super::readings`].
+    /// Names of other readings of the figure; [`super::readings`] reads their changes.
     pub readings: Vec<Word>,
     pub paper: RawPaper,
     pub language: Option<Word>,

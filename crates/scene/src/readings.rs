@@ -1,7 +1,8 @@
-//! Several readings of a statement whose figure is lost: the scene, and the same with some members replaced.
+//! Several readings of a statement whose figure is lost: the scene, and variants with some members
+//! replaced.
 //!
-//! A reading is a merge patch (RFC 7396): members of objects are replaced one by one, everything else whole; `null` takes one away. Which reading
-//! is meant is never decided here.
+//! A reading is a merge patch (RFC 7396): members of objects are replaced one by one, other values
+//! as a whole; `null` removes one. The program does not decide which reading is intended.
 
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use serde_json::Value;
@@ -9,16 +10,16 @@ use serde_json::Value;
 /// A reading: its name, and the text of its scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reading {
-    /// Its name; that of the file itself is empty.
+    /// Its name; empty for the file itself.
     pub name: String,
-    /// The whole scene.
+    /// The text of the whole scene.
     pub text: String,
 }
 
-/// The readings of a scene's text, the file itself first.
+/// Returns the readings of a scene's text, the file itself first.
 ///
 /// # Errors
-/// A text that is no JSON. Whether a reading is a scene is seen when it is read.
+/// Text that is not JSON. Reading the result checks whether it is a scene.
 ///
 /// ```
 /// let text = r#"{"points": {"A": [0, 0], "B": [1, 0]}, "readings": {"2": {"points": {"A": [1, 2]}}}}"#;
@@ -38,7 +39,7 @@ pub fn readings(text: &str) -> Result<Vec<Reading>, Faults> {
     Ok(all)
 }
 
-/// RFC 7396.
+/// Applies a patch (RFC 7396).
 fn merge(target: &mut Value, patch: &Value) {
     let Some(members) = patch.as_object() else {
         *target = patch.clone();

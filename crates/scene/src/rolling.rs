@@ -1,13 +1,20 @@
-//! Rolling pairs: gears in mesh, a gear on its rack, a wheel on its track; pulleys in a belt, sprockets in a chain.
+//! Rolling pairs: gears in mesh, a gear on its rack, a wheel on its track; pulleys in a belt,
+//! sprockets in a chain.
 //!
-//! Two statements make up such a pair, and each is asked for on its own. Its [`Relation`] is linear between turnings, or between turning
-//! and sliding: equations of position, of motion and the sweep are made of it. Its [`Touch`] is geometry: in a point Q the points
-//! of both links have one velocity, and accelerations that differ along the normal only; over a strand of a belt, which runs off the one in M and onto the other
-//! in N, both move with the belt's speed. Drawing, centres and curvature are made of it. What keeps two links in touch is no matter of this pair: a link that
-//! carries both centres, or the guide that the scene gets with it ([`Guide::rolling`](super::Guide::rolling)).
+//! Two parts describe a rolling pair, and each has its own type.
 //!
-//! Which kinds and contours there are is matched here, where a scene is read and written, and in figures and words. The solvers ask for relation, touch
-//! and [sizes](Rolling::sizes).
+//! - [`Relation`]: a linear relation between rotations, or between rotation and sliding. The
+//!   equations of position and motion and the sweep follow from it.
+//! - [`Touch`]: the geometry. At a point of contact Q the points of both links have the same
+//!   velocity, and their accelerations differ along the normal only. Over the strand of a belt,
+//!   which leaves one contour at M and meets the other at N, both points have the belt's speed.
+//!   Drawing, centres and curvature follow from it.
+//!
+//! The pair itself does not keep the links in touch: a link that carries both centres does, or a
+//! guide that is added to the scene ([`Guide::rolling`](super::Guide::rolling)).
+//!
+//! Kinds and contours are matched here, where a scene is read and written, and in figures and
+//! words. The solvers use the relation, the touch and the [sizes](Rolling::sizes).
 
 use super::exact::Inputs;
 use super::model::{Angle, Given, GuideId, LinkId, PointId};
@@ -18,54 +25,57 @@ use hodograph_base::number::Real;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct RollingId(pub usize);
 
-/// Two links that roll on one another.
+/// Two links that roll on each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rolling {
-    /// The two links; a track or rack that is straight comes first.
+    /// The two links; a straight track or rack comes first.
     pub links: [LinkId; 2],
-    /// What rolls on what.
+    /// The two contours.
     pub contours: Contours,
-    /// The place of contact on each link, a point of no link, found from the centres: one and the same but for the ends of a strand.
+    /// Place of contact on each link, a point that no link lists, found from the centres: the same
+    /// point for both, except for the two ends of a strand.
     pub at: [PointId; 2],
-    /// By what they roll.
+    /// The kind of rolling pair.
     pub kind: RollingKind,
-    /// The angle of the second link's line, from the line of centres, when that of the first lies on it.
+    /// Angle of the second link's line from the line of centres, when the first link's line
+    /// coincides with it.
     pub phase: Option<Given<Angle>>,
-    /// What is known of the flanks of two gears, or of a gear on its rack: they have numbers of teeth.
+    /// Data of the flanks, if the pair is two gears, or a gear on its rack, with numbers of teeth.
     pub flanks: Option<Flanks>,
-    /// Where it is declared.
+    /// Place of the declaration.
     pub span: Span,
 }
 
-/// By what two links roll on one another.
+/// The kind of a rolling pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RollingKind {
-    /// Their teeth are in mesh.
+    /// Teeth in mesh.
     Gears,
-    /// Friction; a guide holds the wheel on its track.
+    /// A wheel held by friction; a guide keeps it on its track.
     Wheel,
-    /// A belt runs round both.
+    /// A belt around both.
     Belt,
-    /// A chain runs round both.
+    /// A chain around both.
     Chain,
-    /// A rope runs off the second, a drum, and draws the first along.
+    /// A rope that unwinds from the second link, a drum, and pulls the first.
     Rope,
 }
 
-/// The flanks of a gear pair, which matter for its figure alone: kinematics has the pitch circles.
+/// The flanks of a gear pair, used in its figure only: the kinematics uses the pitch circles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flanks {
     /// Numbers of teeth, in the order of the links; a rack has none.
     pub teeth: [Option<u32>; 2],
-    /// The module (m), where it is given; else it follows from the distance of the centres.
+    /// The module (m), if given; else it follows from the distance of the centres.
     pub module: Option<f64>,
     /// Pressure angle of the basic rack (rad).
     pub pressure_angle: f64,
-    /// Profile shifts over the module, as far as they are given: a missing second one follows from the distance of the centres.
+    /// Given profile shifts divided by the module; a missing second one follows from the distance
+    /// of the centres.
     pub shifts: Vec<f64>,
-    /// Addendum over the module, h_a*.
+    /// Addendum divided by the module, h_a*.
     pub addendum: f64,
-    /// Clearance over the module, c*.
+    /// Clearance divided by the module, c*.
     pub clearance: f64,
 }
 
@@ -78,75 +88,81 @@ pub enum Contours {
         centres: [PointId; 2],
         /// Their sizes.
         sizes: Sizes,
-        /// Which of the two is hollow: the other one runs inside it.
+        /// Index of the hollow circle, if any: the other one runs inside it.
         hollow: Option<usize>,
-        /// The guide in which the second centre runs against the first link, where no link carries both.
+        /// The guide of the first link in which the second centre runs, where no link carries both
+        /// centres.
         guide: Option<GuideId>,
     },
-    /// The first link is straight; the wheel lies to the left of the contact line.
+    /// The first link is straight; the wheel is to the left of the contact line.
     Track {
         /// The wheel's centre.
         centre: PointId,
         /// The wheel's radius (m).
         radius: Given,
-        /// The guide in which the centre runs, parallel to the contact line.
+        /// The guide of the centre, parallel to the contact line.
         guide: GuideId,
     },
-    /// Two neighbours in a belt or chain: circles about points whose distance a link keeps.
+    /// Two neighbours in a belt or chain: circles about points at a distance fixed by a link.
     Belt {
         /// The centres, one of each link.
         centres: [PointId; 2],
-        /// The radii (m); of sprockets those with which the chain's speed is ω r.
+        /// The radii (m); for sprockets, those with which the chain's speed is ω r.
         radii: [Given; 2],
         /// Numbers of teeth of sprockets.
         teeth: Option<[u32; 2]>,
-        /// Whether the strand crosses the line of centres, so that the two turn in opposite senses.
+        /// True if the strand crosses the line of centres, so that the two rotate in opposite
+        /// senses.
         crossed: bool,
-        /// Whether the strand lies right of the line of centres: the belt runs on its back over the first.
+        /// True if the strand is to the right of the line of centres: the back of the belt bears on
+        /// the first contour.
         right: bool,
         /// The link that carries both centres.
         arm: LinkId,
-        /// Which belt of the file: its strands follow one another.
+        /// Index of the belt in the file; the strands of one belt are consecutive.
         belt: usize,
     },
 }
 
-/// What is linearly related in a rolling pair, ρ being its [sizes](Rolling::sizes), φ the angles of its links.
+/// The linear relation of a rolling pair, ρ being its [sizes](Rolling::sizes), φ the angles of its
+/// links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
-    /// The turnings of the links and of the line of two centres, one of each link: ρ₁(φ₁ − β) + ρ₂(φ₂ − β) stays, β the line's angle.
+    /// Between the rotations of the links and of the line of two centres, one of each link: ρ₁(φ₁ −
+    /// β) + ρ₂(φ₂ − β) is constant, β being the line's angle.
     Turnings([PointId; 2]),
-    /// Turning and sliding: s + ρ₂(φ₂ − φ₁) stays, s the coordinate of a centre of the second link along a guide of the first.
+    /// Between rotation and sliding: s + ρ₂(φ₂ − φ₁) is constant, s being the coordinate of a
+    /// centre of the second link along a guide of the first.
     Slide {
         /// The centre.
         centre: PointId,
-        /// The guide, a straight one.
+        /// The guide, which is straight.
         guide: GuideId,
     },
 }
 
-/// How the two links of a rolling pair meet.
+/// The contact of the two links of a rolling pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Touch {
-    /// In a point, in which neither slips on the other.
+    /// At a point, without slip.
     Point(Normal),
-    /// Over a strand that is tangent to a circle of each.
+    /// Over a strand that is tangent to a circle of each link.
     Strand {
         /// The centres, one of each link.
         centres: [PointId; 2],
-        /// Whether it lies right of the line of centres.
+        /// True if the strand is to the right of the line of centres.
         right: bool,
         /// The link that carries both centres.
         arm: LinkId,
     },
 }
 
-/// The common normal of two contours in their point of contact.
+/// The common normal of two contours at their point of contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Normal {
     /// The line of two centres, one of each link.
     Centres([PointId; 2]),
-    /// Square to a straight guide of the first link, through a centre of the second.
+    /// The perpendicular to a straight guide of the first link, through a centre of the second.
     Square {
         /// The centre.
         centre: PointId,
@@ -160,12 +176,13 @@ pub enum Normal {
 pub enum Sizes {
     /// Pitch radii (m).
     Radii([Given; 2]),
-    /// Numbers of teeth: the radii divide the distance of the centres in their ratio.
+    /// Numbers of teeth: the pitch radii divide the distance of the centres in this ratio.
     Teeth([u32; 2]),
 }
 
 impl RollingKind {
-    /// Whether it counts as a lower pair, which takes two freedoms; a higher pair takes one.
+    /// True if the pair counts as a lower pair, which removes two degrees of freedom; a higher pair
+    /// removes one.
     pub fn is_lower(self) -> bool {
         match self {
             RollingKind::Wheel => true,
@@ -173,7 +190,7 @@ impl RollingKind {
         }
     }
 
-    /// Whether it has teeth: what rolls are pitch circles and pitch lines.
+    /// True if the pair has teeth: pitch circles and pitch lines roll on each other.
     pub fn is_toothed(self) -> bool {
         match self {
             RollingKind::Gears | RollingKind::Chain => true,
@@ -181,7 +198,7 @@ impl RollingKind {
         }
     }
 
-    /// Whether it is a rope, belt or chain that joins its links: it is drawn as far as it runs.
+    /// True if a rope, belt or chain joins the links; it is drawn over its length.
     pub fn is_flexible(self) -> bool {
         match self {
             RollingKind::Belt | RollingKind::Chain | RollingKind::Rope => true,
@@ -189,7 +206,8 @@ impl RollingKind {
         }
     }
 
-    /// Whether its links need not keep their distance: other pairs do; only teeth, which touch on both sides, do so where no other pair does.
+    /// True if another pair keeps the distance of the links. Teeth, which touch on both sides, keep
+    /// it themselves only where no other pair does.
     pub fn leaves_distance(self) -> bool {
         match self {
             RollingKind::Gears | RollingKind::Rope => true,
@@ -197,7 +215,7 @@ impl RollingKind {
         }
     }
 
-    /// Whether its links touch with teeth on both sides.
+    /// True if the links touch with teeth on both sides.
     pub fn meshes(self) -> bool {
         match self {
             RollingKind::Gears => true,
@@ -207,7 +225,7 @@ impl RollingKind {
 }
 
 impl Contours {
-    /// The radii that the scene gives (m), to be varied.
+    /// Returns the radii that the scene gives (m), for variation.
     pub fn radii_mut(&mut self) -> Vec<&mut Given> {
         match self {
             Contours::Circles { sizes: Sizes::Radii(radii), .. } | Contours::Belt { radii, .. } => radii.iter_mut().collect(),
@@ -218,7 +236,7 @@ impl Contours {
 }
 
 impl Rolling {
-    /// What is linearly related.
+    /// Returns the linear relation of the pair.
     pub fn relation(&self) -> Relation {
         match self.contours {
             Contours::Circles { centres, .. } | Contours::Belt { centres, .. } => Relation::Turnings(centres),
@@ -226,7 +244,7 @@ impl Rolling {
         }
     }
 
-    /// How the two links meet.
+    /// Returns the contact of the two links.
     pub fn touch(&self) -> Touch {
         match self.contours {
             Contours::Circles { centres, .. } => Touch::Point(Normal::Centres(centres)),
@@ -235,7 +253,8 @@ impl Rolling {
         }
     }
 
-    /// The guide in which the second centre runs against the first link, which keeps the two in touch where nothing else does.
+    /// Returns the guide of the second centre on the first link, which keeps the two in touch where
+    /// nothing else does.
     pub fn guide(&self) -> Option<GuideId> {
         match self.contours {
             Contours::Circles { guide, .. } => guide,
@@ -244,7 +263,7 @@ impl Rolling {
         }
     }
 
-    /// The same, to be numbered anew.
+    /// Returns the guide of the second centre for renumbering.
     pub(super) fn guide_mut(&mut self) -> Option<&mut GuideId> {
         match &mut self.contours {
             Contours::Circles { guide, .. } => guide.as_mut(),
@@ -253,7 +272,7 @@ impl Rolling {
         }
     }
 
-    /// Which of the two contours is hollow, if one is.
+    /// Returns the index of the hollow contour, if any.
     pub fn hollow(&self) -> Option<usize> {
         match self.contours {
             Contours::Circles { hollow, .. } => hollow,
@@ -261,7 +280,8 @@ impl Rolling {
         }
     }
 
-    /// Which belt or chain of the file it is a strand of; the strands of one follow one another.
+    /// Returns the index of the belt or chain in the file, if the pair is a strand; the strands of
+    /// one belt are consecutive.
     pub fn belt(&self) -> Option<usize> {
         match self.contours {
             Contours::Belt { belt, .. } => Some(belt),
@@ -269,7 +289,7 @@ impl Rolling {
         }
     }
 
-    /// Whether it is a strand that crosses the line of centres.
+    /// True if the pair is a strand that crosses the line of centres.
     pub fn is_crossed(&self) -> bool {
         match self.contours {
             Contours::Belt { crossed, .. } => crossed,
@@ -277,7 +297,7 @@ impl Rolling {
         }
     }
 
-    /// The radii of the two circles, where the scene gives both (m).
+    /// Returns the radii of the two circles (m), if the scene gives both.
     pub fn radii(&self) -> Option<[&Given; 2]> {
         match &self.contours {
             Contours::Circles { sizes: Sizes::Radii([a, b]), .. } | Contours::Belt { radii: [a, b], .. } => Some([a, b]),
@@ -285,7 +305,7 @@ impl Rolling {
         }
     }
 
-    /// The numbers of teeth whose ratio is that of the two sizes, where the scene gives them.
+    /// Returns the numbers of teeth in the ratio of the two sizes, if the scene gives them.
     pub fn teeth(&self) -> Option<[u32; 2]> {
         match self.contours {
             Contours::Circles { sizes: Sizes::Teeth(teeth), .. } => Some(teeth),
@@ -294,7 +314,7 @@ impl Rolling {
         }
     }
 
-    /// Names its links anew.
+    /// Renumbers its links.
     pub fn rename(&mut self, of: impl Fn(LinkId) -> LinkId) {
         self.links = self.links.map(&of);
         match &mut self.contours {
@@ -303,8 +323,9 @@ impl Rolling {
         }
     }
 
-    /// The sizes of both contours in one unit: their ratio is that of the radii. Negative is a hollow one, and the second in an open belt. A
-    /// straight one is endless and has 0, the wheel its radius (m).
+    /// Returns the sizes of both contours in one unit; their ratio is that of the radii. A hollow
+    /// contour is negative, and so is the second of an open belt. A straight contour has 0, and its
+    /// wheel the radius (m).
     pub fn sizes<N: Real>(&self, inputs: &Inputs<N>) -> [N; 2] {
         let [a, b] = match &self.contours {
             Contours::Circles { sizes: Sizes::Radii([a, b]), .. } => [inputs.number(a), inputs.number(b)],
@@ -319,7 +340,7 @@ impl Rolling {
         }
     }
 
-    /// The centres of the two contours; a straight one has none.
+    /// Returns the centres of the two contours; a straight one has none.
     pub fn centres(&self) -> [Option<PointId>; 2] {
         match self.contours {
             Contours::Circles { centres: [a, b], .. } | Contours::Belt { centres: [a, b], .. } => [Some(a), Some(b)],
@@ -327,7 +348,7 @@ impl Rolling {
         }
     }
 
-    /// The centres of two round contours.
+    /// Returns the centres of two round contours.
     pub fn round(&self) -> Option<[PointId; 2]> {
         match self.centres() {
             [Some(a), Some(b)] => Some([a, b]),
@@ -335,17 +356,17 @@ impl Rolling {
         }
     }
 
-    /// The point in which the two touch, if they do.
+    /// Returns the point of contact, unless the pair is a strand.
     pub fn contact(&self) -> Option<PointId> {
         Some(self.at[0]).filter(|at| *at == self.at[1])
     }
 
-    /// The place of contact on one of the two links.
+    /// Returns the place of contact on one of the two links.
     pub fn at_of(&self, link: LinkId) -> PointId {
         self.at[usize::from(self.links[1] == link)]
     }
 
-    /// The link on which this one rolls, if it is one of the two.
+    /// Returns the other link of the pair, if `link` is one of the two.
     pub fn other(&self, link: LinkId) -> Option<LinkId> {
         match self.links {
             [a, b] if a == link => Some(b),

@@ -1,8 +1,9 @@
 //! The JSON Schema of the scene file, for editors and other programs.
 //!
-//! The schema says the shape; what one section means for another (a point that no link has) only [`super::read`] knows.
+//! The schema defines the shape; only [`super::read`] checks relations between sections (such as a
+//! point that no link has).
 
-/// The schema, draft 2020-12.
+/// Returns the schema, draft 2020-12.
 pub fn schema() -> &'static str {
     include_str!("schema.json")
 }
@@ -29,7 +30,7 @@ mod tests {
         }
     }
 
-    /// Every quantity that can be asked for is one that the schema lets through.
+    /// The schema accepts every quantity that a question can name.
     #[test]
     fn every_quantity_fits_the_schema() {
         let validator = validator();

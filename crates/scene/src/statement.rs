@@ -1,4 +1,4 @@
-//! The problem as its author states it: paragraphs of words and formulas.
+//! The problem statement of the author: paragraphs of words and formulas.
 
 use super::Lang;
 use hodograph_base::diag::Span;
@@ -6,13 +6,15 @@ use hodograph_base::diag::Span;
 /// A piece of a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Run {
-    /// Words as they stand.
+    /// Plain words.
     Words(String),
-    /// A formula in the label language, with its place in the file: written between dollar signs, or the value of a parameter.
+    /// A formula in the label language, with its place in the file: text between dollar signs, or
+    /// the value of a parameter.
     Formula(String, Span),
 }
 
-/// A statement in both languages; a scene that gives one gets it in both. Each line is a paragraph.
+/// A statement in both languages; a text given in one language serves for both. Each line is a
+/// paragraph.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statement {
     /// English.
@@ -22,7 +24,7 @@ pub struct Statement {
 }
 
 impl Statement {
-    /// The paragraphs in one language.
+    /// Returns the paragraphs in one language.
     pub fn get(&self, lang: Lang) -> &[Vec<Run>] {
         match lang {
             Lang::En => &self.en,

@@ -1,14 +1,15 @@
-//! What a mechanism is moved by on its way: one of its drivers, or time.
+//! The variable of a motion: the position of one driver, or time.
 
 use super::front::TIME;
 use super::{Kind, Scene};
 
-/// What goes on from pose to pose.
+/// The variable that changes from pose to pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Swept {
-    /// One driver (its number, from 0 on); the others stand at their places, with their rates.
+    /// One driver (its index, from 0); the others keep their places and rates.
     Driver(usize),
-    /// Time: every driver goes on, by its law of time, else with the constant acceleration that it has at the instant.
+    /// Time: every driver moves by its law of time, or else with its constant acceleration at the
+    /// instant.
     Time,
 }
 
@@ -19,20 +20,21 @@ impl From<usize> for Swept {
 }
 
 impl Swept {
-    /// Time where a driver moves by a law of it, else the first driver.
+    /// Returns time if a driver moves by a law of time, else the first driver.
     pub fn usual(scene: &Scene) -> Swept {
         if scene.has_laws_of_time() { Swept::Time } else { Swept::Driver(0) }
     }
 
-    /// What a name means: a driver's position (`phi_1`, `s_B`, `l_BC`), or `driver`, `driver2`; or `t`, unless the scene has a parameter of that
-    /// name that is not the instant of its laws.
+    /// Returns the variable with a name: a driver's position (`phi_1`, `s_B`, `l_BC`), `driver`,
+    /// `driver2`; or `t`, unless the scene has a parameter of that name that is not the instant of
+    /// its laws.
     pub fn named(scene: &Scene, name: &str) -> Option<Swept> {
         let driver = |d: usize| name == scene.driver_name(d).0 || name == format!("driver{}", d + 1) || d == 0 && name == "driver";
         let is_time = || name == TIME && (scene.has_laws_of_time() || scene.parameters.iter().all(|(own, _)| own != TIME));
         (0..scene.drivers.len()).find(|d| driver(*d)).map(Swept::Driver).or_else(|| is_time().then_some(Swept::Time))
     }
 
-    /// The name of what goes on, and what it is: an angle, a length, a time.
+    /// Returns the name of the variable, and its kind: an angle, a length, a time.
     pub fn name(self, scene: &Scene) -> (String, Kind) {
         match self {
             Swept::Driver(d) => scene.driver_name(d),
@@ -40,12 +42,12 @@ impl Swept {
         }
     }
 
-    /// Whether it is a driver that turns.
+    /// Returns true for a driver that turns.
     pub fn turns(self, scene: &Scene) -> bool {
         matches!(self, Swept::Driver(d) if scene.drivers[d].kind.turns())
     }
 
-    /// The driver by which the mechanism is taken hold of: of several that go on, the first that moves by itself.
+    /// Returns the leading driver: of several that move, the first that moves independently.
     pub fn lead(self, scene: &Scene) -> usize {
         match self {
             Swept::Driver(d) => d,
@@ -58,12 +60,12 @@ impl Swept {
 }
 
 impl Scene {
-    /// Whether a driver moves by a law of time.
+    /// Returns true if a driver moves by a law of time.
     pub fn has_laws_of_time(&self) -> bool {
         self.drivers.iter().any(|d| d.law.is_some())
     }
 
-    /// The instant (s) of its laws of time; 0 where it has none.
+    /// Returns the instant (s) of its laws of time; 0 if it has none.
     pub fn instant(&self) -> f64 {
         let t = self.parameters.iter().find(|(name, _)| name == TIME && self.has_laws_of_time());
         t.map_or(0.0, |(_, t)| t.value)
@@ -84,7 +86,7 @@ mod tests {
         let plain = read(text).unwrap().value;
         assert_eq!((Swept::usual(&plain), Swept::named(&plain, "t"), plain.instant()), (Swept::Driver(0), Some(Swept::Time), 0.0));
         assert_eq!((Swept::named(&plain, "driver2"), Swept::named(&plain, "l_AB")), (Some(Swept::Driver(1)), None));
-        // A thickness, say.
+        // For example a thickness.
         let own = read(text.replacen(r#""l_AB": "120 mm""#, r#""t": "120 mm", "l_AB": "t""#, 1)).unwrap().value;
         assert_eq!((Swept::named(&own, "t"), own.instant()), (None, 0.0));
     }

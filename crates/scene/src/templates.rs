@@ -1,4 +1,4 @@
-//! Templates: complete scenes that come with the program, whose parameters can be set.
+//! Templates: complete scenes in the program, with parameters that can be set.
 
 use super::front::TIME;
 use super::model::Localized;
@@ -8,10 +8,10 @@ use hodograph_base::json::fields::suggest;
 use hodograph_base::json::{self, Kind, Node, Word};
 use hodograph_templates::SCENES;
 
-/// What a template is, for lists.
+/// The description of a template, for lists.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Template {
-    /// The name by which it is called for, such as `crank-rocker`.
+    /// Its name in commands, such as `crank-rocker`.
     pub name: &'static str,
     /// Its title.
     pub title: Localized,
@@ -19,7 +19,8 @@ pub struct Template {
     pub parameters: Vec<(String, String)>,
 }
 
-/// All templates, in order. A template's file is checked by a test, so what cannot be read here is left empty.
+/// Returns all templates, in order. A test checks the templates' files, so unreadable parts remain
+/// empty here.
 pub fn list() -> Vec<Template> {
     SCENES
         .iter()
@@ -35,10 +36,10 @@ pub fn list() -> Vec<Template> {
         .collect()
 }
 
-/// The text of a template.
+/// Returns the text of a template.
 ///
 /// # Errors
-/// An unknown name; the diagnostic proposes the nearest one.
+/// An unknown name; the diagnostic suggests the nearest one.
 pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
     SCENES.iter().find(|(n, _)| *n == name).map(|(_, text)| *text).ok_or_else(|| {
         let d = Diagnostic::error("unknown-template", both!("there is no template `{name}`", "没有模板 `{name}`"));
@@ -46,13 +47,15 @@ pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
     })
 }
 
-/// The text of a template with other values for some of its parameters; everything else stays byte for byte.
+/// Returns the text of a template with other values for some of its parameters; all other bytes
+/// remain unchanged.
 ///
-/// A value is an expression as in the file (`120 mm`, `2*l_AB`); a bare number takes the unit of the value that it replaces.
+/// A value is an expression as in the file (`120 mm`, `2*l_AB`); a bare number has the unit of the
+/// value that it replaces.
 ///
 /// # Errors
-/// Unknown template, unknown parameter, a value that is no expression: all of them in one list. Whether the values
-/// make a mechanism is seen when the text is read.
+/// Unknown template, unknown parameters, values that are not expressions: all of them in one list.
+/// Reading the text checks whether the values give a mechanism.
 ///
 /// ```
 /// use hodograph_scene::templates::instantiate;
@@ -63,7 +66,8 @@ pub fn instantiate(name: &str, values: &[(&str, &str)]) -> Result<String, Faults
     with_parameters(get(name)?, values, both!("template `{name}`", "模板 `{name}` "))
 }
 
-/// The text of a scene with other values for some of its parameters; `whose` begins a sentence about it.
+/// Returns the text of a scene with other values for some of its parameters; `whose` begins a
+/// sentence about it.
 pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) -> Result<String, Faults> {
     let mut faults = Faults::default();
     let known = parameters(text, &mut faults);
@@ -94,7 +98,7 @@ pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) 
                 ));
             }
             Ok(new) => edits.push((old.span, quoted(&new))),
-            // The place would count in the value, which stands in no file.
+            // The place would count in the value, which is in no file.
             Err(d) => faults.push(Diagnostic {
                 span: None,
                 message: both!("parameter `{parameter}`: {}", "参数 `{parameter}`：{}", d.message),
@@ -105,7 +109,7 @@ pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) 
     if faults.has_errors() {
         return Err(faults);
     }
-    // From the end, so that the earlier places stay true.
+    // From the end, so that earlier places remain valid.
     edits.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
     let mut out = text.to_owned();
     for (span, new) in edits {
@@ -114,12 +118,12 @@ pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) 
     Ok(out)
 }
 
-/// The new value; a bare number gets the unit of the old one.
+/// Returns the new value; a bare number gets the unit of the old one.
 pub fn replacement(parameter: &str, old: &str, new: &str, earlier: &[&str]) -> Result<String, Diagnostic> {
     replacement_in(parameter, old, new, earlier, (parameter == TIME).then_some("s"))
 }
 
-/// The same; `usual` is the unit of a bare number where the old value does not tell one.
+/// Returns the new value; `usual` is the unit of a bare number if the old value has none.
 fn replacement_in(parameter: &str, old: &str, new: &str, earlier: &[&str], usual: Option<&str>) -> Result<String, Diagnostic> {
     let new = new.trim();
     let is_number = |t: &str| expr::parse(t, &[]).is_ok_and(|e| expr::is_bare(&e));
@@ -143,16 +147,17 @@ fn replacement_in(parameter: &str, old: &str, new: &str, earlier: &[&str], usual
     Err(d.help(both!("write {parameter}=\"{new} mm\", or whichever unit it has", "请写 {parameter}=\"{new} mm\"，或所需的单位")))
 }
 
-/// What can be given another value.
+/// A parameter that can be set.
 struct Parameter {
     name: String,
     /// The value as written, and its place.
     old: Word,
-    /// The unit of a bare number where the value as written does not tell one.
+    /// The unit of a bare number if the value as written has none.
     unit: Option<&'static str>,
 }
 
-/// The parameters of a scene, and `t`, the instant that it names, which may stand in terms of them.
+/// Returns the parameters of a scene, and `t`, the instant in the file, whose value may contain
+/// them.
 fn parameters(text: &str, faults: &mut Faults) -> Vec<Parameter> {
     let Ok((_, root)) = json::parse(text.as_bytes(), faults) else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Whole scenes, good and bad: what the reader makes of them, and what it says.
+//! Whole scenes, good and bad: results and messages of the reader.
 
 mod cams;
 mod meant;
@@ -9,12 +9,12 @@ use super::*;
 use crate::quantity::Of;
 use hodograph_base::trig::radians;
 
-/// A question as its line of the table and what it is of.
+/// Returns a question as its symbol and its object.
 fn written(what: &Asked) -> (&'static str, Of) {
     (what.entry().symbol, what.of())
 }
 
-/// Reads a scene that must be good and without remarks.
+/// Reads a scene that must be good and have no notes.
 fn good(source: &str) -> Scene {
     match read(source) {
         Ok(scene) => {
@@ -25,7 +25,7 @@ fn good(source: &str) -> Scene {
     }
 }
 
-/// A scene with a section replaced or added.
+/// Returns a scene with a section replaced or added.
 fn with(section: &str, value: &str) -> String {
     let sections = [
         ("links", r#"{"1": ["A", "B"], "2": ["B", "C", "E"], "3": ["C", "D"], "4": ["A", "D"]}"#),
@@ -40,7 +40,7 @@ fn with(section: &str, value: &str) -> String {
     format!("{{{}}}", parts.join(",\n "))
 }
 
-/// The faults of a scene: the text under each span, then the message and the help.
+/// Returns the faults of a scene: the text under each span, then the message and the help.
 fn faults(source: &str) -> String {
     let list = match read(source) {
         Ok(scene) => scene.notes,
@@ -75,7 +75,7 @@ fn the_first_example() {
     assert_eq!(written(&scene.find[2].what), ("omega", Of::Link(LinkId(2))));
 }
 
-/// The example scenes of `docs/scene.md`, section "Guides": each with a mechanism around it.
+/// The example scenes of `docs/scene.md`, section "Guides", each in a mechanism.
 #[test]
 fn guides_of_all_kinds() {
     let line = |scene: &Scene, i: usize| match &scene.guides[i].path {
@@ -117,7 +117,7 @@ fn guides_of_all_kinds() {
     let scene = good(&lever(r#""3": ["O2", "K"]"#, r#"{"pin": "B", "on": "3", "centre": "K", "radius": "50 mm"}"#));
     assert!(matches!(&scene.guides[0].path, GuidePath::Arc { centre: PointId(3), radius: Some(r) } if r.value == 0.05));
 
-    // A Scotch yoke: the yoke slides without turning on a ground that has no points besides the pivot.
+    // A Scotch yoke: the yoke slides without turning on a ground with the pivot as its only point.
     let scene = good(
         r#"{"links": {"1": ["O", "A"], "4": ["O"]}, "ground": "4", "lengths": {"OA": "50 mm"},
         "guides": [{"pin": "A", "slider": "2", "on": "3", "angle": "90 deg"}, {"slider": "3", "on": "4", "angle": "0 deg"}],
@@ -356,7 +356,7 @@ fn what_is_said_about_bad_scenes() {
     ];
     let said: String =
         cases.iter().chain(&rolling::bad()).chain(&cams::bad()).map(|(name, source)| format!("{name}:\n{}", faults(source))).collect();
-    // A golden text: review the difference, then write what is printed here into the file.
+    // A golden text: review the difference, then write the printed text into the file.
     let expected = include_str!("bad_scenes.txt");
     assert!(said == expected, "crates/scene/src/bad_scenes.txt should now read:\n<<<\n{said}>>>");
 }

@@ -1,11 +1,12 @@
-//! How drivers and lengths of a scene are called when a person is told of them.
+//! Names of drivers, guides and lengths of a scene in messages.
 
 use super::model::GuideId;
 use super::{DriverKind, Kind, LinkId, PointId, Scene};
 use hodograph_base::diag::{Both, both};
 
 impl Scene {
-    /// The links in the order of their numbers; where not all are numbered, in that of the scene.
+    /// Returns the links in the order of their numbers; if not all are numbered, in the order of
+    /// the scene.
     pub fn links_in_order(&self) -> Vec<LinkId> {
         let mut links: Vec<LinkId> = (0..self.links.len()).map(LinkId).collect();
         let numbers: Option<Vec<u64>> = self.links.iter().map(|l| l.name.parse().ok()).collect();
@@ -15,7 +16,8 @@ impl Scene {
         links
     }
 
-    /// The contact for which a guide stands, in the words of the file; `None` of the file's own guides.
+    /// Returns the contact that a guide replaces, in the words of the file; `None` for guides of
+    /// the file.
     pub fn contact_words(&self, g: GuideId) -> Option<Both> {
         if let Some(cam) = self.cams.iter().find(|c| c.contact == Some(g)) {
             let [cam, follower] = [cam.cam, cam.follower].map(|l| self.link_name(l));
@@ -26,13 +28,13 @@ impl Scene {
         Some(both!("the contact of links {a} and {b}", "构件 {a} 与构件 {b} 的接触"))
     }
 
-    /// A guide, or the contact for which it stands: `the guide on link 3`.
+    /// Returns the name of a guide, or of the contact that it replaces: `the guide on link 3`.
     pub fn guide_words(&self, g: GuideId) -> Both {
         let on = self.link_name(self.guides[g.0].on);
         self.contact_words(g).unwrap_or_else(|| both!("the guide on link {on}", "构件 {on} 上的导路"))
     }
 
-    /// Name of a driver's position, and what it is: an angle or a length.
+    /// Returns the name of a driver's position, and its kind: an angle or a length.
     pub fn driver_name(&self, driver: usize) -> (String, Kind) {
         let point = |p: PointId| self.point_name(p);
         match &self.drivers[driver].kind {
@@ -46,14 +48,14 @@ impl Scene {
         }
     }
 
-    /// Name and SI unit of a driver's column.
+    /// Returns name and SI unit of a driver's column.
     pub fn driver_column(&self, driver: usize) -> (String, &'static str) {
         let (name, kind) = self.driver_name(driver);
         (name, kind.si())
     }
 
-    /// A length for people, in the unit of the book, else in the scene's own, with four significant digits; what is written in
-    /// millimetres, in metres from 10 m on.
+    /// Returns a length for messages with four significant digits, in the unit of the book, else in
+    /// that of the scene; if that is millimetres, lengths from 10 m on are in metres.
     pub fn length_words(&self, value_m: f64) -> String {
         if let Some(unit) = self.book.chosen(Kind::Length) {
             return unit.text(&hodograph_base::digits::significant(unit.of(value_m), 4));

@@ -1,12 +1,13 @@
-//! Units and dimensions: which units there are, what they are worth, and what each quantity of a scene must be made of.
+//! Units and dimensions: the known units with their values, and the dimension of each quantity of a
+//! scene.
 
 use super::expr::Expr;
 use super::front::{self, mentions};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::kind::Kind;
 
-/// Exponents of length, time, plane angle and mass. The angle counts as a dimension of its own, so that `60 deg` is not
-/// taken for a length or a pure number by mistake.
+/// Exponents of length, time, plane angle and mass. The angle is a separate dimension, so that
+/// `60 deg` is not mistaken for a length or a pure number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Dim {
     /// Exponent of the metre.
@@ -20,31 +21,31 @@ pub struct Dim {
 }
 
 impl Dim {
-    /// A pure number.
+    /// The dimension of a pure number.
     pub const NUMBER: Dim = Dim::new(0, 0, 0);
-    /// An angle.
+    /// The dimension of an angle.
     pub const ANGLE: Dim = Dim::new(0, 0, 1);
 
-    /// A time.
+    /// The dimension of a time.
     pub const TIME: Dim = Dim::new(0, 1, 0);
 
     const fn new(length: i8, time: i8, angle: i8) -> Dim {
         Dim { length, time, angle, mass: 0 }
     }
 
-    /// The dimension of a quantity in which the kilogram stands once.
+    /// A dimension that contains the kilogram to the first power.
     const fn of_mass(length: i8, time: i8) -> Dim {
         Dim { length, time, angle: 0, mass: 1 }
     }
 
-    /// Its exponents.
+    /// Returns its exponents.
     pub const fn exponents(self) -> [i8; 4] {
         [self.length, self.time, self.angle, self.mass]
     }
 
-    /// The dimension of a product with the `k`-th power of another: `self · other^k`.
+    /// Returns the dimension of a product with the `k`-th power of another: `self · other^k`.
     pub const fn times(self, other: Dim, k: i32) -> Dim {
-        // Beyond what an exponent may be, which is refused, its value does not matter.
+        // Exponents outside the range are refused, so their values have no effect.
         let k = if k > 100 {
             100
         } else if k < -100 {
@@ -60,16 +61,17 @@ impl Dim {
         }
     }
 
-    /// Whether a quantity of this dimension may stand where `wanted` is asked. An arc is a length, `ω·r` a velocity and `v/r` an
-    /// angular velocity: beside a length or a time, radians are pure numbers.
+    /// Returns true if a quantity of this dimension fits where `wanted` is needed. An arc is a
+    /// length, `ω·r` a velocity and `v/r` an angular velocity: next to a length or a time, radians
+    /// are pure numbers.
     pub const fn serves(self, wanted: Dim) -> bool {
-        // (m/s)/m, 1/s and rad/s are one rate of turning; a scale in 1/s is none.
+        // (m/s)/m, 1/s and rad/s are angular velocities; a scale in 1/s is not.
         let turning = wanted.angle != 0 && wanted.time != 0;
         let same = self.length == wanted.length && self.time == wanted.time && self.mass == wanted.mass;
         same && (self.angle == wanted.angle || self.length != 0 || turning)
     }
 
-    /// In words: `a length`, `an angle`, `a quantity in m^2/s`.
+    /// Returns it in words: `a length`, `an angle`, `a quantity in m^2/s`.
     pub fn describe(self) -> Both {
         match (self.length, self.time, self.angle) {
             _ if self.mass != 0 => match Wanted::OF_MASS.into_iter().find(|w| w.dim() == self) {
@@ -114,15 +116,16 @@ impl Dim {
 /// A unit: its value is `numerator / denominator` SI units, or that many degrees.
 #[derive(Debug, PartialEq)]
 pub struct Unit {
-    /// As written.
+    /// Name as written.
     pub name: &'static str,
     /// Its dimension.
     pub dim: Dim,
-    /// Over `denominator`. Two whole numbers, because 250 / 1000 is rounded once and 250 × 0.001 twice.
+    /// Numerator of the value. Value and divisor are two whole numbers, because 250 / 1000 is
+    /// rounded once and 250 × 0.001 twice.
     pub numerator: f64,
-    /// Under `numerator`.
+    /// Denominator of the value.
     pub denominator: f64,
-    /// Whether the ratio counts degrees instead of radians: 1 rev = 360 of them, 1 rpm = 6 of them per second.
+    /// True if the value is in degrees instead of radians: 1 rev = 360°, 1 rpm = 6°/s.
     pub degrees: bool,
 }
 
@@ -134,7 +137,7 @@ const fn degrees(name: &'static str, dim: Dim, numerator: f64) -> Unit {
     Unit { name, dim, numerator, denominator: 1.0, degrees: true }
 }
 
-/// A minute and a second of arc, which stand only behind degrees: `20°30′15″`.
+/// A minute and a second of arc, which occur only after degrees: `20°30′15″`.
 pub static OF_ARC: [Unit; 2] = [
     Unit { name: "′", dim: Dim::ANGLE, numerator: 1.0, denominator: 60.0, degrees: true },
     Unit { name: "″", dim: Dim::ANGLE, numerator: 1.0, denominator: 3600.0, degrees: true },
@@ -147,8 +150,9 @@ const MASS: Dim = Dim::of_mass(0, 0);
 const FORCE: Dim = Dim::of_mass(1, -2);
 const POWER: Dim = Dim::of_mass(2, -3);
 
-/// All units. The inch and the foot are the international ones (25.4 mm, 304.8 mm), so is the pound (0.453 592 37 kg); a kilogram-force and a
-/// pound-force are their weights where g is 9.806 65 m/s². A slug is 1 lbf·s²/ft, a blob 1 lbf·s²/in.
+/// All units. Inch and foot are the international ones (25.4 mm, 304.8 mm), and so is the pound
+/// (0.453 592 37 kg); a kilogram-force and a pound-force are the corresponding weights at g = 9.806
+/// 65 m/s². A slug is 1 lbf·s²/ft, a blob 1 lbf·s²/in.
 pub static UNITS: &[Unit] = &[
     unit("m", LENGTH, 1.0, 1.0),
     unit("cm", LENGTH, 1.0, 100.0),
@@ -175,58 +179,59 @@ pub static UNITS: &[Unit] = &[
     unit("W", POWER, 1.0, 1.0),
     unit("kW", POWER, 1000.0, 1.0),
     degrees("rpm", RATE, 6.0),
-    // Revolutions per minute as Chinese books write them; only directly behind a number, for `r` may be a parameter.
+    // Revolutions per minute in Chinese books; only directly after a number, because `r` may be a
+    // parameter.
     degrees("r/min", RATE, 6.0),
 ];
 
-/// The unit of a name.
+/// Returns the unit with a name.
 pub fn unit_named(name: &str) -> Option<&'static Unit> {
     UNITS.iter().find(|u| u.name == name)
 }
 
-/// What a place in the scene asks for.
+/// The quantity that a place in the scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
-    /// m.
+    /// A length (m).
     Length,
-    /// rad or degrees.
+    /// An angle (rad or degrees).
     Angle,
-    /// rad/s.
+    /// An angular velocity (rad/s).
     Omega,
-    /// rad/s².
+    /// An angular acceleration (rad/s²).
     Alpha,
-    /// m/s.
+    /// A velocity (m/s).
     Velocity,
-    /// m/s².
+    /// An acceleration (m/s²).
     Acceleration,
-    /// s.
+    /// A time (s).
     Time,
     /// A number without a unit.
     Number,
-    /// N.
+    /// A force (N).
     Force,
-    /// N·m.
+    /// A moment (N·m).
     Moment,
-    /// W.
+    /// A power (W).
     Power,
-    /// kg.
+    /// A mass (kg).
     Mass,
-    /// kg·m².
+    /// A moment of inertia (kg·m²).
     Inertia,
-    /// N/m.
+    /// A stiffness (N/m).
     Stiffness,
-    /// m per mm of paper.
+    /// A scale of lengths (m per mm of paper).
     ScaleOfLengths,
-    /// (m/s) per mm of paper.
+    /// A scale of velocities (m/s per mm of paper).
     ScaleOfVelocities,
-    /// (m/s²) per mm of paper.
+    /// A scale of accelerations (m/s² per mm of paper).
     ScaleOfAccelerations,
-    /// N per mm of paper.
+    /// A scale of forces (N per mm of paper).
     ScaleOfForces,
 }
 
 impl Wanted {
-    /// The amount that a scene writes for a kind of quantity.
+    /// Returns the amount that a scene writes for a kind of quantity.
     pub const fn of(kind: Kind) -> Wanted {
         match kind {
             Kind::Length => Wanted::Length,
@@ -243,10 +248,10 @@ impl Wanted {
         }
     }
 
-    /// Those in whose dimension a mass stands.
+    /// The quantities whose dimension contains a mass.
     const OF_MASS: [Wanted; 6] = [Wanted::Force, Wanted::Moment, Wanted::Power, Wanted::Mass, Wanted::Inertia, Wanted::Stiffness];
 
-    /// The quantities that the `units` table of a scene knows, with their keys.
+    /// The quantities in the `units` table of a scene, with their keys.
     pub const TABLE: [(&'static str, Wanted); 12] = [
         ("length", Wanted::Length),
         ("angle", Wanted::Angle),
@@ -262,7 +267,7 @@ impl Wanted {
         ("stiffness", Wanted::Stiffness),
     ];
 
-    /// Its dimension.
+    /// Returns its dimension.
     pub const fn dim(self) -> Dim {
         match self {
             Wanted::Length => LENGTH,
@@ -284,7 +289,7 @@ impl Wanted {
         }
     }
 
-    /// In words, as a message begins: `a length`.
+    /// Returns it in words for a message: `a length`.
     pub fn describe(self) -> Both {
         match self {
             Wanted::Length => both!("a length", "长度"),
@@ -308,7 +313,8 @@ impl Wanted {
         }
     }
 
-    /// What is to be done with an expression of another dimension: a law of time in which the seconds of t stand alone lacks a factor.
+    /// Returns the help for an expression of another dimension; a law of time with the bare seconds
+    /// of t lacks a factor.
     pub fn missing(self, dim: Dim, expr: &Expr) -> Both {
         let wanted = self.dim();
         let lacking = [("m", wanted.length - dim.length), ("rad", wanted.angle - dim.angle)];
@@ -322,7 +328,7 @@ impl Wanted {
         both!("t counts in seconds: multiply by {factor}", "t 以秒计：请乘以 {factor}")
     }
 
-    /// A unit to propose for a bare number.
+    /// Returns a unit to suggest for a bare number.
     pub const fn usual_unit(self) -> &'static str {
         match self {
             Wanted::Length => "mm",
@@ -346,7 +352,7 @@ impl Wanted {
         }
     }
 
-    /// The key of the `units` table that gives bare numbers of this kind their unit; scales have none.
+    /// Returns the key in the `units` table for bare numbers of this kind; scales have none.
     pub fn key(self) -> Option<&'static str> {
         Wanted::TABLE.iter().find(|(_, w)| *w == self).map(|(k, _)| *k)
     }

@@ -1,4 +1,5 @@
-//! Quantities of the scene: parameters in order, the `units` table, and every number to SI with its dimension checked.
+//! Quantities of the scene: parameters in order, the `units` table, and conversion of every number
+//! to SI units with a check of its dimension.
 
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -16,28 +17,28 @@ use hodograph_base::json::Word;
 use hodograph_base::json::fields::suggest;
 use hodograph_base::number::{Ball, Real};
 
-/// An expression, its value, and the value with a bound of its error.
+/// An expression, its value, and its value with an error bound.
 type Evaluated = (Expr, Value, Value<Ball<f64>>);
 
-/// A parameter's value, and the same with a bound of its error.
+/// A parameter's value, without and with an error bound.
 #[derive(Clone, Copy)]
 struct Known {
     value: Value,
     ball: Value<Ball<f64>>,
 }
 
-/// The full text of a quantity, its value, and the same with a bound of its error.
+/// The full text of a quantity, its value, and its value with an error bound.
 type Read = (String, Value, Value<Ball<f64>>);
 
-/// How far a value may be from the true number in a ball.
+/// Returns a bound on the distance of a value from the true number in a ball.
 fn distance(value: f64, ball: Ball<f64>) -> f64 {
     (ball.approx() - value).abs() + ball.radius()
 }
 
-/// Parameters and units of a scene, ready to read its quantities.
+/// Parameters and units of a scene, for reading its quantities.
 pub(super) struct Values<'a> {
     source: &'a str,
-    /// Names in the order of the file; a value is missing where the parameter had a fault.
+    /// Names in the order of the file, including parameters with a fault, which have no value.
     names: Vec<&'a str>,
     known: HashMap<&'a str, Option<Known>>,
     /// Names and texts of the parameters that have a value, in the order of the file.
@@ -47,7 +48,8 @@ pub(super) struct Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// Reads the `units` table and the parameters, each after those that it names; the parameters in this order.
+    /// Reads the `units` table and the parameters, each after those in its expression; returns the
+    /// parameters in this order.
     pub fn new(
         source: &'a str,
         units: &[(Word, Word)],
@@ -86,7 +88,7 @@ impl<'a> Values<'a> {
                 )
                 .at(name.span);
                 faults.push(d.help(both!("call it `{}0`", "可改称 `{}0`", name.text)));
-                // Where it is used, it is meant: that is the same fault.
+                // The name counts as declared: its uses are not reported again.
                 values.names.push(&name.text);
                 values.known.insert(&name.text, None);
             } else {
@@ -124,7 +126,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Warnings about parameters that nothing uses; to be asked when everything has been read.
+    /// Returns warnings about unused parameters; to be called after everything has been read.
     pub fn unused(&self, parameters: &[(Word, RawQuantity)]) -> Vec<Diagnostic> {
         let used = self.used.borrow();
         parameters
@@ -136,18 +138,20 @@ impl<'a> Values<'a> {
             .collect()
     }
 
-    /// The parameters that something uses.
+    /// Returns the parameters in use.
     pub fn used_names(&self) -> HashSet<String> {
         self.used.borrow().clone()
     }
 
-    /// The dimension of a parameter's value, which counts as used; `None` where there is none or it has a fault.
+    /// Returns the dimension of a parameter's value and marks the parameter as used; `None` if it
+    /// does not exist or has a fault.
     pub fn dim(&self, name: &str) -> Option<Dim> {
         self.used.borrow_mut().insert(name.to_owned());
         self.known.get(name).copied().flatten().map(|k| k.value.dim)
     }
 
-    /// A function of one variable, over the parameters: the text is read now, its values later.
+    /// Returns a function of one variable, over the parameters: the text is read immediately, the
+    /// values are computed later.
     pub fn curve(&self, quantity: &RawQuantity, variable: &str) -> Result<super::front::Curve, Diagnostic> {
         let mut names = self.names.clone();
         names.push(variable);
@@ -159,7 +163,8 @@ impl<'a> Values<'a> {
         Ok(super::front::Curve { expr, variable: variable.to_owned(), angle: None, parameters })
     }
 
-    /// A law of time: its dimension is looked at where it is wanted. Without the time in it a bare number takes the unit of the table.
+    /// Returns a law of time; its dimension is checked where it is needed. Without the time in it,
+    /// a bare number has the unit of the table.
     pub fn law(&self, quantity: &RawQuantity, wanted: Wanted, t: f64) -> Result<Law, Vec<Diagnostic>> {
         let located = |d: Diagnostic| vec![self.locate(quantity, d)];
         let law = self.unchecked_law(&quantity.text, quantity).map_err(located)?;
@@ -178,7 +183,7 @@ impl<'a> Values<'a> {
         Err(vec![d.at(quantity.span)])
     }
 
-    /// A time of the file, kept as written.
+    /// Returns a time of the file, as written.
     pub fn time(&self, quantity: &RawQuantity) -> Result<Law, Vec<Diagnostic>> {
         let located = |d: Diagnostic| vec![self.locate(quantity, d)];
         let law = self.unchecked_law(&quantity.text, quantity).map_err(located)?;
@@ -208,28 +213,28 @@ impl<'a> Values<'a> {
         Ok(Law::new(text.to_owned(), expr, parameters))
     }
 
-    /// Whether a parameter is called so.
+    /// Returns true if a parameter has this name.
     pub fn has_name(&self, name: &str) -> bool {
         self.names.contains(&name)
     }
 
-    /// Whether the `units` table says what bare numbers of a kind are.
+    /// Returns true if the `units` table has a unit for bare numbers of a kind.
     pub fn has_unit(&self, wanted: Wanted) -> bool {
         wanted.key().is_some_and(|k| self.units.contains_key(k))
     }
 
-    /// The unit that the `units` table gives to bare numbers of a kind, as written.
+    /// Returns the unit in the `units` table for bare numbers of a kind, as written.
     pub fn unit_of(&self, wanted: Wanted) -> Option<&str> {
         self.units.get(wanted.key()?).map(String::as_str)
     }
 
-    /// A quantity in SI units.
+    /// Returns a quantity in SI units.
     pub fn si(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
         let (text, value, ball) = self.value(quantity, wanted, faults)?;
         Some(Given { value: value.si(), radius: distance(value.si(), ball.si()), text, span: quantity.span })
     }
 
-    /// A length that must be greater than zero.
+    /// Returns a length that must be greater than zero.
     pub fn positive_length(&self, quantity: &RawQuantity, what: Both, faults: &mut Faults) -> Option<Given> {
         let given = self.si(quantity, Wanted::Length, faults)?;
         if given.value > 0.0 {
@@ -240,7 +245,7 @@ impl<'a> Values<'a> {
         None
     }
 
-    /// A number without a dimension.
+    /// Returns a number without a dimension.
     pub fn pure_number(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<f64> {
         let fault = match self.evaluate(quantity) {
             Ok((_, value, _)) if value.dim == Dim::NUMBER => return Some(value.number),
@@ -255,7 +260,8 @@ impl<'a> Values<'a> {
         None
     }
 
-    /// A number without a dimension, or an angle: its number as written, and for an angle whether it counts degrees.
+    /// Returns a number without a dimension, or an angle: its number as written, and for an angle
+    /// true if it is in degrees.
     pub fn number_or_angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<(f64, Option<bool>)> {
         match self.evaluate(quantity) {
             Ok((_, value, _)) if value.dim == Dim::ANGLE => Some((value.number, Some(value.degrees))),
@@ -263,11 +269,12 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// An angle, in degrees where it is written in degrees.
+    /// Returns an angle, in degrees if it is written in degrees.
     pub fn angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
         let mut angle = self.angle_in_full(quantity, faults)?;
         let degrees = matches!(angle.value, Angle::Deg(_));
-        // Of so many turns `f64` no longer tells where in its turn the angle lies: whole turns are taken off what is written.
+        // `f64` no longer resolves the place within the turn of an angle of so many turns: whole
+        // turns are subtracted from the written expression.
         if !exact::tells(angle.value, angle.radius)
             && let Some((number, radius)) = exact::less_turns(&self.texts, &angle.text, degrees)
         {
@@ -276,32 +283,35 @@ impl<'a> Values<'a> {
         Some(angle)
     }
 
-    /// An angle with all its turns.
+    /// Returns an angle with all its turns.
     pub fn angle_in_full(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
         let (text, value, ball) = self.value(quantity, Wanted::Angle, faults)?;
-        // In the unit of the value: an angle that is only known to be near a whole number of degrees is in radians.
+        // In the unit of the value: an angle that is only known to be close to a whole number of
+        // degrees is in radians.
         let degrees = if ball.degrees { ball.number } else { ball.number * Ball::from_f64(180.0) / Ball::pi() };
         let number = if value.degrees { degrees } else { ball.si() };
         let radius = distance(value.number, number);
         Some(Given { value: value.angle(), radius, text, span: quantity.span })
     }
 
-    /// The text of an angle, less the whole turns that were taken off its value: what is written with the one then is what is computed
-    /// from the other.
+    /// Returns the text of an angle minus the whole turns that were subtracted from its value, so
+    /// that formulas with the text agree with computations with the value.
     pub fn text_of(&self, angle: &Given<Angle>) -> String {
         let turns = exact::turns_taken(&self.texts, &angle.text, angle.value.degrees());
-        // With a precision all digits of a large number are printed, and not the shortest that find it again.
+        // With a precision, all digits of a large number are printed, not only the shortest
+        // representation.
         turns.into_iter().fold(angle.text.clone(), |text, n| format!("({text})-({n:.0}*360 deg)"))
     }
 
-    /// Two coordinates in metres.
+    /// Returns two coordinates in metres.
     pub fn two_lengths(&self, xy: &[RawQuantity; 2], faults: &mut Faults) -> Option<[Given; 2]> {
         let x = self.si(&xy[0], Wanted::Length, faults);
         let y = self.si(&xy[1], Wanted::Length, faults);
         Some([x?, y?])
     }
 
-    /// The value, its dimension checked, and the text that says it in full (a bare number gets the unit of the table).
+    /// Returns the value with checked dimension, and its full text (a bare number gets the unit of
+    /// the table).
     fn value(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Read> {
         let result = self.evaluate(quantity).and_then(|(expr, value, ball)| self.fit(quantity, &expr, (value, ball), wanted).map_err(Some));
         match result {
@@ -321,7 +331,8 @@ impl<'a> Values<'a> {
         wanted: Wanted,
     ) -> Result<Read, Diagnostic> {
         let text = &quantity.text;
-        // A scale such as m/mm has no dimension, yet a bare number in its place would leave open what it counts.
+        // A scale such as m/mm has no dimension, yet a bare number in its place has no defined
+        // unit.
         let is_number = if wanted.key().is_none() { expr::is_bare(expr) } else { value.dim == Dim::NUMBER };
         if !is_number {
             if value.dim.serves(wanted.dim()) {
@@ -368,7 +379,7 @@ impl<'a> Values<'a> {
         let full = RawQuantity { text: text.clone(), span: quantity.span, bare: true };
         match self.evaluate(&full) {
             Ok((_, value, ball)) => Ok((text, value, ball)),
-            // The number and the unit have been read one by one; together they can only be too large.
+            // Number and unit have been read separately; together they can only be too large.
             Err(fault) => {
                 Err(fault
                     .unwrap_or_else(|| Diagnostic::error("expression", both!("`{text}` has no value", "`{text}` 无值")).at(quantity.span)))
@@ -376,8 +387,9 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Parses and evaluates, with a bound of the error; in longer numbers where `f64` loses the digits of what is written. The
-    /// fault is `None` where it is that of a parameter and has been reported there.
+    /// Parses and evaluates, with an error bound; in higher precision if `f64` loses digits of the
+    /// written expression. The fault is `None` if it is that of a parameter, which has been
+    /// reported there.
     fn evaluate(&self, quantity: &RawQuantity) -> Result<Evaluated, Option<Diagnostic>> {
         let expr = expr::parse(&quantity.text, &self.names).map_err(|d| Some(self.locate(quantity, d)))?;
         let lookup = |name: &str| {
@@ -395,17 +407,19 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The same value with a bound of its error; without a bound where an operation may leave its domain by rounding.
+    /// Returns the value with an error bound; the bound is infinite if an operation may leave its
+    /// domain by rounding.
     fn ball(&self, expr: &Expr, value: Value) -> Value<Ball<f64>> {
         let lookup = |name: &str| self.known.get(name).copied().flatten().map(|k| k.ball);
         let unknown = Value { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
         evaluate(expr, &lookup).unwrap_or(unknown)
     }
 
-    /// Turns a place in the expression into a place in the file.
+    /// Converts a place in the expression to a place in the file.
     fn locate(&self, quantity: &RawQuantity, d: Diagnostic) -> Diagnostic {
         let Span { start, end } = quantity.span;
-        // With escapes in the string the two texts do not run in step; then the whole value is the place.
+        // For a string with escapes, places in the text do not correspond to places in the file;
+        // then the whole value is the place.
         let in_step = !quantity.bare && self.source.get(start + 1..end.saturating_sub(1)) == Some(quantity.text.as_str());
         match d.span {
             Some(inner) if in_step => d.at(Span::new(start + 1 + inner.start, start + 1 + inner.end)),

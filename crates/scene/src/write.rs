@@ -1,12 +1,13 @@
-//! The layout of a scene file: as a person would write it. What the values say is not decided here.
+//! The layout of a scene file, in the form that a person writes. This module does not interpret
+//! values.
 
 use serde_json::Value;
 
-/// What is longer is broken into lines: the width of a printed listing.
+/// Longest line: the width of a printed listing.
 const WIDTH: usize = 110;
 
-/// The text of a JSON value: what fits stands in one line, of anything longer each entry stands in a line of its own, two columns in.
-/// Nothing but white space depends on this.
+/// Returns the text of a JSON value. A value that fits is on one line; of a longer value each entry
+/// is on its own line, indented by two columns. Only white space depends on the layout.
 ///
 /// ```
 /// use hodograph_scene::write;
@@ -20,7 +21,7 @@ pub fn write(value: &Value) -> String {
     out
 }
 
-/// Writes a value at an indentation; `before` columns of its line are taken.
+/// Writes a value at an indentation, after `before` columns of its line.
 fn laid_out(value: &Value, indent: usize, before: usize, out: &mut String) {
     let line = in_line(value);
     let entries: Vec<(Option<&String>, &Value)> = match value {
@@ -39,7 +40,7 @@ fn laid_out(value: &Value, indent: usize, before: usize, out: &mut String) {
         let begin = key.map(|k| format!("{}: ", Value::String(k.to_string()))).unwrap_or_default();
         out.extend(std::iter::repeat_n(' ', indent + 2));
         out.push_str(&begin);
-        // One column for the comma.
+        // One column is for the comma.
         laid_out(inner, indent + 2, indent + 3 + begin.chars().count(), out);
     }
     out.push('\n');

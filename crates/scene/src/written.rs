@@ -1,25 +1,28 @@
-//! Given quantities as a reader is told them: in the units of the book, else as the scene writes them.
+//! Given quantities in the form for a reader: in the units of the book, else as the scene writes
+//! them.
 
 use super::book::BookUnit;
 use super::expr::{self, Expr, ExprKind};
 use super::model::{Given, Scene};
 use hodograph_base::kind::Kind;
 
-/// A given quantity for a reader.
+/// A given quantity in the form for a reader.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Told {
-    /// A number and a unit, as they are written.
+    /// A number and a unit, as written.
     AsWritten(String, BookUnit),
-    /// What is computed (`2*r`) or written in another unit: its value in the unit.
+    /// A computed value (`2*r`), or one written in another unit: its value in the unit.
     Computed(f64, BookUnit),
-    /// Nothing says a unit: zero, or a product of other quantities.
+    /// No unit can be determined: zero, or a product of other quantities.
     Usual,
 }
 
 impl Scene {
-    /// How a quantity is told that the scene writes as `text`; `si` is its value in SI units.
+    /// Returns the form of a quantity that the scene writes as `text`; `si` is its value in SI
+    /// units.
     ///
-    /// The unit is that of the book; without one that of the text, or of the first parameter in it that has one of the kind.
+    /// The unit is that of the book, else that of the text, else that of the first parameter in the
+    /// text with a unit of the kind.
     pub fn told(&self, kind: Kind, text: &str, si: f64) -> Told {
         let written = as_written(&self.parameters, kind, text, si);
         match (self.book.chosen(kind), written) {
@@ -31,7 +34,8 @@ impl Scene {
     }
 }
 
-/// How a quantity of a scene with these parameters is told, whatever unit the answers have.
+/// Returns the form of a quantity in a scene with these parameters, independent of the units of
+/// answers.
 pub(super) fn as_written(parameters: &[(String, Given)], kind: Kind, text: &str, si: f64) -> Told {
     if let Some((number, unit)) = literal(text, kind) {
         return Told::AsWritten(number, unit);
@@ -39,7 +43,7 @@ pub(super) fn as_written(parameters: &[(String, Given)], kind: Kind, text: &str,
     unit_in(parameters, text, kind).map_or(Told::Usual, |unit| Told::Computed(unit.of(si), unit))
 }
 
-/// The unit of a text that may use these parameters.
+/// Returns the unit of a text that may contain these parameters.
 fn unit_in(parameters: &[(String, Given)], text: &str, kind: Kind) -> Option<BookUnit> {
     if let Some((_, unit)) = literal(text, kind) {
         return Some(unit);
@@ -53,7 +57,7 @@ fn unit_of(parameters: &[(String, Given)], expr: &Expr, kind: Kind) -> Option<Bo
         ExprKind::Number(_) | ExprKind::Pi => None,
         ExprKind::Unit(unit) => BookUnit::read(unit.name, kind).ok(),
         ExprKind::Parameter(name) => {
-            // A parameter uses those before it.
+            // A parameter uses the ones before it.
             let at = parameters.iter().rposition(|p| p.0 == *name)?;
             unit_in(&parameters[..at], &parameters[at].1.text, kind)
         }
@@ -62,12 +66,12 @@ fn unit_of(parameters: &[(String, Given)], expr: &Expr, kind: Kind) -> Option<Bo
     }
 }
 
-/// A text that is a number and a unit of the kind.
+/// Reads a text that is a number and a unit of the kind.
 fn literal(text: &str, kind: Kind) -> Option<(String, BookUnit)> {
     let text = text.trim();
     let numeral = |(i, c): &(usize, char)| match c {
         '0'..='9' | '.' => true,
-        // A sign stands first or in an exponent, and an e between digits.
+        // A sign is at the beginning or in an exponent, and an e is between digits.
         '-' => *i == 0 || text[..*i].ends_with(['e', 'E']),
         'e' | 'E' => text[i + 1..].starts_with(|c: char| c.is_ascii_digit() || c == '-'),
         _ => false,

@@ -1,4 +1,5 @@
-//! Quantities with their dimension in their type, written as a scene writes them: a number and its unit, or an expression.
+//! Quantities with their dimension in their type, written as in a scene: a number and its unit, or
+//! an expression.
 
 use serde_json::{Value, json};
 
@@ -12,12 +13,12 @@ impl Amount {
     }
 }
 
-/// A number in a unit; the shortest decimal that is this `f64`.
+/// Returns a number with a unit, as the shortest decimal of this `f64`.
 fn written(value: f64, unit: &str) -> String {
     format!("{value:?} {unit}").replacen(".0 ", " ", 1)
 }
 
-/// A quantity's type, and for each unit the function that makes one.
+/// Defines a quantity's type, with one function for each unit.
 macro_rules! amounts {
     ($($(#[$doc:meta])* $name:ident { $($function:ident $unit:literal),+ })+) => { $(
         $(#[$doc])*
@@ -25,7 +26,8 @@ macro_rules! amounts {
         pub struct $name(Amount);
 
         impl $name {
-            /// An expression as in a file, which may use parameters: `2*r`. Its dimension is checked when the scene is read.
+            /// Returns an expression as in a file, which may use parameters: `2*r`. Its dimension
+            /// is checked when the scene is read.
             pub fn expression(text: &str) -> $name {
                 $name(Amount(text.to_owned()))
             }
@@ -53,11 +55,11 @@ macro_rules! amounts {
 amounts! {
     /// A length.
     Length { m "m", cm "cm", mm "mm", inches "in", feet "ft" }
-    /// An angle, counter-clockwise plus.
+    /// An angle, positive counter-clockwise.
     Angle { deg "deg", rad "rad" }
-    /// An angular velocity, counter-clockwise plus.
+    /// An angular velocity, positive counter-clockwise.
     AngularVelocity { rad_per_s "rad/s", deg_per_s "deg/s", rpm "rpm" }
-    /// An angular acceleration, counter-clockwise plus.
+    /// An angular acceleration, positive counter-clockwise.
     AngularAcceleration { rad_per_s2 "rad/s^2", deg_per_s2 "deg/s^2" }
     /// A velocity.
     Velocity { m_per_s "m/s", mm_per_s "mm/s", feet_per_s "ft/s" }

@@ -1,4 +1,4 @@
-//! Belts round pulleys, chains round sprockets, ropes from a drum.
+//! Belts around pulleys, chains around sprockets, ropes from a drum.
 
 use super::amount::{Angle, Length};
 use super::part::{Entry, members};
@@ -10,26 +10,26 @@ use serde_json::{Value, json};
 pub struct Belt(Entry);
 
 impl Belt {
-    /// A belt round pulleys with their centres and radii, in the order in which it runs round them.
+    /// Returns a belt around pulleys with their centres and radii, in the order along the belt.
     pub fn round(pulleys: &[&str], centres: &[&str], radii: &[Length]) -> Belt {
         let radii: Value = radii.iter().map(Length::json).collect();
         Belt(Entry::default().with("pulleys", json!(pulleys)).with("centres", json!(centres)).with("radii", radii))
     }
 
-    /// A chain of this pitch round sprockets with their centres and numbers of teeth.
+    /// Returns a chain of this pitch around sprockets with their centres and numbers of teeth.
     pub fn chain(sprockets: &[&str], centres: &[&str], teeth: &[u32], pitch: Length) -> Belt {
         let entry = Entry::default().with("sprockets", json!(sprockets)).with("centres", json!(centres));
         Belt(entry.with("teeth", json!(teeth)).with("pitch", pitch.json()))
     }
 
-    /// The section of the file in which it stands.
+    /// Returns its section of the file.
     pub(super) fn section(&self) -> &'static str {
         if self.0.0.contains_key("sprockets") { "chains" } else { "belts" }
     }
 }
 
 members! { Belt:
-    /// Whether a belt round two pulleys is crossed.
+    /// True if a belt around two pulleys is crossed.
     crossed(value: bool) "crossed" = json!(value);
     /// The wheels that turn in the opposite sense.
     reversed(links: &[&str]) "reversed" = json!(links);
@@ -39,13 +39,14 @@ members! { Belt:
     phase(value: Angle) "phase" = value.json();
 }
 
-/// A rope that is wound on a drum and draws a load along.
+/// A rope that winds on a drum and pulls a load.
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct Rope(Entry);
 
 impl Rope {
-    /// A rope between a drum, with its centre and radius, and the load that slides in the direction of the rope, the drum to its left.
+    /// Returns a rope between a drum, with its centre and radius, and the load that slides in the
+    /// direction of the rope, with the drum on its left.
     pub fn wound(drum: &str, centre: &str, radius: Length, load: &str, direction: Angle) -> Rope {
         let entry = Entry::default().with("drum", json!(drum)).with("centre", json!(centre)).with("radius", radius.json());
         Rope(entry.with("load", json!(load)).with("angle", direction.json()))
@@ -53,6 +54,6 @@ impl Rope {
 }
 
 members! { Rope:
-    /// The name of the point where it leaves the drum.
+    /// The name of the point at which it leaves the drum.
     at(point: &str) "at" = json!(point);
 }

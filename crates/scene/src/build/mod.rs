@@ -1,7 +1,8 @@
-//! Scenes from a program, without JSON: what a scene says, in typed quantities.
+//! Scenes from a program, without JSON, in typed quantities.
 //!
-//! A [`Builder`] gathers the same words that a file says; [`Builder::build`] hands them to the reader of files, so that there is one
-//! set of rules, and [`Builder::json`] is the file. Names, numbers and what belongs together are judged there, not here.
+//! A [`Builder`] collects the members of a scene file. [`Builder::build`] passes them to the reader
+//! of files, so that there is one set of rules, and [`Builder::json`] returns the file. The reader
+//! checks names, numbers and their consistency.
 //!
 //! ```
 //! use hodograph_scene::build::{Builder, Driver, deg, mm, rad_per_s};
@@ -32,7 +33,8 @@ use super::{Lang, Scene, read, write};
 use hodograph_base::diag::{Faults, Warned};
 use serde_json::{Map, Value, json};
 
-/// A scene in the making. Every call adds to what the file of that scene would say; a second call for the same name replaces the first.
+/// A scene under construction. Every call adds to the scene's file; a second call for the same name
+/// replaces the first.
 #[derive(Clone, Debug, Default)]
 #[must_use]
 pub struct Builder {
@@ -40,84 +42,86 @@ pub struct Builder {
 }
 
 impl Builder {
-    /// A scene that says nothing yet.
+    /// Returns an empty scene.
     pub fn new() -> Builder {
         Builder::default()
     }
 
-    /// The title, in the language of the scene.
+    /// Sets the title, in the language of the scene.
     pub fn title(self, text: &str) -> Builder {
         self.member("title", json!(text))
     }
 
-    /// The problem statement, in the language of the scene.
+    /// Sets the problem statement, in the language of the scene.
     pub fn statement(self, text: &str) -> Builder {
         self.member("statement", json!(text))
     }
 
-    /// A link and its points. A point that several links name is the pin that joins them.
+    /// Adds a link and its points. A point that several links name is the pin that joins them.
     pub fn link<'a>(self, name: &str, points: impl IntoIterator<Item = &'a str>) -> Builder {
         self.under("links", name, json!(points.into_iter().collect::<Vec<_>>()))
     }
 
-    /// The fixed link; its pivots are those of [`Builder::link`].
+    /// Sets the fixed link; its pivots are those of [`Builder::link`].
     pub fn ground(self, name: &str) -> Builder {
         self.member("ground", json!(name))
     }
 
-    /// A named value that later quantities may use in their expressions.
+    /// Adds a named value for the expressions of later quantities.
     pub fn parameter(self, name: &str, value: impl Into<Amount>) -> Builder {
         let value: Amount = value.into();
         self.under("parameters", name, value.json())
     }
 
-    /// The distance of two points of one link, such as `AB` or `O2,B`.
+    /// Adds the distance of two points of one link, such as `AB` or `O2,B`.
     pub fn length(self, points: &str, value: Length) -> Builder {
         self.under("lengths", points, value.json())
     }
 
-    /// A point's place in the plane at the instant: a fixed pivot, or part of the pose.
+    /// Sets a point's place in the fixed plane at the instant: a fixed pivot, or part of the pose.
     pub fn point(self, name: &str, x: Length, y: Length) -> Builder {
         self.under("points", name, json!([x.json(), y.json()]))
     }
 
-    /// A point's place in its link: the origin is the first point of `base`, x runs toward the second, y to the left.
+    /// Sets a point's place in its link: origin at the first point of `base`, x toward the second,
+    /// y to the left.
     pub fn point_in_link(self, name: &str, base: &str, x: Length, y: Length) -> Builder {
         self.under("points", name, json!({"base": base, "x": x.json(), "y": y.json()}))
     }
 
-    /// A point's place in its link, at a distance from the first point of `base`, counter-clockwise from the direction toward the second.
+    /// Sets a point's place in its link by polar coordinates: the distance from the first point of
+    /// `base`, and the angle from the direction toward the second, positive counter-clockwise.
     pub fn point_by_angle(self, name: &str, base: &str, length: Length, angle: Angle) -> Builder {
         self.under("points", name, json!({"base": base, "length": length.json(), "angle": angle.json()}))
     }
 
-    /// A sliding pair.
+    /// Adds a sliding pair.
     pub fn guide(self, guide: Guide) -> Builder {
         self.among("guides", guide.json())
     }
 
-    /// A pair of gears, or a gear on its rack.
+    /// Adds a pair of gears, or a gear on its rack.
     pub fn gears(self, gears: Gears) -> Builder {
         self.among("gears", gears.json())
     }
 
-    /// A wheel that rolls without slip.
+    /// Adds a wheel that rolls without slip.
     pub fn wheel(self, wheel: Wheel) -> Builder {
         self.among("rolling", wheel.json())
     }
 
-    /// A belt round pulleys, or a chain round sprockets.
+    /// Adds a belt around pulleys, or a chain around sprockets.
     pub fn belt(self, belt: Belt) -> Builder {
         let key = belt.section();
         self.among(key, belt.json())
     }
 
-    /// A rope from a drum to its load.
+    /// Adds a rope from a drum to its load.
     pub fn rope(self, rope: Rope) -> Builder {
         self.among("ropes", rope.json())
     }
 
-    /// A driver; several may be added.
+    /// Adds a driver; several are possible.
     pub fn driver(mut self, driver: Driver) -> Builder {
         match self.members.get_mut("driver") {
             None => drop(self.members.insert("driver".into(), driver.json())),
@@ -127,17 +131,18 @@ impl Builder {
         self
     }
 
-    /// On which side of a directed line a point lies, such as `left of BD`: chooses the assembly.
+    /// Sets the side of a directed line on which a point is, such as `left of BD`, to select the
+    /// assembly.
     pub fn side(self, point: &str, side: &str) -> Builder {
         self.under("side", point, json!(side))
     }
 
-    /// Where a point lies roughly: chooses the assembly.
+    /// Sets the rough place of a point, to select the assembly.
     pub fn sketch(self, point: &str, x: Length, y: Length) -> Builder {
         self.under("sketch", point, json!([x.json(), y.json()]))
     }
 
-    /// What is asked; without it, everything is.
+    /// Adds questions; without any, everything is asked.
     pub fn find<'a>(mut self, questions: impl IntoIterator<Item = &'a str>) -> Builder {
         for question in questions {
             self = self.among("find", json!(question));
@@ -145,7 +150,7 @@ impl Builder {
         self
     }
 
-    /// The language of what is printed.
+    /// Sets the language of the output.
     pub fn language(self, lang: Lang) -> Builder {
         let code = match lang {
             Lang::En => "en",
@@ -154,18 +159,19 @@ impl Builder {
         self.member("language", json!(code))
     }
 
-    /// Any other member of the file, such as `cams`, `paper`, `answers`, as `docs/scene.md` describes it.
+    /// Sets any other member of the file, such as `cams`, `paper`, `answers`, as `docs/scene.md`
+    /// describes it.
     pub fn member(mut self, key: &str, value: Value) -> Builder {
         self.members.insert(key.into(), value);
         self
     }
 
-    /// The file of this scene, as a person would write it.
+    /// Returns the file of this scene, in the layout that a person writes.
     pub fn json(&self) -> String {
         write(&Value::Object(self.members.clone()))
     }
 
-    /// Reads what was said as the reader of files does.
+    /// Reads the scene with the reader of files.
     ///
     /// # Errors
     /// As [`read`]; places count in [`Builder::json`].

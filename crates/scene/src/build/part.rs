@@ -1,9 +1,10 @@
-//! Entries of a scene with several members: drivers, guides, gears, wheels. A method for each member, named as in the file.
+//! Entries of a scene with several members: drivers, guides, gears, wheels. Each member has a
+//! method with the name that it has in the file.
 
 use super::amount::{Acceleration, Angle, AngularAcceleration, AngularVelocity, Length, Velocity};
 use serde_json::{Map, Value, json};
 
-/// An entry in the making.
+/// An entry under construction.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Entry(pub(super) Map<String, Value>);
 
@@ -34,34 +35,37 @@ macro_rules! members {
 
 pub(super) use members;
 
-/// What drives the mechanism.
+/// A driver of the mechanism.
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct Driver(Entry);
 
 impl Driver {
-    /// A link that turns; give it `angle` (unless coordinates give the pose) and `omega`.
+    /// Returns a driver that turns a link; set `angle` (unless coordinates give the pose) and
+    /// `omega`.
     pub fn turning(link: &str) -> Driver {
         Driver(Entry::default().with("link", json!(link)))
     }
 
-    /// A pin or slider that moves along its guide; give it `position` (unless coordinates give the pose) and `velocity`.
+    /// Returns a driver that moves a pin or slider along its guide; set `position` (unless
+    /// coordinates give the pose) and `velocity`.
     pub fn sliding(point_or_slider: &str) -> Driver {
         Driver(Entry::default().with("slide", json!(point_or_slider)))
     }
 
-    /// A cylinder between two points, such as `FG`; give it `length` (unless coordinates give the pose) and `rate`.
+    /// Returns a cylinder between two points, such as `FG`; set `length` (unless coordinates give
+    /// the pose) and `rate`.
     pub fn cylinder(ends: &str) -> Driver {
         Driver(Entry::default().with("cylinder", json!(ends)))
     }
 }
 
 members! { Driver:
-    /// The link against which angle and rates count, instead of the ground.
+    /// The link from which angle and rates are measured, instead of the ground.
     against(link: &str) "against" = json!(link);
-    /// The line of the driven link whose angle is meant, instead of that of its first two points.
+    /// The line of the driven link whose angle is given, instead of that of its first two points.
     line(points: &str) "line" = json!(points);
-    /// The line of `against` from which the angle counts.
+    /// The line of `against` from which the angle is measured.
     against_line(points: &str) "against_line" = json!(points);
     /// The angle.
     angle(value: Angle) "angle" = value.json();
@@ -69,7 +73,7 @@ members! { Driver:
     omega(value: AngularVelocity) "omega" = value.json();
     /// The angular acceleration; without it the rate is constant.
     alpha(value: AngularAcceleration) "alpha" = value.json();
-    /// Where along the guide a sliding driver stands.
+    /// Position of a sliding driver along its guide.
     position(value: Length) "position" = value.json();
     /// The velocity along the guide.
     velocity(value: Velocity) "velocity" = value.json();
@@ -89,17 +93,17 @@ members! { Driver:
 pub struct Guide(Entry);
 
 impl Guide {
-    /// A bare pin that runs in a slot, on ground unless `on` says otherwise.
+    /// Returns a bare pin that runs in a slot, on ground unless `on` is set.
     pub fn pin(point: &str) -> Guide {
         Guide(Entry::default().with("pin", json!(point)))
     }
 
-    /// A slider with its pin.
+    /// Returns a slider with its pin.
     pub fn slider(link: &str, pin: &str) -> Guide {
         Guide(Entry::default().with("pin", json!(pin)).with("slider", json!(link)))
     }
 
-    /// A link that slides without turning and has no pin in the guide, such as a yoke.
+    /// Returns a link that slides without turning and has no pin in the guide, such as a yoke.
     pub fn yoke(link: &str) -> Guide {
         Guide(Entry::default().with("slider", json!(link)))
     }
@@ -108,21 +112,21 @@ impl Guide {
 members! { Guide:
     /// The link that carries the guide.
     on(link: &str) "on" = json!(link);
-    /// The line of two points of that link along which the guide runs.
+    /// The line of two points of that link along which the guide is directed.
     line(points: &str) "line" = json!(points);
-    /// A point of that link that the guide passes.
+    /// A point of that link on the guide.
     through(point: &str) "through" = json!(point);
-    /// A place in the plane that a guide on ground passes.
+    /// A place in the fixed plane on a guide on ground.
     through_at(x: Length, y: Length) "through" = json!([x.json(), y.json()]);
-    /// The direction, from the x axis at the instant, or from `line`.
+    /// The direction, measured from the x axis at the instant, or from `line`.
     angle(value: Angle) "angle" = value.json();
-    /// How far to the left the guide lies, looking along its direction.
+    /// Distance of the guide to the left, looking along its direction.
     offset(value: Length) "offset" = value.json();
     /// The centre of a slot along an arc.
     centre(point: &str) "centre" = json!(point);
     /// The radius of a slot along an arc.
     radius(value: Length) "radius" = value.json();
-    /// The length over which a slider bears in its guide.
+    /// Bearing length of a slider in its guide.
     length(value: Length) "length" = value.json();
 }
 
@@ -132,12 +136,12 @@ members! { Guide:
 pub struct Gears(Entry);
 
 impl Gears {
-    /// Two gears with their centres.
+    /// Returns two gears with their centres.
     pub fn pair(links: [&str; 2], centres: [&str; 2]) -> Gears {
         Gears(Entry::default().with("links", json!(links)).with("centres", json!(centres)))
     }
 
-    /// A gear with its centre, and the link that is its rack; give it `angle` or `line`.
+    /// Returns a gear with its centre, and the link that is its rack; set `angle` or `line`.
     pub fn on_rack(gear: &str, centre: &str, rack: &str) -> Gears {
         Gears(Entry::default().with("links", json!([gear, rack])).with("centres", json!([centre])).with("rack", json!(rack)))
     }
@@ -152,13 +156,14 @@ members! { Gears:
     module(value: Length) "module" = value.json();
     /// The link whose gear is internal.
     ring(link: &str) "ring" = json!(link);
-    /// The line of two points of the rack along which it runs.
+    /// The line of two points of the rack along which the rack is directed.
     line(points: &str) "line" = json!(points);
-    /// The direction of the rack, from the x axis at the instant, or from `line`.
+    /// The direction of the rack, measured from the x axis at the instant, or from `line`.
     angle(value: Angle) "angle" = value.json();
     /// The name of the point of contact.
     at(point: &str) "at" = json!(point);
-    /// The angle of the second link's line from the line of centres, when that of the first link lies on it.
+    /// The angle of the second link's line from the line of centres, when the first link's line
+    /// coincides with it.
     phase(value: Angle) "phase" = value.json();
 }
 
@@ -168,7 +173,7 @@ members! { Gears:
 pub struct Wheel(Entry);
 
 impl Wheel {
-    /// A wheel with its centre and radius.
+    /// Returns a wheel with its centre and radius.
     pub fn new(link: &str, centre: &str, radius: Length) -> Wheel {
         Wheel(Entry::default().with("wheel", json!(link)).with("centre", json!(centre)).with("radius", radius.json()))
     }
@@ -181,11 +186,11 @@ members! { Wheel:
     track(centre: &str) "track" = json!(centre);
     /// The radius of a circular track.
     track_radius(value: Length) "track_radius" = value.json();
-    /// Whether it rolls inside that circle.
+    /// True if it rolls inside that circle.
     inside(value: bool) "inside" = json!(value);
-    /// The line of two points along which a straight track runs; the wheel lies to its left.
+    /// The line of two points along which a straight track is directed; the wheel is to its left.
     line(points: &str) "line" = json!(points);
-    /// A place in the plane that a straight track on ground passes.
+    /// A place in the fixed plane on a straight track on ground.
     through_at(x: Length, y: Length) "through" = json!([x.json(), y.json()]);
     /// The direction of a straight track.
     angle(value: Angle) "angle" = value.json();

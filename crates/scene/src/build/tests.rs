@@ -1,7 +1,7 @@
 use super::*;
 use crate::keys;
 
-/// A shaper's lever with all kinds of entries but cams, and what its file must say.
+/// A shaper's lever with entries of all kinds except cams, for comparison with its file.
 fn all_kinds() -> Builder {
     Builder::new()
         .title("All kinds")
@@ -53,7 +53,7 @@ fn what_is_wrong_is_told_as_of_a_file() {
     assert!(codes.len() >= 2, "{faults}");
 }
 
-/// Methods and the lists of keys cannot drift apart: what a method writes is a key of the format.
+/// Every method writes a key of the format.
 #[test]
 fn every_member_is_a_key() {
     let of = |v: Value, keys: &[&str]| {
@@ -76,7 +76,7 @@ fn every_member_is_a_key() {
     of(Value::Object(all_kinds().side("D", "left of AO").statement("...").language(Lang::Zh).members), keys::SCENE);
 }
 
-/// Every template, laid out anew, is the same scene, in lines that fit.
+/// Every template in the new layout is the same scene, in lines within the limit.
 #[test]
 fn the_layout_changes_nothing() {
     for t in crate::templates::list() {

@@ -1,4 +1,4 @@
-//! A profile by a law: the stages read, and written what stands for the contact.
+//! A profile by a law: reads the stages and writes the pair or driver that replaces the contact.
 
 use super::super::model::*;
 use super::super::raw::{RawQuantity, RawScene};
@@ -17,7 +17,7 @@ use hodograph_base::digits::significant;
 use hodograph_base::json::Word;
 
 impl One<'_> {
-    /// The law as numbers and texts.
+    /// Returns the law as numbers and texts.
     pub(super) fn law(
         &self,
         base: &RawQuantity,
@@ -74,7 +74,7 @@ impl One<'_> {
         let open = |message: Both, help: Both, faults: &mut Faults| {
             faults.push(Diagnostic::error("law-open", message).at(self.raw.span).help(help));
         };
-        // A law is written in degrees; nine digits tell a slip of the pen from rounding.
+        // A law is written in degrees; nine digits separate typing errors from rounding.
         if (sum - std::f64::consts::TAU).abs() > 1e-9 {
             let degrees = significant(sum.to_degrees(), 6);
             open(
@@ -134,7 +134,7 @@ impl One<'_> {
         let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point, &|q| self.spot_on(&on, q));
         let along = if on.rate * turn < 0.0 { Side::Before } else { Side::After };
         let end_point = point;
-        // The mark that tells the direction of a lever with a face is the last point of its link.
+        // The mark that gives the direction of a lever with a face is the last point of its link.
         let point = match (&carried, &face) {
             (Carried::Pivot { .. }, Some(_)) => {
                 let id = self.names.link(&self.raw.follower).ok()?;
@@ -216,7 +216,7 @@ impl One<'_> {
         Some(())
     }
 
-    /// Why a law has no meaning here, or what it lacks.
+    /// Reports why a law is not possible here, or what data it lacks.
     fn no_law(&self, lacking: Lacking, faults: &mut Faults) {
         let (cam, follower) = (&self.raw.cam.text, &self.raw.follower.text);
         let message = both!(
@@ -227,7 +227,8 @@ impl One<'_> {
         faults.push(Diagnostic::error("cam-pose", message).at(self.raw.span).help(lacking.help));
     }
 
-    /// The follower's guide is not that of the point (or the face) that touches.
+    /// The fault of a follower whose guide does not pass through the point (or the face) of
+    /// contact.
     fn not_through(&self) -> Lacking {
         Lacking {
             what: both!("the end that touches has no fixed place in its guide or on its arm", "接触端在导路或摆杆上没有确定的位置"),

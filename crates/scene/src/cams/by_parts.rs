@@ -1,4 +1,5 @@
-//! A profile of arcs and lines: its parts checked, the piece that is touched found, its pair written, the assembly told.
+//! A profile of arcs and lines: checks its parts, finds the piece in contact, writes the pair of
+//! that piece and selects the assembly.
 
 use super::super::model::*;
 use super::super::raw::{RawQuantity, RawScene};
@@ -38,7 +39,8 @@ impl One<'_> {
         if let [Worded::Circle { centre, radius }] = worded.as_slice() {
             pending.circle = Some((centre.clone(), radius.value));
         }
-        // A face that slides on a moving link has its direction from the pose; one circle needs no more.
+        // The direction of a face that slides on a moving link follows from the pose; a profile of
+        // one circle does not need it.
         let leans = |p: &(OnPivot, Carried)| {
             matches!((&follows, &p.1), (RawFollows::Face(f), Carried::Guide { .. }) if !f.square) && p.0.frame != self.bare.ground
         };
@@ -118,7 +120,8 @@ impl One<'_> {
         contact.write(raw, &worded, touched)
     }
 
-    /// A face that slides on a moving link: the guide that stands for its contact has a direction at the instant only.
+    /// Reports a face that slides on a moving link: the guide that replaces its contact has a
+    /// direction at the instant only.
     fn no_line<T>(&self, frame: LinkId, faults: &mut Faults) -> Option<T> {
         let (follower, frame) = (&self.raw.follower.text, self.bare.link_name(frame));
         let message = both!(
@@ -132,8 +135,8 @@ impl One<'_> {
         None
     }
 
-    /// Says which of the assemblies is meant, by the place of a point of the follower in the pose: on the ground in the sketch, on a moving link in the
-    /// axes of that link.
+    /// Selects the assembly by the place of a point of the follower in the pose. On the ground the
+    /// place is added to the sketch; on a moving link it is returned, in the axes of that link.
     pub(super) fn sketch(
         &self,
         raw: &mut RawScene,
@@ -161,7 +164,7 @@ impl One<'_> {
         None
     }
 
-    /// Writes where a point is in the pose, unless the scene says it.
+    /// Adds the place of a point in the pose to the sketch, unless the scene gives it.
     fn sketched(&self, raw: &mut RawScene, name: &str, at: Vec2) {
         if raw.sketch.iter().any(|(w, _)| w.text == name) || raw.points.iter().any(|(w, _)| w.text == name) {
             return;
@@ -170,7 +173,7 @@ impl One<'_> {
         raw.sketch.push((Word { text: name.to_owned(), span: self.raw.span }, [quantity(at.x), quantity(at.y)]));
     }
 
-    /// The parts with texts and checked numbers.
+    /// Returns the parts with texts and checked numbers.
     pub(super) fn worded(&self, cam: LinkId, parts: &[RawPart], faults: &mut Faults) -> Option<Vec<Worded>> {
         let n = parts.len();
         let centre = |i: usize| match &parts[i % n] {

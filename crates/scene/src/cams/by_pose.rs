@@ -1,8 +1,10 @@
-//! Which piece of a profile is touched where cam or follower moves with further links: told by the coordinates of the pose.
+//! The piece in contact where different links carry cam and follower: the coordinates of the pose
+//! determine it.
 //!
-//! On one carrying link the piece follows from the angle of the cam ([`super::by_parts`]). On different links the place of the cam follows from the assembly,
-//! and that from the piece; so the pose must say it: coordinates of the cam's first two points and of the point that touches, or the direction
-//! of the face.
+//! On one carrying link the piece follows from the angle of the cam ([`super::by_parts`]). On
+//! different links the place of the cam follows from the assembly, and the assembly from the piece.
+//! So the pose must give the coordinates of the cam's first two points and of the point of contact,
+//! or the direction of the face.
 
 use super::super::model::*;
 use super::super::units::Wanted;
@@ -19,23 +21,25 @@ use hodograph_base::diag::Faults;
 use hodograph_base::geom::Vec2;
 use hodograph_base::json::Word;
 
-/// A follower farther from its piece than this part of the cam's size does not touch it; what is nearer is judged where pins are held to their
-/// guides.
+/// A follower at a greater distance from its piece, as a fraction of the cam's size, does not touch
+/// it; smaller distances are checked with those of pins from their guides.
 const OFF: f64 = 1e-6;
 
-/// A profile of several pieces that the pose places.
+/// A profile of several pieces placed by the pose.
 pub(super) struct Posed {
-    /// The points of the cam in whose frame the pieces are: origin in the first, x toward the second.
+    /// The points of the cam that define the frame of the pieces: origin at the first, x toward the
+    /// second.
     pub frame: [String; 2],
     pub segments: Vec<Segment>,
     pub texts: Option<MotionTexts>,
     pub touched: usize,
-    /// Where a point of the follower is, for which no coordinates are given.
+    /// Place of a point of the follower without coordinates.
     pub rough: Option<(PointId, Vec2)>,
 }
 
 impl One<'_> {
-    /// The pieces in the frame of the cam's first two points, and the one that is touched in the pose.
+    /// Returns the pieces in the frame of the cam's first two points, and the piece in contact in
+    /// the pose.
     pub(super) fn by_pose(
         &self,
         worded: &[Worded],
@@ -86,7 +90,8 @@ impl One<'_> {
                         None => self.no_pose(why, faults),
                     };
                 };
-                // The cam lies to the left of its face, or to the right: its outward normal points the other way.
+                // The outward normal of the cam points away from the side of the face on which the
+                // cam is.
                 let normal = if face.left.unwrap_or(true) { -along.perp() } else { along.perp() };
                 touched = segments.iter().position(|s| s.faces(into(normal).angle()));
             }
@@ -118,7 +123,7 @@ impl One<'_> {
         Some(Posed { frame: frame.map(|p| self.bare.point_name(p).to_owned()), segments, texts, touched, rough })
     }
 
-    /// The direction in the pose of the guide in which a follower slides.
+    /// Returns the direction in the pose of the guide in which a follower slides.
     fn guide_direction(&self, follower: LinkId) -> Option<Vec2> {
         let guide = self.bare.guides.iter().find(|g| g.slider == Some(follower))?;
         let GuidePath::Line { direction: Direction::Along(a, b, turn), .. } = &guide.path else { return None };
@@ -126,7 +131,7 @@ impl One<'_> {
         Some(turn.as_ref().map_or(way, |t| way.rotate_by(Vec2::from_angle(t.value.radians()))))
     }
 
-    /// The direction of a face in the pose.
+    /// Returns the direction of a face in the pose.
     fn face_direction(&self, face: &RawFace, follower: LinkId, faults: &mut Faults) -> Option<Vec2> {
         if face.square {
             return self.guide_direction(follower).map(Vec2::perp);

@@ -1,9 +1,11 @@
-//! The link that carries a cam and its follower, and where both are in it.
+//! The link that carries a cam and its follower, and their places in it.
 //!
-//! A law, and the choice of a piece from lengths alone, ask for one angle of the cam and one coordinate of the follower: both counted in one link, on
-//! which the cam turns about a pivot, driven, and the follower slides or turns. Usually it is the ground; a crank, a coupler or a slide rest serves as
-//! well, and a cam that is the ground itself serves a carrier that is driven round it. Places are texts in the axes of that link (origin in its first point, x
-//! toward the second), so that longer numbers read them as they read the file.
+//! A law, and the choice of a piece from lengths alone, need one angle of the cam and one
+//! coordinate of the follower, both measured in one link. On this link the cam turns about a pivot,
+//! driven, and the follower slides or turns. It is usually the ground; a crank, a coupler or a
+//! slide is possible too, and so is a carrier that is driven round a fixed cam. Places are texts in
+//! the axes of that link (origin at its first point, x toward the second), so that higher-precision
+//! numbers can be read from them as from the file.
 
 use super::super::model::*;
 use super::super::raw::RawQuantity;
@@ -12,7 +14,7 @@ use super::expand::One;
 use super::place::{Carried, OnPivot, Spot, Told, apart, direction, locals, spot};
 use hodograph_base::diag::{Both, Faults, both};
 
-/// What is in the way of placing a cam, and how to mend it.
+/// The fault that prevents placing a cam, and its remedy.
 #[derive(Clone, Debug)]
 pub(super) struct Lacking {
     pub what: Both,
@@ -20,14 +22,14 @@ pub(super) struct Lacking {
 }
 
 impl One<'_> {
-    /// The cam and its follower on the link that carries both; or what is missing for it.
+    /// Returns the cam and its follower on the link that carries both, or the missing data.
     pub(super) fn carried(&self, cam: LinkId, follower: LinkId) -> Result<(OnPivot, Carried), Lacking> {
         let all = self.carriers(cam, follower);
         let mut first = None;
         for (frame, pivot) in &all {
             match self.on_pivot(cam, *frame, *pivot).and_then(|on| Ok((on, self.follower_in(follower, *frame)?))) {
                 Ok(placed) => return Ok(placed),
-                // Of several links that might carry both, the ground (the first) is what a reader thinks of.
+                // If several links might carry both, the ground (the first) determines the message.
                 Err(lacking) => drop(first.get_or_insert(lacking)),
             }
         }
@@ -46,7 +48,8 @@ impl One<'_> {
         }))
     }
 
-    /// Links on which the cam turns about one point while the follower slides or turns on them, the ground first.
+    /// Returns the links on which the cam turns about one point and the follower slides or turns,
+    /// the ground first.
     fn carriers(&self, cam: LinkId, follower: LinkId) -> Vec<(LinkId, PointId)> {
         let scene = self.bare;
         let pivot = |link: LinkId, frame: LinkId| {
@@ -80,7 +83,8 @@ impl One<'_> {
         let angle = own.or_else(|| self.stands(cam, frame, &turned, &mut Vec::new())).ok_or_else(|| self.no_angle(cam, &turned))?;
         let unplaced = |p: PointId| self.unplaced(p, frame);
         let spot = self.spot_in(frame, pivot).ok_or_else(|| unplaced(pivot))?;
-        // In the plane the cam's axes lie at its own angle only where the ground carries it.
+        // The direction of the cam's axes in the fixed plane equals its own angle only if the
+        // ground carries it.
         let world = if frame == scene.ground { angle.value } else { self.line_of(cam).map_or(0.0, |t| t.value) };
         let local = locals(scene, cam, pivot, world).ok_or_else(|| {
             lacking(
@@ -123,7 +127,8 @@ impl One<'_> {
         }
     }
 
-    /// The follower, where it runs in a guide of the carrying link or turns about a pivot of it.
+    /// Returns the follower if it slides in a guide of the carrying link or turns about a pivot of
+    /// it.
     fn follower_in(&self, link: LinkId, frame: LinkId) -> Result<Carried, Lacking> {
         let scene = self.bare;
         let Some(g) = scene.guides.iter().find(|g| g.slider == Some(link) && g.on == frame) else {
@@ -171,7 +176,8 @@ impl One<'_> {
         }
     }
 
-    /// Where a point of the carrying link is in it; on the ground in the plane.
+    /// Returns the place of a point of the carrying link in that link; for the ground, in the fixed
+    /// plane.
     pub(super) fn spot_in(&self, frame: LinkId, p: PointId) -> Option<Spot> {
         if frame == self.bare.ground {
             return spot(self.bare, p);
@@ -184,7 +190,7 @@ impl One<'_> {
         Some(Spot { x: told(x)?, y: told(y)? })
     }
 
-    /// Texts of the coordinates of a point in the axes of its link.
+    /// Returns the texts of the coordinates of a point in the axes of its link.
     fn axes_texts(&self, link: LinkId, p: PointId) -> Option<[String; 2]> {
         let scene = self.bare;
         let [first, second, ..] = scene.links[link.0].points.as_slice() else { return None };
@@ -196,7 +202,7 @@ impl One<'_> {
         if p == *second {
             return Some([d, zero()]);
         }
-        // Of a base that runs the other way, both coordinates turn.
+        // A base in the opposite sense turns both axes by 180°.
         let from_base = |base: (PointId, PointId), [x, y]: [String; 2]| match base {
             (a, b) if (a, b) == (*first, *second) => Some([x, y]),
             (a, b) if (a, b) == (*second, *first) => Some([format!("({d})-({x})"), format!("-({y})")]),

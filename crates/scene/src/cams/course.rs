@@ -1,7 +1,8 @@
-//! Where a follower is beyond the instant that moves with other links than its cam.
+//! Follower positions beyond the instant, for a follower on other links than its cam.
 //!
-//! It follows from the whole mechanism and not from one angle, so this room cannot tell it: who can move mechanisms hands in a [`Course`], and from then
-//! on the follower is a driver of its own like any other that a cam leads.
+//! The position follows from the whole mechanism and not from one angle, so this module cannot
+//! compute it. Modules that can move mechanisms supply a [`Course`]; then the follower is a driver
+//! like any other follower that a cam moves.
 
 use super::super::model::{GuideId, LinkId, PointId, Scene};
 use super::{Cam, Pieces};
@@ -12,21 +13,22 @@ use std::fmt;
 use std::panic::{RefUnwindSafe, UnwindSafe};
 use std::sync::Arc;
 
-/// A follower as its cam leads it.
+/// State of a follower that its cam moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Led {
-    /// The coordinate of the driver that stands for the contact, and its first two derivatives by the time (SI).
+    /// The coordinate of the driver that replaces the contact, and its first two time derivatives
+    /// (SI).
     pub place: [f64; 3],
-    /// The piece that is touched.
+    /// Index of the piece in contact.
     pub piece: usize,
 }
 
-/// The pair on which a follower hangs, by which its coordinate is counted.
+/// The pair that joins a follower to another link and defines its coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HangsOn {
-    /// It slides in a guide.
+    /// The follower slides in a guide.
     Guide(GuideId),
-    /// It turns about a pin of another link; a line of it from that pin.
+    /// The follower turns about a pin of another link; a line of it begins at that pin.
     Pivot {
         /// The other link.
         against: LinkId,
@@ -35,16 +37,18 @@ pub enum HangsOn {
     },
 }
 
-/// Knows where a cam leads its follower.
+/// Computes the state of a follower that its cam moves.
 pub trait Leads: Send + Sync + UnwindSafe + RefUnwindSafe {
-    /// The follower where the drivers stand, as fast as they move (position, rate, acceleration of each, SI); `None` where it cannot be followed.
+    /// Returns the follower's state for the position, rate and acceleration of each driver (SI);
+    /// `None` where it cannot be followed.
     fn led(&self, drivers: &[[f64; 3]]) -> Option<Led>;
 
-    /// Bounds of the errors of place, rate and acceleration that [`Leads::led`] tells; `None` where nothing encloses them.
+    /// Returns bounds of the errors of place, rate and acceleration from [`Leads::led`]; `None`
+    /// where there is no enclosure.
     fn off(&self, drivers: &[[f64; 3]]) -> Option<[f64; 3]>;
 }
 
-/// One that is shared by all copies of a scene.
+/// The computation of a follower's states, shared by all copies of a scene.
 #[derive(Clone)]
 pub struct Course(pub Arc<dyn Leads>);
 
@@ -54,7 +58,7 @@ impl fmt::Debug for Course {
     }
 }
 
-/// The same one.
+/// Equality is identity.
 impl PartialEq for Course {
     fn eq(&self, other: &Course) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
@@ -62,8 +66,9 @@ impl PartialEq for Course {
 }
 
 impl Cam {
-    /// Where a follower with a round end touches, and the unit normal out of the cam, while a driver stands for the contact; `None` of a flat face, whose
-    /// direction only its pair told.
+    /// Returns the point of contact of a follower with a round end and the outward unit normal of
+    /// the cam, if a driver replaces the contact; `None` for a flat face, because only a pair gives
+    /// its direction.
     pub fn touched_on_course<N: Real>(&self, scene: &Scene, place: &dyn Fn(PointId) -> Option<Point<N>>) -> Option<(Point<N>, Vec2<N>)> {
         let pieces = self.posed.as_ref().filter(|_| self.is_on_course())?;
         let (end, radius) = (place(self.follows.point())?, self.end_in(scene)?);
@@ -73,7 +78,7 @@ impl Cam {
 }
 
 impl Pieces {
-    /// The outward normal of the piece that is touched, at a place.
+    /// Returns the outward normal of the piece in contact at a place.
     fn normal<N: Real>(&self, scene: &Scene, place: &dyn Fn(PointId) -> Option<Point<N>>, at: Point<N>) -> Option<Vec2<N>> {
         let [from, to] = self.frame;
         let origin = place(from)?;
@@ -89,7 +94,7 @@ impl Pieces {
     }
 }
 
-/// A piece in other numbers that know no more of it.
+/// Converts a piece to another number type, at the same precision.
 fn lifted<N: Real>(piece: Segment) -> Segment<N> {
     let number = N::from_f64;
     match piece {

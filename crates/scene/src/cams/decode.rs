@@ -9,7 +9,8 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::json::fields::{Fields, suggest, word, wrong};
 use hodograph_base::json::{Kind, Node, Word};
 
-/// One cam, of which counting needs neither profile nor radius; nothing where a member could not be read, as it must not be judged by what is left of it.
+/// Decodes one cam; a mobility count needs neither profile nor radius. Returns `None` if a
+/// member could not be read, so that the remaining members are not judged alone.
 pub(crate) fn cam(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawCam> {
     let before = faults.list.len();
     let f = Fields::open(node, both!("a cam", "凸轮"), keys::CAM, faults)?;
@@ -31,7 +32,7 @@ pub(crate) fn cam(node: &Node, extent: Extent, faults: &mut Faults) -> Option<Ra
     whole.then_some(cam)
 }
 
-/// With what the follower touches: one of four keys.
+/// Decodes the contact element of the follower: one of four keys.
 fn follows(f: &Fields, counted: bool, faults: &mut Faults) -> Option<RawFollows> {
     let kinds = ["edge", "roller", "arc", "face"];
     let given: Vec<&str> = kinds.into_iter().filter(|k| f.get(k).is_some()).collect();
@@ -85,7 +86,7 @@ fn face(node: &Node, faults: &mut Faults) -> Option<RawFace> {
     Some(RawFace { through, line, angle, square: false, offset, left })
 }
 
-/// Which of two words it is.
+/// Returns the index of the word among two.
 fn one_of(said: &Word, words: [&str; 2], faults: &mut Faults) -> Option<usize> {
     let found = words.iter().position(|w| *w == said.text);
     if found.is_none() {

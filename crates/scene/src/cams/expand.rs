@@ -1,4 +1,4 @@
-//! Every cam of the raw scene into the pairs, points and drivers that stand for it.
+//! Replaces every cam of the raw scene by pairs, points and drivers.
 
 use std::collections::HashSet;
 
@@ -19,11 +19,11 @@ use hodograph_base::digits::significant;
 use hodograph_base::geom::Vec2;
 use hodograph_base::json::Word;
 
-/// A scene whose cams are written as other pairs, and the cams themselves by the names of their points.
+/// A scene with its cams replaced by other pairs, and the cams with the names of their points.
 pub(crate) struct Expanded {
     pub raw: RawScene,
     cams: Vec<Pending>,
-    /// Parameters that only a piece uses which is not touched.
+    /// Parameters that occur only in pieces without contact.
     pub used: HashSet<String>,
 }
 
@@ -35,27 +35,27 @@ pub(super) struct Pending {
     radius: f64,
     at: Option<String>,
     roller: Option<String>,
-    /// Of a face: whether the cam lies left of it.
+    /// For a face: true if the cam is to the left of it.
     pub left: bool,
     end: Option<String>,
-    /// The texts of the radii of the pieces.
+    /// Texts of the radii of the pieces.
     pub radii: Vec<Option<String>>,
     pub circle: Option<(String, f64)>,
     pub disc: Option<(String, Turning)>,
     pub contact: Option<usize>,
     pub posed: Option<Posed>,
-    /// The place of a point of the follower in the axes of a moving carrier.
+    /// Place of a point of the follower in the axes of a moving carrier.
     pub rough: Option<(String, Vec2)>,
     span: Span,
 }
 
-/// Whether a fault says that the pose does not tell the contact.
+/// True for a fault of a contact that the pose does not determine.
 fn of_the_pose(code: &str) -> bool {
     matches!(code, "cam-pose" | "no-contact" | "cam-centres" | "joint")
 }
 
-/// Writes the pairs of all cams. `bare` is the scene without them; `on` puts the contact of a cam on a piece of its profile, whichever the pose
-/// tells.
+/// Writes the pairs of all cams. `bare` is the scene without them; `on` (cam, piece) overrides the
+/// piece in contact in the pose.
 pub(crate) fn expand(raw: RawScene, source: &str, bare: &Scene, on: Option<(usize, usize)>, faults: &mut Faults) -> Expanded {
     let parameters = raw.parameters.clone();
     let (values, _) = Values::new(source, &raw.units, &parameters, &mut Faults::default());
@@ -69,14 +69,14 @@ pub(crate) fn expand(raw: RawScene, source: &str, bare: &Scene, on: Option<(usiz
     out
 }
 
-/// One cam at work.
+/// The replacement of one cam.
 pub(super) struct One<'a> {
     pub bare: &'a Scene,
     pub values: &'a Values<'a>,
     pub names: Names<'a>,
     pub raw: &'a RawCam,
     pub name: String,
-    /// The piece of its profile that is to be touched, whichever the pose tells.
+    /// The piece in contact, overriding that of the pose.
     pub on: Option<usize>,
 }
 
@@ -187,7 +187,7 @@ impl One<'_> {
         };
         match (told, before) {
             (Some(()), _) => {}
-            // Where the pose does not tell the contact, that there is one is enough for counting.
+            // A mobility count needs no more than the existence of the contact.
             (None, Some(before)) if faults.list[known..].iter().all(|d| of_the_pose(d.code)) => {
                 faults.list.truncate(known);
                 *raw = before;
@@ -198,17 +198,17 @@ impl One<'_> {
         Some(pending)
     }
 
-    /// A face of which no point is named.
+    /// True for a face without a named point.
     fn no_point_of_face(&self) -> bool {
         matches!(self.raw.follows, RawFollows::Face(_)) && self.raw.follows.pin().is_none()
     }
 
-    /// A point of a link, whichever.
+    /// Returns any point of a link.
     fn any_point(&self, link: LinkId) -> Option<PointId> {
         self.bare.links[link.0].points.first().copied()
     }
 
-    /// The face of the follower: as it is written with what the cam's place adds, how far out it lies, and in which sense it goes out.
+    /// Returns the face as written and completed, its offset, and the outward sense (±1).
     pub(super) fn face(&self, carried: Option<&Carried>, face: &RawFace, faults: &mut Faults) -> Option<(RawFace, Option<Told>, f64)> {
         let offset = match &face.offset {
             Some(q) => Some(self.told(q, Wanted::Length, faults)?),
@@ -221,7 +221,7 @@ impl One<'_> {
             && to == *pivot
             && from != *pivot
         {
-            // Seen from the pivot the same line runs the other way, and what was left of it is right.
+            // From the pivot, the line has the opposite sense, and left becomes right.
             let text = format!("{},{}", self.bare.point_name(to), self.bare.point_name(from));
             face.line = Some(Word { text, span: line.span });
             face.left = Some(!face.left.unwrap_or(true));
@@ -233,7 +233,7 @@ impl One<'_> {
                     face.angle = Some(RawQuantity { text: format!("({})+90 deg", guide.text), span: self.raw.span, bare: false });
                     face.left = Some(face.left.unwrap_or(true));
                 }
-                // The positive sense of the guide is the rise, unless the scene says on which side the cam lies.
+                // The positive sense of the guide is the rise, unless the scene has the cam's side.
                 Some(q) if face.left.is_none() => {
                     let u = Vec2::from_angle(self.told(q, Wanted::Angle, faults)?.value);
                     face.left = Some(u.perp().dot(Vec2::from_angle(guide.value)) < 0.0);
@@ -245,22 +245,22 @@ impl One<'_> {
         Some((face, offset, sense))
     }
 
-    /// Whether the follower has no face, or one that stands square to its guide and passes through its pin.
+    /// True without a face, or if it is square to its guide and passes through its pin.
     fn stands_squarely(&self, guide: f64) -> bool {
         let RawFollows::Face(face) = &self.raw.follows else { return true };
         let angle = face.angle.as_ref().and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
-        // Nine digits of an angle are what a person types.
+        // Written angles have about nine digits.
         face.line.is_none() && face.offset.is_none() && angle.is_none_or(|a| libm::cos(a.value - guide).abs() < 1e-9)
     }
 
-    /// −1 where a face runs along its guide turned by +90°, +1 where it runs the other way.
+    /// Returns −1 for a face along its guide turned by +90°, +1 for the opposite sense.
     fn turned_from_guide(&self, guide: f64) -> f64 {
         let RawFollows::Face(face) = &self.raw.follows else { return -1.0 };
         let angle = face.angle.as_ref().and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
         angle.map_or(-1.0, |a| if libm::sin(a.value - guide) < 0.0 { 1.0 } else { -1.0 })
     }
 
-    /// The place of a point that the scene tells, in the axes of a link; `None` where it says nothing or nothing tells how the link lies.
+    /// Returns the given place of a point in the axes of a link, if both have a place.
     fn told_in(&self, frame: LinkId, point: PointId) -> Option<Vec2> {
         Reckoned::of(self.bare).seen_from(frame, place::told(self.bare, point)?)
     }
@@ -315,14 +315,14 @@ impl One<'_> {
         of_cam.or_else(|| Some(self.spot_in(on.frame, point)?.at()))
     }
 
-    /// Whether a face is known by its pivot alone, or by a line that begins there.
+    /// True for a face given by its pivot alone, or by a line that begins there.
     fn goes_out_from(&self, pivot: PointId) -> bool {
         let RawFollows::Face(face) = &self.raw.follows else { return true };
         let begins = |w: &Word| self.names.pair(w).is_ok_and(|(a, _)| a == pivot);
         face.angle.is_none() && face.line.as_ref().is_none_or(begins)
     }
 
-    /// The geometry of the follower; `None` where it is not that of a cam on the ground.
+    /// Returns the geometry of the follower; `None` unless it is that of a cam on the ground.
     pub(super) fn follower(
         &self,
         placed: &(OnPivot, Carried),
@@ -354,7 +354,7 @@ impl One<'_> {
         Some((geometry, touch, arm))
     }
 
-    /// Nothing tells the piece: `why` the carrying link does not, if that is known.
+    /// Reports that the piece in contact is unknown; `why` is the fault on the carrying link.
     pub(super) fn no_pose<T>(&self, why: Option<&Lacking>, faults: &mut Faults) -> Option<T> {
         let why = why.map_or(Both::default(), |l| both!(": {}", "：{}", l.what));
         let d = Diagnostic::error(
@@ -390,7 +390,7 @@ impl One<'_> {
         None
     }
 
-    /// At a joint of two pieces the acceleration jumps: both are told.
+    /// Reports the jump of the acceleration at a joint of two pieces, with both values.
     pub(super) fn joint(&self, disc: &Disc, phi: f64, on: &OnPivot, faults: &mut Faults) {
         let sides = [Side::Before, Side::After].map(|side| disc.coordinate(phi, side));
         let [Some(before), Some(after)] = sides else { return };
@@ -416,7 +416,7 @@ impl One<'_> {
 }
 
 impl Expanded {
-    /// The cams of the scene that has been made of it.
+    /// Returns the cams of the resolved scene.
     pub fn cams(self, scene: &Scene) -> Vec<Cam> {
         let point = |name: &str| scene.points.iter().position(|p| p.name == name).map(PointId);
         let link = |name: &str| scene.links.iter().position(|l| l.name == name).map(LinkId);

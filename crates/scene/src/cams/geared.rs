@@ -1,8 +1,10 @@
-//! What turns a cam in the link that carries it, and how it stands there: a driver of its own, or gears, belts and chains from one.
+//! Rotation and angle of a cam in the link that carries it: from its own driver, or through gears,
+//! belts and chains from another.
 //!
-//! All wheels between the two have their axes on the carrying link, so that the cam turns by the ratio of the train. How it stands follows from
-//! the train as the position of wheels does ([`Rolling::phase`]): ρ₁(φ₁ − β) + ρ₂(φ₂ − β) = ρ₂·phase, β the direction of the line of centres; or the cam
-//! says its `angle`, from which the phase follows.
+//! The axes of all wheels of the train are on the carrying link, so that the cam turns by the ratio
+//! of the train. Its angle follows from the train as the position of wheels does
+//! ([`Rolling::phase`]): ρ₁(φ₁ − β) + ρ₂(φ₂ − β) = ρ₂·phase, β being the direction of the line of
+//! centres. Alternatively the cam has an `angle`, which determines the phase.
 
 use super::super::model::*;
 use super::super::raw::{RawDriverKind, RawQuantity, RawScene};
@@ -15,24 +17,25 @@ use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::trig::turns_of;
 use std::f64::consts::TAU;
 
-/// The driver that turns a link in the carrying one.
+/// The driver that turns a link in the carrying link.
 #[derive(Clone, Debug)]
 pub(super) struct Turned {
     /// Index into the scene's list.
     pub driver: usize,
-    /// By how much the link turns as the driver turns by one.
+    /// Ratio of the link's rotation to the driver's.
     pub ratio: f64,
-    /// The ratio in words, where wheels stand between the two; they, from the link to the driver: indices into the scene's list.
+    /// For a train of wheels: the text of the ratio, and the indices of the pairs into the scene's
+    /// list, from the link to the driver.
     train: Option<(String, Vec<usize>)>,
 }
 
 impl Turned {
-    /// Whether no wheels stand between the two.
+    /// True if there is no train of wheels.
     pub fn direct(&self) -> bool {
         self.train.is_none()
     }
 
-    /// The text of the ratio times a number.
+    /// Returns the text of the ratio times a number.
     pub fn text(&self, number: &str) -> String {
         match &self.train {
             Some((ratio, _)) => format!("({ratio})*({number})"),
@@ -42,20 +45,21 @@ impl Turned {
     }
 }
 
-/// One wheel seen from the one on which it rolls, the axes of both on one link.
+/// A wheel and the wheel on which it rolls, both with their axes on one link.
 struct Mesh {
     /// The wheel on which it rolls.
     other: LinkId,
-    /// By how much it turns as that one turns by one, and the text of it.
+    /// Ratio of its rotation to that of the other wheel, with the text.
     ratio: Told,
-    /// The direction of the line of centres, from the pair's first to its second.
+    /// Direction of the line of centres, from the pair's first to its second.
     line: Told,
-    /// Whether it is the pair's second.
+    /// True if it is the pair's second link.
     second: bool,
 }
 
 impl One<'_> {
-    /// The driver that turns a link in the carrying one, by itself or through a train of wheels, the shortest that there is.
+    /// Returns the driver that turns a link in the carrying link, directly or through the shortest
+    /// train of wheels.
     pub(super) fn turns(&self, link: LinkId, frame: LinkId) -> Option<Turned> {
         let direct = |l: LinkId| self.turned_by(l, frame);
         if let Some((driver, ratio)) = direct(link) {
@@ -83,7 +87,8 @@ impl One<'_> {
         None
     }
 
-    /// The driver that turns a link in another by itself, and whether it turns the other one instead (−1).
+    /// Returns the driver that directly turns a link in another, with +1, or −1 if it turns the
+    /// other link instead.
     fn turned_by(&self, link: LinkId, frame: LinkId) -> Option<(usize, f64)> {
         let scene = self.bare;
         let plain = |link: LinkId, line: &Option<(PointId, PointId)>| match (line, scene.links[link.0].points.as_slice()) {
@@ -103,7 +108,8 @@ impl One<'_> {
         })
     }
 
-    /// A rolling pair seen from one of its wheels, if the other has its axis on the same link.
+    /// Returns a rolling pair from the point of view of one of its wheels, if the other has its
+    /// axis on the same link.
     fn mesh(&self, pair: usize, wheel: LinkId, frame: LinkId) -> Option<Mesh> {
         let r = &self.bare.rolling[pair];
         let (second, other) = (r.links[1] == wheel, r.other(wheel)?);
@@ -114,7 +120,8 @@ impl One<'_> {
         Some(Mesh { other, ratio: ratio(r, second)?, line, second })
     }
 
-    /// The angle of a link's first two points in the carrying link, as far as a driver, coordinates or phases tell it.
+    /// Returns the angle of a link's first two points in the carrying link, if a driver,
+    /// coordinates or phases give it.
     pub(super) fn stands(&self, link: LinkId, frame: LinkId, turned: &Turned, beyond: &mut Vec<LinkId>) -> Option<Told> {
         let own = self.turned_by(link, frame);
         let by_places = || {
@@ -144,16 +151,17 @@ impl One<'_> {
                 Told { value, text: format!("({})+(({})-({}))*({})", line.text, others.text, phase.text, ratio.text) }
             })
         });
-        // A wheel that is only its centre has no line: its axes lie as those of the carrying link.
+        // A wheel with only its centre has no line: its axes have the direction of the carrying
+        // link's.
         let centre = || self.bare.links[link.0].points.len() == 1;
         by_phase.or_else(|| centre().then(|| Told { value: 0.0, text: "0 deg".into() }))
     }
 
-    /// The angle of the wheel on which one rolls, from the line of centres, as the position of wheels counts it: with its whole turns where
-    /// a driver of its own writes it, within half a turn otherwise.
+    /// Returns the angle of the other wheel from the line of centres, in the convention for
+    /// positions of wheels: with whole turns if its own driver gives it, else within half a turn.
     fn against_line(&self, mesh: &Mesh, frame: LinkId, turned: &Turned, beyond: &mut Vec<LinkId>) -> Option<Told> {
         let stands = self.stands(mesh.other, frame, turned, beyond)?;
-        // The driver of the train begins at 0 where it says nothing.
+        // A train's driver without an angle begins at 0.
         let is_written = |d: usize| d == turned.driver || self.stated(d).is_some();
         let written = frame == self.bare.ground && self.turned_by(mesh.other, frame).is_some_and(|(d, _)| is_written(d));
         let value = stands.value - mesh.line.value;
@@ -166,8 +174,8 @@ impl One<'_> {
         })
     }
 
-    /// What a cam behind wheels adds to the scene: the angle that it says itself becomes the phase of the pair next to it. Nothing where that has
-    /// been said to be wrong.
+    /// Adds the data of a cam driven through wheels to the scene: the angle of the cam becomes the
+    /// phase of the next pair. Returns `None` after a reported fault.
     pub(super) fn behind_wheels(&self, raw: &mut RawScene, cam: LinkId, on: Option<&OnPivot>, faults: &mut Faults) -> Option<()> {
         let frame = on.map_or(self.bare.ground, |on| on.frame);
         if let Some(on) = on.filter(|_| self.turned_by(cam, frame).is_none()) {
@@ -205,14 +213,15 @@ impl One<'_> {
         Some(())
     }
 
-    /// A driver whose wheel is only its centre begins at 0, so that the cam behind it can be told at other instants.
+    /// Gives the angle 0 to a driver whose wheel has only its centre, so that other positions of
+    /// the cam that it drives through wheels are defined.
     fn begun(&self, raw: &mut RawScene, driver: usize) {
         if let Some(RawDriverKind::Turn { angle: angle @ None, .. }) = raw.drivers.get_mut(driver).map(|d| &mut d.kind) {
             *angle = Some(RawQuantity { text: "0 deg".into(), span: self.raw.span, bare: false });
         }
     }
 
-    /// The angle at which a driver stands, as it is written.
+    /// Returns the angle of a driver as written.
     pub(super) fn stated(&self, driver: usize) -> Option<Told> {
         match &self.bare.drivers[driver].kind {
             DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| Told::angle(&Given { text: self.values.text_of(a), ..a.clone() })),
@@ -220,7 +229,8 @@ impl One<'_> {
         }
     }
 
-    /// The direction of a link's first two points in the plane; the ground's is the x axis.
+    /// Returns the direction of a link's first two points in the fixed plane; for the ground, the x
+    /// axis.
     pub(super) fn line_of(&self, link: LinkId) -> Option<Told> {
         if link == self.bare.ground {
             return Some(Told { value: 0.0, text: "0 deg".into() });
@@ -230,7 +240,7 @@ impl One<'_> {
         Some(Told { value: (b.at() - a.at()).angle(), text: direction(&a, &b) })
     }
 
-    /// Nothing says how the cam stands.
+    /// The fault of a cam without an angle.
     pub(super) fn no_angle(&self, cam: LinkId, turned: &Turned) -> Lacking {
         let name = self.bare.link_name(cam);
         if turned.direct() {
@@ -252,7 +262,7 @@ impl One<'_> {
     }
 }
 
-/// By how much one wheel of a pair turns as the other turns by one.
+/// Returns the ratio of one wheel's rotation to the other's.
 fn ratio(r: &Rolling, second: bool) -> Option<Told> {
     let (sizes, same): ([Told; 2], bool) = match &r.contours {
         Contours::Circles { sizes: Sizes::Teeth(teeth), hollow, .. } => (teeth.map(whole), hollow.is_some()),
@@ -270,7 +280,7 @@ fn whole(teeth: u32) -> Told {
     Told { value: f64::from(teeth), text: teeth.to_string() }
 }
 
-/// The text of the opposite of a number; a written zero stays.
+/// Returns the text of the negative of a number; a written zero remains.
 fn negative(told: &Told) -> String {
     if told.value == 0.0 { told.text.clone() } else { format!("-({})", told.text) }
 }

@@ -1,16 +1,21 @@
-//! A cam by a law at its instant: the centre of curvature of its profile at the contact, about which an arc stands for it as for a profile of arcs; or, where
-//! that is too far off, the follower as a driver with its place, rate and acceleration.
+//! A cam by a law at its instant. An arc about the centre of curvature of the profile at the
+//! contact replaces the contact, as for a profile of arcs. If this centre is too far away, the
+//! follower becomes a driver with its place, rate and acceleration.
 //!
-//! With P the follower's point seen from the pivot of the cam in the axes of the carrier, P′ and P″ its derivatives by φ there, and σ the sense in which the cam
-//! turns, the point moves in the cam as w = P′ − σP⊥ and w′ = P″ − 2σP′⊥ − P. So the centre of curvature of its path, the pitch curve, is
-//! K = P + w⊥ w²/(w × w′). A flat face whose outward normal m turns in the cam by μ = r − σ (r its rate in the carrier) has the support h, h′ = dh/dφ: with
-//! g = h′/μ and f = (h″μ − h′r′)/μ³ the radius of curvature is h + f and K = g m⊥ − f m.
+//! Let P be the follower's point relative to the pivot of the cam in the axes of the carrier, P′
+//! and P″ its derivatives by φ there, and σ the sense of the cam's rotation. In the cam, the point
+//! moves with w = P′ − σP⊥ and w′ = P″ − 2σP′⊥ − P. So the centre of curvature of its path, the
+//! pitch curve, is K = P + w⊥ w²/(w × w′). The outward normal m of a flat face turns in the cam at
+//! μ = r − σ (r its rate in the carrier), and the face has the support h, h′ = dh/dφ. With g = h′/μ
+//! and f = (h″μ − h′r′)/μ³, the radius of curvature is h + f and K = g m⊥ − f m.
 //!
-//! The texts are those of the scene put into formulas, so that longer numbers certify answers of a law cam as those of any other mechanism.
-//! Parts that are used more than once become parameters beside those of the file (`cam1_x`, `cam1_s`, ...).
+//! The texts are formulas with the texts of the scene, so that higher-precision numbers certify the
+//! answers of a law cam as those of any other mechanism. Parts that occur more than once become
+//! parameters in addition to those of the file (`cam1_x`, `cam1_s`, ...).
 //!
 //! # Source
-//! The path of a point in a turning frame: 孙桓, *Machine Theory*, 反转法; the support function of a convex curve: h + h″ is its radius of curvature.
+//! The path of a point in a turning frame: 孙桓, *Machine Theory*, 反转法; the support function of a
+//! convex curve: h + h″ is its radius of curvature.
 
 use super::super::model::{Given, LinkId, PointId, Scene};
 use super::super::raw::{RawDriver, RawDriverKind, RawPlace, RawQuantity};
@@ -19,15 +24,15 @@ use hodograph_base::cam::{Disc, Program, Side, Station, Touch, Way, in_turn_of};
 use hodograph_base::diag::Span;
 use hodograph_base::json::Word;
 
-/// A stage as it is written.
+/// A stage as written.
 pub(super) struct StageText {
-    /// The lift of what moves.
+    /// Lift of the stage; `None` for a dwell.
     pub gain: Option<Given>,
-    /// Text of the angle.
+    /// Text of the cam angle.
     pub over: String,
 }
 
-/// Texts of a law beside its numbers.
+/// Texts of a law, in addition to its numbers.
 pub(super) struct LawText {
     pub base: String,
     pub start: String,
@@ -35,18 +40,18 @@ pub(super) struct LawText {
     pub stages: Vec<StageText>,
 }
 
-/// Place of a cam and its follower, and the end that touches.
+/// Places of a cam and its follower, and the end in contact.
 pub(super) struct At<'a> {
     pub scene: &'a Scene,
     /// The link that is the cam.
     pub of: LinkId,
     pub cam: &'a OnPivot,
     pub carried: &'a Carried,
-    /// The follower's point, or the mark that tells its direction.
+    /// The follower's point, or the mark that gives its direction.
     pub point: PointId,
     /// Radius of the round end, as a text.
     pub radius: Option<String>,
-    /// From the pivot to the point, as a text.
+    /// Distance from the pivot to the point, as a text.
     pub arm: Option<String>,
     /// Distance of a face from its pivot, as a text.
     pub lever: Option<String>,
@@ -54,7 +59,7 @@ pub(super) struct At<'a> {
     pub span: Span,
 }
 
-/// Pair or driver that stands for the contact, and the parameters that it adds to those of the file.
+/// Pair or driver that replaces the contact, and the parameters that it adds to those of the file.
 pub(super) struct Written {
     pub parameters: Vec<(String, String)>,
     pub stands: Stands,
@@ -62,24 +67,24 @@ pub(super) struct Written {
 
 /// Replacement of the contact of a law.
 pub(super) enum Stands {
-    /// An arc about a point of the cam: its place, nothing for the pivot, and the parameter that is its radius, of the pitch curve or of the profile that a face
-    /// touches.
+    /// An arc about a point of the cam: the place of this point (`None` for the pivot), and the
+    /// parameter of the radius, of the pitch curve or of the profile under a face.
     Arc { place: Option<RawPlace>, radius: String },
     /// The follower as a driver.
     Driver(RawDriver),
 }
 
-/// Texts of the lift and its derivatives by φ in a stage, and of what is common to all that is made of them.
+/// Texts of the lift and its derivatives by φ in a stage, with the data for all formulas.
 struct Texts<'a> {
     at: &'a At<'a>,
     law: &'a LawText,
     name: &'a str,
     parameters: Vec<(String, String)>,
-    /// "+" or "-": the sense in which the follower goes out, along its guide or counter-clockwise.
+    /// "+" or "-": the outward sense of the follower, along its guide or counter-clockwise.
     out: &'static str,
-    /// s.
+    /// Text of s.
     s: String,
-    /// s′ and s″; nothing in a dwell.
+    /// Texts of s′ and s″; `None` in a dwell.
     rates: Option<(String, String)>,
 }
 
@@ -90,7 +95,7 @@ impl<'a> Texts<'a> {
         let stage = &program.stages[i];
         let out = if outward(at.carried, &disc.follower) < 0.0 { "-" } else { "+" };
         let mut t = Texts { at, law, name, parameters: Vec::new(), out, s: String::new(), rates: None };
-        // The angle from the start of the law, less whole turns, less the stages before.
+        // The angle from the start of the law, minus whole turns and the preceding stages.
         let (start, angle) = (&law.start, &at.cam.angle.text);
         let turned = if law.clockwise { format!("({start})-({angle})") } else { format!("({angle})-({start})") };
         let in_turn = in_turn_of(phi, side);
@@ -124,7 +129,7 @@ impl<'a> Texts<'a> {
         Some(t)
     }
 
-    /// A parameter beside those of the file; its full name.
+    /// Adds a parameter to those of the file; returns its full name.
     fn define(&mut self, what: &str, text: String) -> String {
         let full = format!("{}_{what}", self.name);
         self.parameters.push((full.clone(), text));
@@ -139,13 +144,14 @@ impl<'a> Texts<'a> {
         RawQuantity { text, span: self.at.span, bare: false }
     }
 
-    /// From the pivot of the cam to a place of its carrier.
+    /// Returns the vector from the pivot of the cam to a place of its carrier.
     fn seen_from_cam(&mut self, to: &Spot) -> [String; 2] {
         let [x, y] = self.at.cam.spot.way_to(to);
         [self.define("dx", x), self.define("dy", y)]
     }
 
-    /// The follower's coordinate, outward from the foot of the perpendicular from the pivot of the cam; `aside` is the text of how far beside it the guide runs.
+    /// Returns the follower's coordinate, outward from the foot of the perpendicular from the pivot
+    /// of the cam; `aside` is the text of the guide's distance from the pivot.
     fn way_out(&self, disc: &Disc, aside: &str) -> String {
         let base = &self.law.base;
         match (&self.at.radius, disc.touch) {
@@ -154,7 +160,7 @@ impl<'a> Texts<'a> {
         }
     }
 
-    /// The angle of the arm, or of the line of the face.
+    /// Returns the angle of the arm, or of the line of the face.
     fn direction(&mut self, spot: &Spot) -> String {
         let centre = self.define("d", distance(spot, &self.at.cam.spot));
         let base = &self.law.base;
@@ -166,7 +172,7 @@ impl<'a> Texts<'a> {
         format!("{}{}({rest}+{})", direction(spot, &self.at.cam.spot), self.out, self.s)
     }
 
-    /// The driver that moves the follower as the law says.
+    /// Returns the driver that moves the follower by the law.
     fn driver(mut self, disc: &Disc) -> Written {
         let cam = self.at.cam;
         let clockwise = self.law.clockwise;
@@ -185,7 +191,8 @@ impl<'a> Texts<'a> {
             Carried::Guide { through, angle, .. } => {
                 let [x, y] = self.seen_from_cam(through);
                 let t = &angle.text;
-                // The coordinate counts from `through`; the foot of the centre lies so far before it.
+                // The coordinate counts from `through`; the foot of the perpendicular has this
+                // coordinate.
                 let foot = self.define("foot", format!("-({x}*cos({t})+{y}*sin({t}))"));
                 let aside = self.define("e", format!("{x}*sin({t})-{y}*cos({t})"));
                 let way = self.way_out(disc, &aside);
@@ -211,8 +218,8 @@ impl<'a> Texts<'a> {
         Written { parameters: self.parameters, stands: Stands::Driver(driver) }
     }
 
-    /// The centre of curvature in the axes of the carrier, seen from the pivot of the cam, and the radius: of the pitch curve, or of the profile that a face
-    /// touches.
+    /// Returns the centre of curvature in the axes of the carrier, relative to the pivot of the
+    /// cam, and the radius: of the pitch curve, or of the profile under a face.
     fn curvature(&mut self, disc: &Disc) -> [String; 3] {
         let sigma = if self.law.clockwise { "-" } else { "" };
         let out = if self.out == "-" { "-" } else { "" };
@@ -265,7 +272,8 @@ impl<'a> Texts<'a> {
         }
     }
 
-    /// Centre and radius of curvature of the pitch curve at the point P, from its derivatives by φ.
+    /// Returns centre and radius of curvature of the pitch curve at the point P, from its
+    /// derivatives by φ.
     fn pitch_curve(&mut self, [px, py]: [String; 2], first: [String; 2], second: [String; 2], sigma: &str) -> [String; 3] {
         let [ax, ay] = first;
         let (ax, ay) = (self.define("ax", ax), self.define("ay", ay));
@@ -278,7 +286,7 @@ impl<'a> Texts<'a> {
         [format!("{px}-{wy}*{k}"), format!("{py}+{wx}*{k}"), format!("sqrt({wx}^2+{wy}^2)*abs({k})")]
     }
 
-    /// The centre of curvature as a point of the cam, and the radius about it.
+    /// Returns the centre of curvature as a point of the cam, and the radius.
     fn contact(mut self, disc: &Disc) -> Option<Written> {
         let cam = self.at.cam;
         let [x, y, radius] = self.curvature(disc);
@@ -307,19 +315,22 @@ impl<'a> Texts<'a> {
     }
 }
 
-/// True where a face rests on the arc about the pivot of the cam: in a dwell.
+/// True if a face touches the arc about the pivot of the cam: in a dwell.
 fn is_about_pivot(disc: &Disc, dwells: bool) -> bool {
     dwells && matches!(disc.touch, Touch::Flat { .. })
 }
 
-/// Centres of curvature farther off than this many times the size of the cam stand for it no more: double precision would lose as many digits.
+/// Limit of the distance of a usable centre of curvature, as a multiple of the size of the cam:
+/// beyond it, double precision loses too many digits.
 const FAR: f64 = 1e4;
 
-/// A centre of curvature nearer to the pivot than this part of the size of the cam has no direction from there that a face could be told by; it is one that
-/// begins or ends a dwell.
+/// Least distance of a usable centre of curvature from the pivot, as a fraction of the size of the
+/// cam. A nearer centre occurs at the beginning or end of a dwell; its direction from the pivot is
+/// too uncertain to determine a face.
 const NEAR: f64 = 1e-7;
 
-/// Writes what stands for the contact of a law at an angle φ; `name` begins the names of its parameters.
+/// Writes the replacement for the contact of a law at an angle φ; the names of its parameters begin
+/// with `name`.
 pub(super) fn written(at: &At, disc: &Disc, program: &Program, law: &LawText, (phi, side): (f64, Side), name: &str) -> Option<Written> {
     let dwells = program.stage(phi, side).is_none_or(|(i, ..)| program.stages[i].law().is_none());
     let apart = |s: &Station| (s.contact - s.normal * s.rho).norm() > NEAR * s.contact.norm();

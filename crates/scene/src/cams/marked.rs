@@ -1,12 +1,14 @@
-//! What a scene with cams leaves to be understood: the second point of a turning cam, the line of a lever with a face, the point of a sliding face.
+//! Implied data of a scene with cams: the second point of a turning cam, the line of a lever with a
+//! face, the point of a sliding face.
 
 use super::super::raw::{RawGuide, RawLink, RawQuantity, RawScene, RawThrough};
 use super::pairs::fresh;
 use super::raw::*;
 use hodograph_base::json::Word;
 
-/// A cam whose link has one point and turns gets a second one on its base circle, from which its angle is told; so does a lever with a flat
-/// face whose motion a law gives. A face that does not say where it is passes through the pin of the guide in which its follower slides.
+/// Adds the implied data. A turning cam with one point gets a second one on its base circle, by
+/// which its angle is measured; so does a lever with a flat face moved by a law. A face without a
+/// place passes through the pin of the guide in which its follower slides.
 pub(crate) fn marked(raw: &RawScene) -> RawScene {
     let mut out = raw.clone();
     (0..out.cams.len()).for_each(|i| slid(&mut out, i));
@@ -19,7 +21,8 @@ pub(crate) fn marked(raw: &RawScene) -> RawScene {
             }),
             RawProfile::Untold => None,
         };
-        // A driver that moves the lever needs a line of it, and so does whoever says on which side of the cam it lies.
+        // A driver of the lever needs a line of it, and so does the side on which the lever touches
+        // the cam.
         let driven = match &cam.profile {
             RawProfile::Law { .. } => true,
             RawProfile::Parts(_) => matches!(&cam.follows, RawFollows::Face(f) if f.line.is_none() && f.angle.is_none()),
@@ -27,7 +30,7 @@ pub(crate) fn marked(raw: &RawScene) -> RawScene {
         };
         let lever =
             driven && matches!(cam.follows, RawFollows::Face(_)) && !raw.guides.iter().any(|g| named(&g.slider, &cam.follower.text));
-        // One that slides has the direction of its guide.
+        // A sliding link has the direction of its guide.
         let still = named(&raw.ground, &cam.cam.text) || raw.guides.iter().any(|g| named(&g.slider, &cam.cam.text));
         for (link, proposed) in [(Some(&cam.cam).filter(|_| !still), "M"), (Some(&cam.follower).filter(|_| lever), "W")] {
             let (Some(link), Some(radius)) = (link, radius) else { continue };
@@ -44,8 +47,9 @@ pub(crate) fn marked(raw: &RawScene) -> RawScene {
     out
 }
 
-/// Gives the face of a sliding follower its point, the pin of the follower's one guide, and its direction, square to that. A guide without a pin gets
-/// one; its line may be anywhere, and is through the origin where nothing says where.
+/// Gives the face of a sliding follower its point, the pin of the follower's only guide, and its
+/// direction, perpendicular to that guide. A guide without a pin gets one; without other data, its
+/// line passes through the origin.
 fn slid(raw: &mut RawScene, index: usize) {
     let cam = &raw.cams[index];
     let RawFollows::Face(face) = &cam.follows else { return };
@@ -60,7 +64,7 @@ fn slid(raw: &mut RawScene, index: usize) {
     let pin = guide.pin.clone().unwrap_or_else(|| Word { text: fresh(raw, &["F"]), span });
     let guide = &mut raw.guides[i];
     let grounded = guide.on.as_ref().is_none_or(|on| raw.ground.as_ref().is_some_and(|g| g.text == on.text));
-    // A bare number has the unit of the scene's angles, which a sum with degrees would hide.
+    // A bare number has the unit of the scene's angles, which a sum with degrees would lose.
     let unit = raw.units.iter().find(|(key, _)| key.text == "angle").map_or("", |(_, unit)| unit.text.as_str());
     let square = guide.angle.as_ref().map(|q| {
         let text = if q.bare { format!("({} {unit})+90 deg", q.text) } else { format!("({})+90 deg", q.text) };
@@ -82,7 +86,7 @@ fn slid(raw: &mut RawScene, index: usize) {
             face.through = Some(RawThrough::Point(pin));
         }
         if face.line.is_none() && face.angle.is_none() {
-            // The positive sense of the guide is the rise: the cam lies behind.
+            // The positive sense of the guide is the rise: the cam is behind the face.
             face.square = !grounded;
             face.angle = square.filter(|_| grounded);
             face.left = face.left.or((face.square || face.angle.is_some()).then_some(true));

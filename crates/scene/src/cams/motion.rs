@@ -1,8 +1,9 @@
-//! A cam beyond its instant: what stands for the contact there.
+//! A cam beyond its instant: the replacement of its contact during motion.
 //!
-//! Over a turn the contact goes from piece to piece, and with a law the equivalent linkage changes all the time: one set of lower pairs is right
-//! at one instant only. For the whole motion the follower is therefore a driver of its own, whose place and rates follow from the angle of the
-//! cam. One circle is replaced exactly everywhere and stays as it is.
+//! Over a turn the contact passes from piece to piece, and with a law the equivalent linkage
+//! changes continuously: one set of lower pairs is right at one instant only. For the whole motion
+//! the follower is therefore a driver whose place and rates follow from the angle of the cam. A
+//! profile of one circle is replaced exactly everywhere and remains as it is.
 
 use super::super::driver::{Position, PositionSlot};
 use super::super::model::*;
@@ -12,23 +13,25 @@ use hodograph_base::diag::Span;
 use hodograph_base::number::{Ball, Real};
 
 impl Scene {
-    /// Whether followers of cams move with a driver as their own drivers: then these are set wherever that driver is put.
+    /// Returns true if followers of cams are drivers that depend on this driver; they are then set
+    /// together with it.
     pub fn has_laws(&self, driver: usize) -> bool {
         let of_disc = self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.driver == driver && t.by_law.is_some());
         of_disc || self.courses().next().is_some() && !self.is_led(driver)
     }
 
-    /// Whether a driver is a follower that a cam moves.
+    /// Returns true if a driver is a follower that a cam moves.
     pub fn is_led(&self, driver: usize) -> bool {
         self.is_on_a_course(driver) || self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.by_law == Some(driver))
     }
 
-    /// Whether a driver is a follower that a cam on another link leads.
+    /// Returns true if a driver is a follower moved by a cam on another link.
     pub fn is_on_a_course(&self, driver: usize) -> bool {
         self.courses().any(|(_, k, _)| k == driver)
     }
 
-    /// The followers that cams on other links lead: cam, driver, who knows where it is.
+    /// Returns the followers moved by cams on other links: cam, driver, and the computation of the
+    /// states.
     fn courses(&self) -> impl Iterator<Item = (usize, usize, &Course)> {
         self.cams.iter().enumerate().filter_map(|(i, c)| {
             let (k, course) = c.posed.as_ref()?.led.as_ref()?;
@@ -36,18 +39,19 @@ impl Scene {
         })
     }
 
-    /// How many drivers the mechanism has of its own: followers that a cam moves by a law are none.
+    /// Returns the number of independent drivers; followers moved by cams do not count.
     pub fn own_drivers(&self) -> usize {
         (0..self.drivers.len()).filter(|d| !self.is_led(*d)).count()
     }
 
-    /// Whether the pairs that stand for a cam are right only next to the instant.
+    /// Returns true if the pairs that replace a cam are right at the instant only.
     pub fn has_momentary_cams(&self) -> bool {
         let momentary = |c: &Cam| c.circle.is_none() && (c.disc.is_some() || c.posed.is_some());
         self.cams.iter().any(momentary)
     }
 
-    /// The scene for its whole motion: followers of profiles of several pieces become drivers too.
+    /// Returns the scene for its whole motion: followers of profiles of several pieces become
+    /// drivers too.
     pub fn over_a_turn(&self) -> Scene {
         let mut scene = self.clone();
         for i in 0..scene.cams.len() {
@@ -71,8 +75,8 @@ impl Scene {
         scene
     }
 
-    /// Makes the follower of a cam on another link a driver, which stands where `course` says; the other drivers stand at `positions` where the scene
-    /// says none.
+    /// Makes the follower of a cam on another link a driver whose states come from `course`; other
+    /// drivers without a position get theirs from `positions`.
     pub fn lead(&mut self, cam: usize, hangs: HangsOn, course: Course, positions: &[f64]) {
         let Some(guide) = self.cams[cam].contact.take() else { return };
         let span = self.cams[cam].span;
@@ -100,8 +104,8 @@ impl Scene {
         self.set_courses(&|_| None);
     }
 
-    /// Puts the followers that cams on other links lead where they hold them, the drivers standing where `at` tells, else where they are said to. One that
-    /// cannot be followed has no place.
+    /// Sets the followers of cams on other links for the driver positions `at`, with the stated
+    /// positions as default. A follower that cannot be followed gets the place NaN.
     pub fn set_courses(&mut self, at: &dyn Fn(usize) -> Option<f64>) {
         if self.courses().next().is_none() {
             return;
@@ -118,7 +122,8 @@ impl Scene {
         }
     }
 
-    /// Place, rate and acceleration of the drivers that no course leads, standing where `at` tells, else where they are said to.
+    /// Returns place, rate and acceleration of the drivers without a course, at the positions `at`,
+    /// with the stated positions as default.
     fn standing(&self, at: &dyn Fn(usize) -> Option<f64>) -> Vec<[f64; 3]> {
         let own = (0..self.drivers.len()).filter(|d| !self.is_on_a_course(*d));
         let of = |d: usize| {
@@ -129,8 +134,9 @@ impl Scene {
         own.map(of).collect()
     }
 
-    /// The scene whose followers that drivers stand for are where double precision has put them within the bounds of its errors, on every rung of the
-    /// ladder; `None` where there are none.
+    /// Returns the scene with error bounds on the followers that are drivers: their place, rate and
+    /// acceleration are double-precision values with these bounds at every precision of the ladder;
+    /// `None` without such followers.
     pub fn bounded(&self) -> Option<Scene> {
         let standing = self.standing(&|_| None);
         let on_courses = self.courses().map(|(_, k, course)| (k, course.0.off(&standing)));
@@ -155,14 +161,15 @@ impl Scene {
         Some(scene)
     }
 
-    /// The cam whose follower, moved by a driver of its own, does not touch it where the drivers stand.
+    /// Returns the cam whose follower, itself a driver, does not touch it at the positions of the
+    /// drivers.
     pub fn lost_follower(&self) -> Option<&Cam> {
         let lost = |d: usize| self.drivers[d].kind.position().is_some_and(|at| at.value().is_nan());
         let led = |c: &Cam| c.disc.as_ref().and_then(|t| t.by_law).or_else(|| Some(c.posed.as_ref()?.led.as_ref()?.0));
         self.cams.iter().find(|c| led(c).is_some_and(lost))
     }
 
-    /// Puts a driver that stands for a contact somewhere, with its rate and acceleration (SI).
+    /// Sets place, rate and acceleration (SI) of a driver that replaces a contact.
     fn put(&mut self, driver: usize, [place, rate, acceleration]: [f64; 3], span: Span) {
         let d = &mut self.drivers[driver];
         let units = if d.kind.turns() { ["rad/s", "rad/s^2"] } else { ["m/s", "m/s^2"] };
@@ -175,13 +182,15 @@ impl Scene {
         d.acceleration = Some(number(acceleration, units[1], span));
     }
 
-    /// Cams whose pairs are right at the instant only, and which no driver follows over a turn: a swinging flat face without a line, and what different links
-    /// carry of which one does not hang on a single pair.
+    /// Returns cams whose pairs are right at the instant only and have no driver for a whole turn:
+    /// a swinging flat face without a line, and a cam and follower on different links if the
+    /// follower is not joined by a single pair.
     pub fn kept_cams(&self) -> impl Iterator<Item = &Cam> {
         self.cams.iter().filter(|c| c.circle.is_none() && c.contact.is_some() && c.disc.as_ref().is_none_or(|t| t.by_law.is_none()))
     }
 
-    /// The driver of a follower on the link that carries the cam; `None` for a face without a line whose angle could be given.
+    /// Returns the driver of a follower on the link that carries the cam; `None` for a face without
+    /// a line to measure its angle.
     fn follower_driver(&self, c: &Cam, t: &Turning) -> Option<DriverKind> {
         let given = |value: f64| Given { value, radius: 0.0, text: format!("({value:?}) m"), span: c.span };
         match t.disc.follower {
@@ -191,7 +200,7 @@ impl Scene {
             }
             Follower::Oscillating { .. } => {
                 let pivot = self.links[c.follower.0].points.iter().copied().find(|p| self.links[t.frame.0].points.contains(p))?;
-                // A face through the pivot turns with the line along which it lies.
+                // A face through the pivot turns with its own line.
                 let line = Some((pivot, c.follows.point())).filter(|(a, b)| a != b).or_else(|| self.face_line(c, pivot))?;
                 Some(DriverKind::Turn {
                     link: c.follower,
@@ -204,7 +213,7 @@ impl Scene {
         }
     }
 
-    /// The line of a flat face that begins in its pivot.
+    /// Returns the line of a flat face that begins at its pivot.
     fn face_line(&self, c: &Cam, pivot: PointId) -> Option<(PointId, PointId)> {
         match self.guides[c.contact?.0].path {
             GuidePath::Line { direction: Direction::Along(a, b, None), .. } => Some((a, b)).filter(|(a, _)| *a == pivot),
@@ -216,7 +225,7 @@ impl Scene {
         }
     }
 
-    /// Takes a guide out; what names a later one names it still.
+    /// Removes a guide and renumbers the references to later ones.
     fn without_guide(&mut self, out: GuideId) {
         self.guides.remove(out.0);
         let shift = |g: &mut GuideId| {
@@ -233,8 +242,9 @@ impl Scene {
         self.rolling.iter_mut().filter_map(crate::Rolling::guide_mut).for_each(shift);
     }
 
-    /// Turns the cams of a driver on, and puts the followers that are drivers where these hold them; the driver stands at `value` (rad), or where it is
-    /// said to, or as in the pose that the file tells by coordinates. A follower that touches nothing has no place.
+    /// Turns the cams of a driver and sets the followers that are drivers. The driver's position is
+    /// `value` (rad), else its stated position, else that of the pose given by coordinates. A
+    /// follower without contact gets the place NaN.
     pub fn set_followers(&mut self, driver: usize, value: Option<f64>) {
         let Some(lead) = self.drivers.get(driver) else { return };
         let stated = match &lead.kind {
@@ -268,7 +278,7 @@ impl Scene {
 }
 
 impl Driver {
-    /// True if a number of double precision put it where it stands.
+    /// True if its place is a number of double precision that the program has set.
     fn is_put(&self) -> bool {
         let is = |text: &str, value: f64| text.strip_prefix('(').is_some_and(|t| t.starts_with(&format!("{value:?})")));
         match self.kind.position() {
@@ -280,7 +290,8 @@ impl Driver {
 }
 
 impl Turning {
-    /// Bounds of the errors of place, rate and acceleration of a driver that stands for the contact; `None` where nothing encloses them.
+    /// Returns bounds of the errors of place, rate and acceleration of a driver that replaces the
+    /// contact; `None` where there is no enclosure.
     fn off(&self, scene: &Scene, driver: &Driver) -> Option<[f64; 3]> {
         let told = [driver.kind.position()?.value(), driver.rate.value, driver.acceleration.as_ref()?.value];
         let exact = self.led_in::<Ball<f64>>(scene)?;
@@ -288,13 +299,13 @@ impl Turning {
     }
 }
 
-/// Gives a number a bound of its error that no text undoes.
+/// Gives a number a bound of its error and deletes its text, which would replace the bound.
 fn within<T>(given: &mut Given<T>, off: f64) {
     given.radius = off;
     given.text.clear();
 }
 
-/// A number of a double: the shortest decimal that reads back as it.
+/// A value in double precision, with the shortest decimal text that reads back as the same number.
 fn number(value: f64, unit: &str, span: Span) -> Given {
     Given { value, radius: value.abs() * f64::EPSILON, text: format!("({value:?}) ({unit})"), span }
 }

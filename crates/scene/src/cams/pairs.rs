@@ -1,4 +1,5 @@
-//! A piece of a profile as a pair: a slot about the centre of a circle, a straight slot, or a guide of the follower for a circle's centre.
+//! A piece of a profile as a pair: a slot about the centre of a circle, a straight slot, or a guide
+//! of the follower for a circle's centre.
 
 use super::super::raw::{RawGuide, RawPlace, RawQuantity, RawScene};
 use super::place::Told;
@@ -7,19 +8,19 @@ use hodograph_base::cam::outline::Part;
 use hodograph_base::diag::Span;
 use hodograph_base::json::Word;
 
-/// A part of the profile with the words of the scene.
+/// A part of the profile with its texts.
 #[derive(Clone, Debug)]
 pub(super) enum Worded {
     /// A circle about a point of the cam (a corner has the radius 0).
     Circle { centre: String, radius: Told },
-    /// A common tangent of its neighbours; their distance.
+    /// A common tangent of its neighbours, with their distance.
     Tangent { apart: Told },
-    /// An arc that touches its neighbours.
+    /// An arc tangent to its neighbours.
     Flank { radius: Told },
 }
 
 impl Worded {
-    /// Its radius; a tangent has none.
+    /// Returns its radius; a tangent has none.
     pub fn radius(&self) -> Option<&Told> {
         match self {
             Worded::Circle { radius, .. } | Worded::Flank { radius } => Some(radius),
@@ -28,14 +29,14 @@ impl Worded {
     }
 }
 
-/// What the pair needs to know.
+/// The data of the pair.
 pub(super) struct Contact<'a> {
     pub cam: &'a str,
     pub follower: &'a str,
     pub follows: &'a RawFollows,
     /// Radius of the round end.
     pub end: Option<Told>,
-    /// Where a face lies: `offset` in full text.
+    /// Offset of a face, as a complete text.
     pub offset: Option<Told>,
     pub span: Span,
 }
@@ -53,9 +54,9 @@ impl Contact<'_> {
         RawGuide { pin: None, on: None, contact: true, ..RawGuide::of_pin(self.word(""), self.word(""), self.span) }
     }
 
-    /// A round end against a circle.
+    /// Returns the slot for a round end against a circle.
     fn slot(&self, pin: &Word, centre: &str, radius: &Told, end: &Told) -> RawGuide {
-        // In a hollow the end's centre keeps nearer to the circle's.
+        // In a hollow, the distance of the centres is the difference of the radii.
         let text = match (radius.value < 0.0, end.value == 0.0) {
             (true, _) => format!("-({})-({})", radius.text, end.text),
             (false, true) => radius.text.clone(),
@@ -70,7 +71,7 @@ impl Contact<'_> {
         }
     }
 
-    /// A face against a circle.
+    /// Returns the guide for a face against a circle.
     fn face(&self, face: &RawFace, centre: &str, radius: &Told) -> RawGuide {
         let sign = if face.left.unwrap_or(true) { "" } else { "-" };
         let text = match &self.offset {
@@ -91,8 +92,9 @@ impl Contact<'_> {
         }
     }
 
-    /// Writes the pair of an arc whose centre is a point of the cam at a place of its own, or its pivot: about it runs the centre of a round end, at this radius, or a face keeps
-    /// that distance from it.
+    /// Writes the pair of an arc whose centre is a new point of the cam at `place`, or its pivot:
+    /// the centre of a round end moves about it at this radius, or a face keeps this distance from
+    /// it.
     pub fn about(&self, raw: &mut RawScene, place: Option<RawPlace>, pivot: &str, radius: &Told) -> Option<()> {
         let centre = if place.is_some() { fresh(raw, &["K", "F", "G", "H"]) } else { pivot.to_owned() };
         let none = Told { value: 0.0, text: "0 mm".into() };
@@ -110,7 +112,8 @@ impl Contact<'_> {
         Some(())
     }
 
-    /// Writes the pair of one part of the profile into the scene. `None` where a face would lie on a line.
+    /// Writes the pair of one part of the profile into the scene. Returns `None` for a face on a
+    /// line.
     pub fn write(&self, raw: &mut RawScene, parts: &[Worded], i: usize) -> Option<()> {
         let n = parts.len();
         let neighbour = |k: usize| match &parts[k % n] {
@@ -157,7 +160,7 @@ impl Contact<'_> {
     }
 }
 
-/// A name that no point of the scene has, from those proposed, else numbered.
+/// Returns a name that no point of the scene has: one of the proposed names, else a numbered one.
 pub(super) fn fresh(raw: &RawScene, proposed: &[&str]) -> String {
     let taken = |name: &str| {
         raw.links.iter().flat_map(|l| &l.points).any(|w| w.text == name)
@@ -169,7 +172,7 @@ pub(super) fn fresh(raw: &RawScene, proposed: &[&str]) -> String {
     proposed.iter().map(|n| (*n).to_owned()).chain(numbered).find(|n| !taken(n)).unwrap_or_else(|| first.to_owned())
 }
 
-/// The part as numbers, its centre in the frame of the cam.
+/// Returns the part as numbers, with its centre in the frame of the cam.
 pub(super) fn numbers(part: &Worded, local: impl Fn(&str) -> Option<hodograph_base::geom::Vec2>) -> Option<Part> {
     Some(match part {
         Worded::Circle { centre, radius } => Part::Circle(local(centre)?, radius.value),

@@ -1,14 +1,16 @@
-//! Where a cam and its follower are, as numbers and as the texts of the same numbers.
+//! Places of a cam and its follower, as numbers and as the texts of the same numbers.
 //!
-//! This file serves cams whose follower is carried by the same link ([`super::carrier`]): the cam on a pivot of the ground or of a moving link, the
-//! follower on a guide or pivot of that link; all places count in its axes. Where different links carry the two, the coordinates of the pose place
-//! them ([`super::by_pose`]), or the position solver does, for which one circle needs no choice of a piece.
+//! This file handles cams whose follower is carried by the same link ([`super::carrier`]): the cam
+//! on a pivot of the ground or of a moving link, the follower on a guide or pivot of that link; all
+//! places are in its axes. If different links carry the two, the coordinates of the pose place them
+//! ([`super::by_pose`]), or the position solver does, which needs no choice of a piece for one
+//! circle.
 
 use super::super::model::*;
 use hodograph_base::cam::Follower;
 use hodograph_base::geom::Vec2;
 
-/// A number and the text of it, with a unit.
+/// A number and its text, with a unit.
 #[derive(Clone, Debug)]
 pub(super) struct Told {
     pub value: f64,
@@ -43,7 +45,8 @@ impl Spot {
         Vec2::new(self.x.value, self.y.value)
     }
 
-    /// The texts of the way to another point; nothing beyond a zero that is written so is left out.
+    /// Returns the texts of the vector to another point; only components written as zero are
+    /// omitted.
     pub fn way_to(&self, other: &Spot) -> [String; 2] {
         let part = |a: &Told, b: &Told| match (a.value == 0.0, b.value == 0.0) {
             (true, true) => "(0 mm)".to_owned(),
@@ -63,30 +66,30 @@ pub(super) struct OnPivot {
     pub pivot: PointId,
     pub spot: Spot,
     pub driver: usize,
-    /// By how much the cam turns in the carrying link as the driver turns by one.
+    /// Ratio of the cam's rotation in the carrying link to the driver's.
     pub way: f64,
-    /// The angle of the cam as the driver stands at 0 (rad).
+    /// Angle of the cam at driver position 0 (rad).
     pub from: f64,
-    /// The angle of the cam's first two points.
+    /// Angle of the cam's first two points.
     pub angle: Told,
     pub rate: f64,
     pub rate_text: String,
     pub acceleration: f64,
     pub acceleration_text: String,
-    /// Its points in the frame of the cam: origin in the pivot, x along its first two points.
+    /// Its points in the frame of the cam: origin at the pivot, x along its first two points.
     pub local: Vec<(PointId, Vec2)>,
 }
 
 /// A follower on the link that carries the cam.
 #[derive(Clone, Debug)]
 pub(super) enum Carried {
-    /// On a straight guide at this angle through this point; its point on the guide.
+    /// On a straight guide at this angle through this point, with its point on the guide.
     Guide { through: Spot, angle: Told, pin: PointId },
     /// On a pivot.
     Pivot { pivot: PointId, spot: Spot },
 }
 
-/// The coordinates of a point that has some.
+/// Returns the coordinates of a point, if it has them.
 pub(super) fn spot(scene: &Scene, p: PointId) -> Option<Spot> {
     match &scene.points[p.0].place {
         Place::At(xy) => Some(Spot::of(xy)),
@@ -94,7 +97,7 @@ pub(super) fn spot(scene: &Scene, p: PointId) -> Option<Spot> {
     }
 }
 
-/// The text of the direction from one point to another.
+/// Returns the text of the direction from one point to another.
 pub(super) fn direction(from: &Spot, to: &Spot) -> String {
     let (way, [x, y]) = (to.at() - from.at(), from.way_to(to));
     if way.x == 0.0 {
@@ -103,7 +106,7 @@ pub(super) fn direction(from: &Spot, to: &Spot) -> String {
     if way.y == 0.0 {
         return if way.x < 0.0 { "180 deg" } else { "0 deg" }.to_owned();
     }
-    // The same turn as the number that is computed from it.
+    // The same branch of the angle as that of the computed number.
     let turned = match (way.x < 0.0, way.y < 0.0) {
         (true, true) => "-180 deg",
         (true, false) => "+180 deg",
@@ -112,7 +115,7 @@ pub(super) fn direction(from: &Spot, to: &Spot) -> String {
     format!("atan({y}/{x}){turned}")
 }
 
-/// The text of the distance of two points that have coordinates.
+/// Returns the text of the distance of two points with coordinates.
 pub(super) fn distance(from: &Spot, to: &Spot) -> String {
     let (way, [x, y]) = (to.at() - from.at(), from.way_to(to));
     match (way.x == 0.0, way.y == 0.0) {
@@ -122,7 +125,8 @@ pub(super) fn distance(from: &Spot, to: &Spot) -> String {
     }
 }
 
-/// The distance of two points of a link, with its text: a given length, or by coordinates in the plane or in the link.
+/// Returns the distance of two points of a link, with its text: a given length, or from coordinates
+/// in the fixed plane or in the link.
 pub(super) fn apart(scene: &Scene, a: PointId, b: PointId) -> Option<Told> {
     let given = scene.lengths.iter().find(|l| (l.a, l.b) == (a, b) || (l.a, l.b) == (b, a));
     if let Some(l) = given {
@@ -141,7 +145,8 @@ pub(super) fn apart(scene: &Scene, a: PointId, b: PointId) -> Option<Told> {
     })
 }
 
-/// The points of a link in its own frame, its origin moved to the pivot; those that cannot be placed are left out.
+/// Returns the points of a link in its own frame, with the origin at the pivot; points without a
+/// place are omitted.
 pub(super) fn locals(scene: &Scene, link: LinkId, pivot: PointId, angle: f64) -> Option<Vec<(PointId, Vec2)>> {
     let points = &scene.links[link.0].points;
     let mut known: Vec<(PointId, Vec2)> = Vec::new();
@@ -154,7 +159,7 @@ pub(super) fn locals(scene: &Scene, link: LinkId, pivot: PointId, angle: f64) ->
         let [first, second, ..] = points.as_slice() else { return None };
         known.push((*first, Vec2::ZERO));
         known.push((*second, Vec2::new(apart(scene, *first, *second)?.value, 0.0)));
-        // As many rounds as there are points: each places one at least.
+        // Each pass places at least one point.
         for _ in 2..points.len() {
             for p in points {
                 let at = |q: PointId, known: &[(PointId, Vec2)]| known.iter().find(|(k, _)| *k == q).map(|(_, at)| *at);
@@ -170,7 +175,7 @@ pub(super) fn locals(scene: &Scene, link: LinkId, pivot: PointId, angle: f64) ->
     Some(known.into_iter().map(|(p, at)| (p, at - origin)).collect())
 }
 
-/// A point of a link by those that are known.
+/// Returns a point of a link from the known ones.
 fn local(scene: &Scene, p: PointId, at: &dyn Fn(PointId) -> Option<Vec2>, points: &[PointId]) -> Option<Vec2> {
     let base = |(a, b): (PointId, PointId)| {
         let (a, b) = (at(a)?, at(b)?);
@@ -196,13 +201,14 @@ fn local(scene: &Scene, p: PointId, at: &dyn Fn(PointId) -> Option<Vec2>, points
     }
 }
 
-/// The coordinates of a point, else its place in the sketch.
+/// Returns the coordinates of a point, or else its place in the sketch.
 pub(super) fn told(scene: &Scene, p: PointId) -> Option<Vec2> {
     spot(scene, p).map(|s| s.at()).or(scene.points[p.0].sketch.map(|[x, y]| Vec2::new(x, y)))
 }
 
-/// The sense in which an arm goes out: what the scene says of the side, its sketch, its coordinates; counter-clockwise where it says nothing.
-/// `spots` are the places of pivot and centre, `told` that of the point, all in one link.
+/// Returns the outward sense of an arm: from `side`, else from the sketch or coordinates, else
+/// counter-clockwise. `spots` are the places of pivot and centre, `told` that of the point, all in
+/// one link.
 pub(super) fn sense(scene: &Scene, [pivot, centre, point]: [PointId; 3], spots: [Vec2; 2], told: Option<Vec2>) -> f64 {
     let said = scene.sides.iter().find(|s| s.point == point && [(pivot, centre), (centre, pivot)].contains(&(s.from, s.to)));
     if let Some(s) = said {
@@ -215,7 +221,8 @@ pub(super) fn sense(scene: &Scene, [pivot, centre, point]: [PointId; 3], spots: 
     }
 }
 
-/// The follower for the geometry of a cam whose pivot is at `centre`: `sense` is +1 where it goes out along its guide, or counter-clockwise.
+/// Returns the follower for the geometry of a cam whose pivot is at `centre`: `sense` is +1 if it
+/// moves outward along its guide, or counter-clockwise.
 pub(super) fn geometry(carried: &Carried, centre: Vec2, arm: f64, sense: f64) -> Follower {
     match carried {
         Carried::Guide { through, angle, .. } => {
@@ -226,7 +233,8 @@ pub(super) fn geometry(carried: &Carried, centre: Vec2, arm: f64, sense: f64) ->
     }
 }
 
-/// Where the follower's own coordinate stands as that of the cam's geometry is zero, and +1 where the two grow together, else −1.
+/// Returns the follower's own coordinate at the zero of the cam's geometry, and +1 if the two grow
+/// together, else −1.
 pub(super) fn origin(carried: &Carried, centre: Vec2, follower: &Follower) -> (f64, f64) {
     let start = match carried {
         Carried::Guide { through, angle, .. } => (centre - through.at()).dot(Vec2::from_angle(angle.value)),
@@ -235,7 +243,8 @@ pub(super) fn origin(carried: &Carried, centre: Vec2, follower: &Follower) -> (f
     (start, outward(carried, follower))
 }
 
-/// The sense in which the follower goes out: +1 along the direction of its guide, or counter-clockwise about its pivot, else −1.
+/// Returns the outward sense of the follower: +1 along the direction of its guide, or
+/// counter-clockwise about its pivot, else −1.
 pub(super) fn outward(carried: &Carried, follower: &Follower) -> f64 {
     match (carried, follower) {
         (Carried::Guide { angle, .. }, Follower::Translating { direction, .. }) => direction.dot(Vec2::from_angle(angle.value)).signum(),

@@ -11,7 +11,7 @@ pub(crate) struct RawCam {
     pub follows: RawFollows,
     pub profile: RawProfile,
     pub at: Option<Word>,
-    /// How the cam stands in the link that carries it, where wheels turn it and not its driver.
+    /// Angle of the cam in the link that carries it, if wheels turn it instead of its own driver.
     pub angle: Option<RawQuantity>,
     pub span: Span,
 }
@@ -19,7 +19,7 @@ pub(crate) struct RawCam {
 #[derive(Clone, Debug)]
 pub(crate) enum RawFollows {
     Edge(Word),
-    /// `link` where the roller is a link of the file.
+    /// `link` if the roller is a link of the file.
     Roller {
         pin: Word,
         radius: Option<RawQuantity>,
@@ -43,7 +43,7 @@ impl RawFollows {
         }
     }
 
-    /// Whether a round end has no radius, as counting needs none.
+    /// True for a round end without a radius, which a mobility count does not need.
     pub fn lacks_radius(&self) -> bool {
         match self {
             RawFollows::Roller { radius, .. } | RawFollows::Arc { radius, .. } => radius.is_none(),
@@ -51,7 +51,7 @@ impl RawFollows {
         }
     }
 
-    /// The centre of a roller.
+    /// Returns the centre of a roller.
     pub fn roller(&self) -> Option<&Word> {
         match self {
             RawFollows::Roller { pin, .. } => Some(pin),
@@ -69,14 +69,15 @@ impl RawFollows {
 
 #[derive(Clone, Debug)]
 pub(crate) struct RawFace {
-    /// Nothing for a sliding follower whose guide tells it.
+    /// `None` for a sliding follower, if its guide determines the point.
     pub through: Option<RawThrough>,
     pub line: Option<Word>,
     pub angle: Option<RawQuantity>,
-    /// Whether it stands square to the guide of its follower on a moving link: its direction is turned from that of the guide by 90°.
+    /// True if the face is square to the guide of its follower on a moving link: its direction is
+    /// that of the guide turned by 90°.
     pub square: bool,
     pub offset: Option<RawQuantity>,
-    /// Whether the cam lies left of the face.
+    /// True if the cam is to the left of the face.
     pub left: Option<bool>,
 }
 
@@ -89,7 +90,7 @@ pub(crate) enum RawProfile {
         clockwise: bool,
         stages: Vec<RawStage>,
     },
-    /// Nothing is said of it, as counting needs nothing.
+    /// Not given, for a mobility count.
     Untold,
 }
 

@@ -1,7 +1,9 @@
-//! Where things are in the pose as far as a piece of a profile has to be told from others: by coordinates, by drivers that turn links about known
-//! points, and by two lengths to known points with the side on which a joint lies.
+//! Places of points in the pose, as far as they are needed to select a piece of a profile: from
+//! coordinates, from drivers that turn links about known points, and from two lengths to known
+//! points with the side of the joint.
 //!
-//! Double precision is enough, since only a choice follows from it; what is not told here the coordinates of the pose have to tell.
+//! Double precision is enough, because only a selection depends on it. If this module finds no
+//! place, the scene must give the coordinates of the pose.
 
 use super::super::model::*;
 use super::expand::One;
@@ -9,7 +11,7 @@ use super::place::{apart, locals, told};
 use hodograph_base::cam::{Disc, Follower, Jet, Motion, Segment, Side, Touch};
 use hodograph_base::geom::Vec2;
 
-/// Places of points, as far as they are known.
+/// Known places of points.
 pub(super) struct Reckoned<'a> {
     scene: &'a Scene,
     at: Vec<Option<Vec2>>,
@@ -22,7 +24,7 @@ impl<'a> Reckoned<'a> {
             Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => None,
         };
         let mut known = Reckoned { scene, at: scene.points.iter().map(told).collect() };
-        // Each round places a point at least, or is the last.
+        // Each pass places at least one point, or is the last.
         for _ in 0..scene.points.len() {
             let before = known.at.iter().flatten().count();
             (0..scene.links.len()).map(LinkId).for_each(|l| known.by_link(l));
@@ -38,7 +40,8 @@ impl<'a> Reckoned<'a> {
         self.at[p.0]
     }
 
-    /// A place of the plane in the axes of a link: origin in its first point, x toward the second; the ground's are those of the plane.
+    /// Returns a place of the fixed plane in the axes of a link: origin at its first point, x
+    /// toward the second; the ground's axes are those of the plane.
     pub fn seen_from(&self, link: LinkId, at: Vec2) -> Option<Vec2> {
         if link == self.scene.ground {
             return Some(at);
@@ -47,7 +50,7 @@ impl<'a> Reckoned<'a> {
         Some((at - origin).rotate_by(Vec2::from_angle(-self.direction(link)?)))
     }
 
-    /// The direction of a link's first two points; the ground's is the x axis.
+    /// Returns the direction of a link's first two points; for the ground, the x axis.
     fn direction(&self, l: LinkId) -> Option<f64> {
         if l == self.scene.ground {
             return Some(0.0);
@@ -64,7 +67,7 @@ impl<'a> Reckoned<'a> {
         })
     }
 
-    /// All points of a link of which one point and the direction are known.
+    /// Places all points of a link with one known point and a known direction.
     fn by_link(&mut self, l: LinkId) {
         let points = &self.scene.links[l.0].points;
         let Some(from) = points.iter().copied().find(|p| self.spot(*p).is_some()).filter(|_| l != self.scene.ground) else { return };
@@ -75,7 +78,7 @@ impl<'a> Reckoned<'a> {
         }
     }
 
-    /// A joint at two lengths from known points, on the side that is said.
+    /// Places a joint at two lengths from known points, on the given side.
     fn by_lengths(&mut self, p: PointId) {
         if self.spot(p).is_some() {
             return;
@@ -100,7 +103,8 @@ impl<'a> Reckoned<'a> {
         }
     }
 
-    /// The way of a sliding follower in the plane: a place that its point passes, and the direction of its rise.
+    /// Returns the path of a sliding follower in the fixed plane: a place on the path of its point,
+    /// and the direction of its rise.
     fn slide(&self, follower: LinkId) -> Option<(Vec2, Vec2)> {
         let guide = self.scene.guides.iter().find(|g| g.slider == Some(follower))?;
         let GuidePath::Line { through, direction, offset: None } = &guide.path else { return None };
@@ -120,28 +124,30 @@ impl<'a> Reckoned<'a> {
         Some((through, direction))
     }
 
-    /// The pivot of a swinging follower.
+    /// Returns the pivot of a swinging follower.
     fn pivot(&self, follower: LinkId, end: PointId) -> Option<(PointId, Vec2)> {
         let joint = |p: &PointId| *p != end && self.scene.carriers(*p).any(|l| l != follower);
         self.scene.links[follower.0].points.iter().copied().filter(joint).find_map(|p| Some((p, self.spot(p)?)))
     }
 }
 
-/// What touches, in the pose.
+/// The contact in the pose.
 pub(super) struct Touching<'a> {
     pub segments: &'a [Segment],
-    /// The first point of the cam, the origin of the frame of the pieces, with its place, and the angle of that frame.
+    /// The first point of the cam, the origin of the frame of the pieces; the fields below are its
+    /// place and the angle of that frame.
     pub centre: PointId,
     pub origin: Vec2,
     pub angle: f64,
-    /// Radius of a round end; nothing of a face.
+    /// Radius of a round end; `None` for a face.
     pub end: Option<f64>,
-    /// Of a face the sense in which it goes out, how far from its pivot it lies, and the end of the line along which it lies.
+    /// For a face: its outward sense, its distance from its pivot, and the end of its line.
     pub face: (f64, f64, Option<PointId>),
 }
 
 impl One<'_> {
-    /// The piece that holds a follower, and where a point of the follower then is; `None` where the way of the follower is not known.
+    /// Returns the piece in contact with a follower, and the resulting place of a point of the
+    /// follower; `None` if the path of the follower is not known.
     pub(super) fn held_by(
         &self,
         known: &Reckoned,
@@ -151,7 +157,8 @@ impl One<'_> {
         let slides = self.bare.guides.iter().any(|g| g.slider == Some(follower));
         let geometry = if slides {
             let (through, rise) = known.slide(follower)?;
-            // A face stands square to its guide, turned from it by +90°; the cam lies left or right of it.
+            // The face is square to its guide, turned from it by +90°; the cam is to the left or
+            // right of it.
             let direction = if t.end.is_none() { rise * -t.face.0 } else { rise };
             Follower::Translating { direction, offset: -(through - t.origin).dot(direction.perp()) }
         } else {
@@ -177,7 +184,7 @@ impl One<'_> {
         };
         let rough = match (disc.follower, t.face.2) {
             (follower, _) if t.end.is_some() => Some((point, follower)),
-            // The end of the line is as far out as its length says.
+            // The distance of the end of the line is its length.
             (Follower::Oscillating { pivot, sense, .. }, Some(end)) => {
                 apart(self.bare, point, end).map(|arm| (end, Follower::Oscillating { pivot, arm: arm.value, sense }))
             }

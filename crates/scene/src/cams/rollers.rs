@@ -1,7 +1,8 @@
 //! Rollers that are links of the file.
 //!
-//! A book numbers the roller, counts it with its local freedom 局部自由度, and then solves the mechanism as if it were one with the follower. So here: where
-//! pairs are counted the roller is a link; else it is none, and its angular velocity is that of rolling on the cam.
+//! Books number the roller, count it with its local degree of freedom 局部自由度, and then solve the
+//! mechanism with the roller fixed to the follower. Accordingly, the roller is a link in a mobility
+//! count; otherwise it is not, and its angular velocity is that of rolling on the cam.
 
 use super::super::raw::{Extent, RawDriverKind, RawLink, RawScene};
 use super::marked::named;
@@ -9,14 +10,15 @@ use super::raw::RawFollows;
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::json::Word;
 
-/// The roller that is named as a link of its own: by the pair, or as a link that has the roller's pin and nothing else.
+/// Returns the roller that is named as a separate link: by the pair, or as a link whose only point
+/// is the roller's pin.
 fn link_of(raw: &RawScene, follows: &RawFollows) -> Option<Word> {
     let RawFollows::Roller { pin, link, .. } = follows else { return None };
     let alone = |l: &&RawLink| matches!(&l.points[..], [p] if p.text == pin.text) && !is_used(raw, &l.name.text);
     link.clone().or_else(|| raw.links.iter().find(alone).map(|l| l.name.clone()))
 }
 
-/// Whether something besides its points is said of a link.
+/// Returns true if a section other than the links names a link.
 fn is_used(raw: &RawScene, link: &str) -> bool {
     let of = |w: &Option<Word>| named(w, link);
     of(&raw.ground)
@@ -30,8 +32,9 @@ fn is_used(raw: &RawScene, link: &str) -> bool {
         })
 }
 
-/// The scene with the rollers as links where pairs are counted; else without them, each named by its cam, and questions for their angular velocities
-/// read as those for rollers.
+/// Returns the scene with the rollers as links for a mobility count. Otherwise the rollers are
+/// removed, each cam has the name of its roller, and questions for their angular velocities become
+/// questions for rollers.
 pub(crate) fn settled(raw: &RawScene, faults: &mut Faults) -> RawScene {
     let mut out = raw.clone();
     for (i, cam) in raw.cams.iter().enumerate() {

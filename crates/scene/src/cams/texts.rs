@@ -1,6 +1,8 @@
-//! The numbers of a cam and its follower as they are written, so that longer numbers read the same texts.
+//! The numbers of a cam and its follower as written, so that higher-precision numbers are read from
+//! the same texts.
 //!
-//! Double precision has chosen: the piece that is touched, the side on which a follower goes out, the stage of a law. These are taken over.
+//! The choices made in double precision remain: the piece in contact, the outward side of a
+//! follower, the stage of a law.
 
 use super::super::exact::Inputs;
 use super::super::model::*;
@@ -15,36 +17,36 @@ use hodograph_base::geom::Vec2;
 use hodograph_base::json::Word;
 use hodograph_base::number::Real;
 
-/// The texts of everything that [`Turning`] knows as numbers.
+/// The texts of all numbers in [`Turning`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texts {
-    /// φ of the texts (rad): a scene that stands elsewhere was put there by a number.
+    /// φ of the texts (rad); in a scene at another φ, the program has set the position by a number.
     phi: f64,
-    /// The angle of the cam, and that at which φ is zero.
+    /// Angle of the cam, and the angle at φ = 0.
     angle: [String; 2],
     /// The cam's pivot on the link that carries it.
     centre: [String; 2],
     /// A point of the guide and its angle, or the pivot and the arm.
     follower: ([String; 2], String),
-    /// Radius of a round end; how far out a face lies.
+    /// Radius of a round end, or offset of a face.
     touch: String,
     motion: MotionTexts,
 }
 
-/// The texts of what moves the follower.
+/// The texts of the profile or law that moves the follower.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionTexts {
     /// Base circle; gain and angle of each stage.
     Law(String, Vec<(Option<String>, String)>),
-    /// Of each part its centre in the frame of the cam and its radius.
+    /// Centre of each part in the frame of the cam, and its radius.
     Profile(Vec<PartTexts>),
 }
 
-/// Centre and radius of a part, as far as it has them.
+/// Centre and radius of a part, if it has them.
 pub type PartTexts = (Option<[String; 2]>, Option<String>);
 
 impl MotionTexts {
-    /// The texts of a law.
+    /// Returns the texts of a law.
     pub(super) fn of_law(law: &LawText) -> MotionTexts {
         let stage = |s: &super::law::StageText| (s.gain.as_ref().map(|g| g.text.clone()), s.over.clone());
         MotionTexts::Law(law.base.clone(), law.stages.iter().map(stage).collect())
@@ -52,7 +54,7 @@ impl MotionTexts {
 }
 
 impl MotionTexts {
-    /// The pieces of a profile in numbers of a kind; nothing of a law.
+    /// Returns the pieces of a profile in numbers of a given type; `None` for a law.
     fn segments<N: Real>(&self, inputs: &Inputs<N>) -> Option<Vec<Segment<N>>> {
         let MotionTexts::Profile(parts) = self else { return None };
         let part = |(centre, radius): &PartTexts| -> Option<Part<N>> {
@@ -68,17 +70,20 @@ impl MotionTexts {
 }
 
 impl Pieces {
-    /// The pieces in numbers of a kind; `None` where the scene has no text for one of their numbers.
+    /// Returns the pieces in numbers of a given type; `None` if the scene has no text for one of
+    /// their numbers.
     pub(super) fn in_numbers<N: Real>(&self, scene: &Scene) -> Option<Vec<Segment<N>>> {
         self.texts.as_ref()?.segments(&inputs(scene))
     }
 }
 
-/// How far a text may be from the number that stands for it, as a part of the size of the cam: what differs more says something else.
+/// Largest difference between a text and its number, as a fraction of the size of the cam; a text
+/// that differs more has another meaning.
 const SAME: f64 = 1e-9;
 
 impl One<'_> {
-    /// The texts of a profile in axes of the cam that begin in a point of it, in which its points are `local`; `None` where the place of a centre has none.
+    /// Returns the texts of a profile in axes of the cam with the origin at one of its points,
+    /// where its points are `local`; `None` if the place of a centre has no text.
     pub(super) fn profile_texts(&self, cam: LinkId, begin: PointId, local: &[(PointId, Vec2)], worded: &[Worded]) -> Option<MotionTexts> {
         let centre = |name: &str| -> Option<[String; 2]> {
             let p = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
@@ -101,7 +106,7 @@ impl One<'_> {
         worded.iter().map(part).collect::<Option<Vec<_>>>().map(MotionTexts::Profile)
     }
 
-    /// The texts of a cam on a pivot and its follower; `None` where one is missing.
+    /// Returns the texts of a cam on a pivot and its follower; `None` if one is missing.
     pub(super) fn texts(
         &self,
         (on, carried): (&OnPivot, &Carried),
@@ -128,14 +133,14 @@ impl One<'_> {
     }
 }
 
-/// The parameters of a scene in numbers of a kind.
+/// Returns the parameters of a scene in numbers of a given type.
 fn inputs<N: Real>(scene: &Scene) -> Inputs<'_, N> {
     let texts: Vec<(&str, &str)> = scene.parameters.iter().map(|(name, given)| (name.as_str(), given.text.as_str())).collect();
     Inputs::of_texts(&texts)
 }
 
 impl Turning {
-    /// The text of the angle at which its driver stands.
+    /// Returns the text of the angle of its driver.
     fn driver_angle<'s>(&self, scene: &'s Scene) -> Option<&'s str> {
         match &scene.drivers.get(self.driver)?.kind {
             DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| a.text.as_str()),
@@ -143,7 +148,8 @@ impl Turning {
         }
     }
 
-    /// The cam in numbers of a kind, and φ; `None` where the scene has no text for one of its numbers.
+    /// Returns the cam and φ in numbers of a given type; `None` if the scene has no text for one of
+    /// its numbers.
     pub fn exact<N: Real>(&self, scene: &Scene) -> Option<(Exact<'_, N>, N)> {
         let texts = self.texts.as_ref()?;
         let inputs = inputs::<N>(scene);
@@ -154,7 +160,7 @@ impl Turning {
         let follower = match self.disc.follower {
             Follower::Translating { direction: out, .. } => {
                 let along = Vec2::from_angle(last);
-                // The follower goes out along its guide, or against it.
+                // The outward sense of the follower is along its guide, or opposite to it.
                 let direction = if along.approx().dot(out) < 0.0 { -along } else { along };
                 Follower::Translating { direction, offset: -at.dot(direction.perp()) }
             }
@@ -185,7 +191,8 @@ impl Turning {
         let disc = Disc { follower, touch, motion, sense: self.disc.sense };
         let start = inputs.text(&texts.angle[1])?;
         let turned = |angle: N| if self.disc.sense < 0.0 { start - angle } else { angle - start };
-        // Where the scene stands at its own instant the texts tell the angle; put elsewhere, its driver does, and behind wheels double precision.
+        // At the scene's own instant the texts give the angle; at another position its driver gives
+        // it, and for a cam driven through wheels double precision.
         let phi = if (self.phi - texts.phi).abs() <= 4.0 * f64::EPSILON * texts.phi.abs() {
             turned(inputs.text(&texts.angle[0])?)
         } else {
@@ -199,16 +206,17 @@ impl Turning {
 }
 
 impl Turning {
-    /// [`Turning::rates`] in numbers of a kind.
+    /// Returns [`Turning::rates`] in numbers of a given type.
     pub fn rates_in<N: Real>(&self, scene: &Scene) -> [N; 2] {
         let (driver, inputs) = (&scene.drivers[self.driver], inputs::<N>(scene));
         let way = N::from_f64(self.way * self.disc.sense);
-        // A ratio of wheels is a quotient in double precision.
+        // The ratio of a train of wheels is a quotient in double precision.
         let way = if self.is_drivers_own() { way } else { way.widened(4.0 * f64::EPSILON * self.way.abs()) };
         [Some(&driver.rate), driver.acceleration.as_ref()].map(|rate| rate.map_or(N::from_f64(0.0), |r| way * inputs.number(r)))
     }
 
-    /// Place, rate and acceleration of a driver that stands for the contact, in numbers of a kind: see [`Scene::set_followers`].
+    /// Returns place, rate and acceleration of a driver that replaces the contact, in numbers of a
+    /// given type: see [`Scene::set_followers`].
     pub(super) fn led_in<N: Real>(&self, scene: &Scene) -> Option<[N; 3]> {
         let (cam, phi) = self.exact::<N>(scene)?;
         let [q, dq, ddq, _] = cam.station((self.phi, self.side), phi)?.q.0;
@@ -224,7 +232,8 @@ impl Turning {
         Some([origin + out * q, out * dq * w, out * (ddq * w * w + dq * a)])
     }
 
-    /// The way from the cam's pivot to the contact in the pose and the unit normal out of the cam, in the axes of the carrying link, in numbers of a kind.
+    /// Returns the vector from the cam's pivot to the contact in the pose and the outward unit
+    /// normal of the cam, in the axes of the carrying link, in numbers of a given type.
     pub fn contact_in<N: Real>(&self, scene: &Scene) -> Option<[Vec2<N>; 2]> {
         let here = (self.phi, self.side);
         let (of_cam, phi) = if N::refines() {
@@ -241,7 +250,7 @@ impl Turning {
 }
 
 impl Cam {
-    /// The radius of its round end in numbers of a kind (m); nothing of a face.
+    /// Returns the radius of its round end in numbers of a given type (m); `None` for a face.
     pub fn end_in<N: Real>(&self, scene: &Scene) -> Option<N> {
         let value = self.follows.radius()?;
         if !N::refines() {
@@ -250,7 +259,8 @@ impl Cam {
         self.end.as_ref().map_or_else(|| (value == 0.0).then(|| N::from_f64(0.0)), |text| inputs(scene).text(text))
     }
 
-    /// The radius of the arc that is touched in numbers of a kind: see [`Cam::touched_radius`].
+    /// Returns the radius of the arc in contact in numbers of a given type: see
+    /// [`Cam::touched_radius`].
     pub fn touched_radius_in<N: Real>(&self, scene: &Scene) -> Option<N> {
         let value = self.touched_radius()?;
         if !N::refines() {

@@ -1,7 +1,8 @@
-//! A contact of which only cam and follower are known: enough for counting freedoms.
+//! A contact with a known cam and follower only: enough for a mobility count.
 //!
-//! Whatever the profile is, a round end runs in a slot of the cam, and a point of the cam (the centre of the arc that is touched) in a guide of a follower
-//! with a face: each takes one freedom. Where slot and guide lie does not matter.
+//! For every profile, a round end runs in a slot of the cam, and for a follower with a face, a
+//! point of the cam (the centre of the arc in contact) runs in a guide of the follower: each
+//! removes one degree of freedom. The places of slot and guide have no effect.
 
 use super::super::raw::{RawGuide, RawLink, RawScene};
 use super::expand::{One, Pending};
@@ -10,7 +11,7 @@ use super::raw::RawFollows;
 use hodograph_base::json::Word;
 
 impl One<'_> {
-    /// Writes the pair that stands for the contact.
+    /// Writes the pair that replaces the contact.
     pub(super) fn untold(&self, raw: &mut RawScene, pending: &mut Pending) {
         let word = |text: &str| Word { text: text.to_owned(), span: self.raw.span };
         let (cam, follower) = (word(&self.raw.cam.text), word(&self.raw.follower.text));

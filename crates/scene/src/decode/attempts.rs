@@ -1,4 +1,4 @@
-//! The section `attempts`: wrong solutions to be shown beside the right one.
+//! The section `attempts`: wrong solutions to show beside the right one.
 
 use super::super::keys;
 use super::super::raw::RawAttempt;
@@ -7,7 +7,7 @@ use hodograph_base::diag::{Faults, both};
 use hodograph_base::json::fields::{Fields, word};
 use hodograph_base::json::{Node, Word};
 
-/// A wrong solution.
+/// Decodes a wrong solution.
 pub(super) fn attempt(node: &Node, faults: &mut Faults) -> Option<RawAttempt> {
     let f = Fields::open(node, both!("an attempt", "错误解法"), keys::ATTEMPT, faults)?;
     let mistake = f.need("mistake", "\"no-coriolis\"", faults).and_then(|n| word(n, "\"mistake\"", faults));

@@ -1,4 +1,5 @@
-//! The sections `belts` and `chains`: each entry becomes one rolling pair for every two neighbours that it runs round.
+//! The sections `belts` and `chains`: each entry becomes one rolling pair for every two neighbours
+//! that it runs round.
 
 use super::super::keys;
 use super::super::raw::*;
@@ -9,14 +10,14 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::json::Word;
 use hodograph_base::json::fields::Fields;
 
-/// What belts and chains have in common is read in one way, in the words of each.
+/// The words in which `belts` and `chains` differ; both sections are read in one way.
 struct Section {
     kind: RollingKind,
     keys: &'static [&'static str],
     what: Both,
-    /// The key of what it runs round.
+    /// The key of the wheels that it runs round.
     wheels: &'static str,
-    /// The key of its sizes, with an example of two of them.
+    /// The key of the wheels' sizes, with an example of two of them.
     sizes: (&'static str, &'static str),
 }
 

@@ -1,4 +1,4 @@
-//! The section `composite`: moving points and the frames from which they are seen.
+//! The section `composite`: moving points and the frames from which they are observed.
 
 use super::super::keys;
 use super::super::raw::RawComposite;
@@ -6,7 +6,7 @@ use hodograph_base::diag::{Faults, both};
 use hodograph_base::json::Node;
 use hodograph_base::json::fields::{Fields, word};
 
-/// A moving point and a frame.
+/// Decodes a moving point and a frame.
 pub(super) fn composite(node: &Node, faults: &mut Faults) -> Option<RawComposite> {
     let f = Fields::open(node, both!("a composite motion", "合成运动"), keys::COMPOSITE, faults)?;
     let point = f.need("point", "\"A\"", faults).and_then(|n| word(n, "\"point\"", faults));

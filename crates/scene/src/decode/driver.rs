@@ -1,4 +1,4 @@
-//! Drivers: a link that is turned, a pin or a block that slides, a cylinder.
+//! Drivers: a link that turns, a pin or a block that slides, a cylinder.
 
 use super::super::keys;
 use super::super::raw::*;
@@ -8,7 +8,7 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::json::Node;
 use hodograph_base::json::fields::{Fields, object, suggest, word};
 
-/// The three kinds of driver: the key that tells the kind, its name, all its keys.
+/// The three kinds of driver: the key that determines the kind, its name, all its keys.
 const KINDS: [(&str, [&str; 2], &[&str]); 3] = [
     ("link", ["a turning driver", "转动原动件"], keys::TURN),
     ("slide", ["a sliding driver", "移动原动件"], keys::SLIDE),
@@ -55,7 +55,8 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
             return None;
         }
     };
-    // A key of another kind is not a slip of the pen: it deserves a better answer than the nearest key.
+    // A key of another kind is not a misspelling, so it gets its own message instead of the nearest
+    // key.
     let mut mixed = false;
     for (key, _) in members {
         if known.contains(&key.text.as_str()) {
@@ -84,7 +85,7 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
     let [angle, position, length] = ["angle", "position", "length"].map(|key| value(key, faults));
     let position_told = [&angle, &position, &length].into_iter().flatten().next();
     let (rate, law) = match position_told.filter(|q| f.get(key).is_none() && raw.moves_by(q)) {
-        // A position that is a law of time tells the rates, unless the file does.
+        // A position that is a law of time gives the rates too, unless the file does.
         Some(q) => {
             if let Some(node) = f.get(second) {
                 let message =
@@ -101,7 +102,7 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
             (rate.and_then(|n| quantity(n, both!("the rate of a driver", "原动件的速度"), faults)), None)
         }
     };
-    // A name that could not be read must not be judged as absent.
+    // A name that could not be read does not count as absent.
     let before = faults.list.len();
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
     let kind = match mark {
@@ -120,7 +121,8 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
     Some(RawDriver { kind, rate, acceleration, law, span: f.span() })
 }
 
-/// A driver for a scene that has none: the first link with a pin on the ground, else the first that slides on it.
+/// Returns a driver for a scene without one: the first link with a pin on the ground, else the
+/// first that slides on the ground.
 pub(super) fn added(raw: &RawScene) -> Option<RawDriver> {
     let ground = raw.ground.as_ref()?;
     let fixed: Vec<&str> =

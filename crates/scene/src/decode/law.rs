@@ -1,4 +1,5 @@
-//! What a law of time gives at the instant: rate and acceleration, as expressions, for the driver that it becomes.
+//! Values of a law of time at the instant: rate and acceleration, as expressions, for the driver
+//! that the law describes.
 
 use super::super::expr::{self, Expr};
 use super::super::front::{TIME, mentions};
@@ -9,16 +10,17 @@ use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 
 /// A law, differentiated twice.
 pub(super) struct Differentiated {
-    /// The first derivative; `None`: it vanishes for every t.
+    /// The first derivative; `None` if it vanishes for every t.
     rate: Option<RawQuantity>,
-    /// The second one.
+    /// The second derivative.
     second: Option<RawQuantity>,
-    /// The law as it is written.
+    /// The law as written.
     law: TimeLaw,
 }
 
 impl Differentiated {
-    /// Rate, acceleration and law of a driver; a rate that vanishes is written in its unit.
+    /// Returns rate, acceleration and law of a driver; a rate that vanishes is written as zero in
+    /// its unit.
     pub(super) fn of_driver(self, unit: &str, span: Span) -> (Option<RawQuantity>, Option<RawQuantity>, Option<TimeLaw>) {
         let still = RawQuantity { text: format!("0 {unit}"), span, bare: false };
         (self.rate.or(Some(still)), self.second, Some(self.law))
@@ -26,7 +28,8 @@ impl Differentiated {
 }
 
 impl RawScene {
-    /// Whether a quantity names the time, of a file that has an instant; one that cannot be read is told where its value is wanted.
+    /// True if the file has an instant and the quantity contains the time. The fault of a quantity
+    /// that cannot be read is reported where its value is needed.
     pub(super) fn moves_by(&self, q: &RawQuantity) -> bool {
         let names: Vec<&str> = self.parameters.iter().map(|(name, _)| name.text.as_str()).collect();
         self.is_timed && expr::parse(&q.text, &names).is_ok_and(|tree| mentions(&tree, TIME))
@@ -35,7 +38,7 @@ impl RawScene {
 
 /// Differentiates a law twice; parameters are known by name.
 ///
-/// `None`: it cannot be parsed or differentiated, which has been told.
+/// Returns `None` if the law cannot be parsed or differentiated; the fault has then been reported.
 pub(super) fn differentiated(law: &RawQuantity, raw: &RawScene, faults: &mut Faults) -> Option<Differentiated> {
     let names: Vec<&str> = raw.parameters.iter().map(|(name, _)| name.text.as_str()).collect();
     let tree = expr::parse(&law.text, &names).map_err(|d| faults.push(d.at(law.span))).ok()?;
@@ -70,7 +73,7 @@ pub(super) fn differentiated(law: &RawQuantity, raw: &RawScene, faults: &mut Fau
         parsed(second, faults)?;
     }
     let (used, all) = (tree.parameters(), &raw.parameters);
-    // A parameter that is another one by name has that one's value.
+    // A parameter defined as another parameter has the value of that one.
     let value = |q: &RawQuantity| all.iter().find(|(name, _)| name.text == q.text).map_or(&q.text, |(_, q)| &q.text).clone();
     let named = |instant: bool| {
         let wanted = all.iter().filter(|(name, _)| (name.text == TIME) == instant && (instant || used.contains(&name.text.as_str())));
@@ -85,7 +88,7 @@ pub(super) fn differentiated(law: &RawQuantity, raw: &RawScene, faults: &mut Fau
 mod tests {
     use crate::read;
 
-    /// A crank by a law, at an instant: its angle (rad) and rates.
+    /// Angle (rad) and rates of a crank driven by a law, at an instant.
     fn crank(law: &str, t: f64) -> Result<[f64; 3], String> {
         let text = format!(
             r#"{{"links": {{"1": ["O"], "2": ["O", "A"]}}, "ground": "1", "points": {{"O": [0, 0]}}, "lengths": {{"OA": "50 mm"}},
@@ -97,7 +100,8 @@ mod tests {
         Ok([angle, driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value)])
     }
 
-    /// Derivatives repeat the parts of a law: those of a long one are far longer than what a person may write.
+    /// The derivatives of a long law repeat its parts and exceed the length limit for written
+    /// expressions by far.
     #[test]
     fn involved_laws_are_differentiated() {
         for law in [

@@ -7,7 +7,8 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::json::fields::{Fields, word};
 use hodograph_base::json::{Kind, Node, Word};
 
-/// Reads the sections. A centre of mass that is given by a place becomes a point of its link: `S` and the name of the link.
+/// Reads the sections. A centre of mass given by its place becomes a point of its link: `S` and the
+/// link's name.
 pub(super) fn loads(f: &Fields, raw: &mut RawScene, faults: &mut Faults) {
     raw.loads.gravity = f.get("gravity").and_then(|n| two_quantities(n, "\"gravity\"", faults));
     for (link, node) in entries(f.get("masses"), "\"masses\"", faults) {
@@ -27,7 +28,7 @@ pub(super) fn loads(f: &Fields, raw: &mut RawScene, faults: &mut Faults) {
     raw.loads.balance = f.get("balance").and_then(|n| balance(n, faults));
 }
 
-/// A member that may be absent; `None` where it cannot be read.
+/// Returns an optional member; `None` if it cannot be read.
 fn optional<T>(f: &Fields, key: &str, faults: &mut Faults, read: impl Fn(&Node, &str, &mut Faults) -> Option<T>) -> Option<Option<T>> {
     match f.get(key) {
         Some(node) => read(node, &format!("\"{key}\""), faults).map(Some),
@@ -109,7 +110,7 @@ fn force(node: &Node, faults: &mut Faults) -> Option<RawApplied> {
     })
 }
 
-/// A part of a stroke, or of a turn.
+/// Decodes a part of a stroke, or of a turn.
 fn over_part(node: &Node, faults: &mut Faults) -> Option<RawCourse> {
     let f = Fields::open(node, "\"over\"", keys::OVER, faults)?;
     let whole = |text: &str| RawQuantity { text: text.to_owned(), span: node.span, bare: true };
@@ -121,7 +122,7 @@ fn over_part(node: &Node, faults: &mut Faults) -> Option<RawCourse> {
     course(&f, ends.map(|at| (at, None)).to_vec(), node, faults)
 }
 
-/// Amounts at places of a stroke or at angles.
+/// Decodes a diagram: amounts at places of a stroke or at angles.
 fn diagram(node: &Node, faults: &mut Faults) -> Option<RawCourse> {
     let f = Fields::open(node, "\"diagram\"", keys::DIAGRAM, faults)?;
     let points = f.need("points", both!("[[0, \"0 N\"], [1, \"400 N\"]]", "[[0, \"0 N\"], [1, \"400 N\"]]"), faults)?;

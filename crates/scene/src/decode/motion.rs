@@ -1,4 +1,5 @@
-//! The sections `time` and `motions`: a point that moves on a link by a law of time becomes a guide and what drives its pin at the instant.
+//! The sections `time` and `motions`: a point that moves on a link by a law of time becomes a guide
+//! and a driver of its pin at the instant.
 
 use super::super::front::TIME;
 use super::super::keys;
@@ -9,12 +10,12 @@ use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 use hodograph_base::json::fields::{Fields, word};
 use hodograph_base::json::{Node, Word};
 
-/// The instant, as a parameter.
+/// Returns the instant, as a parameter.
 pub(super) fn time(node: &Node, faults: &mut Faults) -> Option<(Word, RawQuantity)> {
     quantity(node, "\"time\"", faults).map(|q| (Word { text: TIME.to_owned(), span: node.span }, q))
 }
 
-/// One motion: adds its guide and its driver.
+/// Decodes one motion: adds its guide and its driver.
 pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Option<()> {
     let f = Fields::open(node, both!("a motion", "运动"), keys::MOTION, faults)?;
     let point = f.need("point", "\"M\"", faults).and_then(|n| word(n, "\"point\"", faults));
@@ -38,7 +39,7 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
             (RawGuide { line: Some(line), through, ..blank }, s.clone())
         }
         Way::Arc { centre, radius, from } => {
-            // On an arc the way counts from the direction of the link that carries it.
+            // On an arc, the position is measured from the direction of the link that carries it.
             let position = match from {
                 Some(from) => given(format!("({})+{}*{}", s.text, told(raw, "length", &radius), told(raw, "angle", &from))),
                 None => s.clone(),
@@ -57,11 +58,12 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
     Some(())
 }
 
-/// Along what a point moves.
+/// The path of a moving point on its link.
 enum Way {
-    /// From one point of the link toward another.
+    /// A straight line from one point of the link toward another.
     Line(Word),
-    /// About a point of the link, counter-clockwise, from this angle to the link's direction.
+    /// An arc about a point of the link, counter-clockwise, from this angle to the link's
+    /// direction.
     Arc { centre: Word, radius: RawQuantity, from: Option<RawQuantity> },
 }
 
@@ -98,20 +100,22 @@ fn way(f: &Fields, faults: &mut Faults) -> Option<Way> {
     Some(Way::Arc { centre: centre?, radius: radius?, from })
 }
 
-/// The text of a quantity within a longer expression: a bare number gets the unit of its kind.
+/// Returns the text of a quantity within a longer expression: a bare number gets the unit of its
+/// kind.
 fn told(raw: &RawScene, kind: &str, q: &RawQuantity) -> String {
     let unit = raw.units.iter().find(|(key, _)| key.text == kind && q.bare).map_or("", |(_, unit)| unit.text.as_str());
     format!("({} {unit})", q.text)
 }
 
-/// A number that no link has: the moving point is the only one of its link.
+/// Returns a number that no link has, for the link whose only point is the moving one.
 fn free_name(raw: &RawScene) -> String {
     let sliders = raw.guides.iter().filter_map(|g| g.slider.as_ref()).map(|w| w.text.as_str());
     let taken: Vec<&str> = raw.links.iter().map(|l| l.name.text.as_str()).chain(sliders).collect();
     (2..).map(|n| n.to_string()).find(|n| !taken.contains(&n.as_str())).unwrap_or_default()
 }
 
-/// The point from which a line leads, as far as the points of the links tell: the way counts from there.
+/// Returns the first point of a line, as far as the points of the links determine it: the position
+/// is measured from there.
 fn first(raw: &RawScene, line: &Word) -> Option<Word> {
     let points = raw.links.iter().flat_map(|l| &l.points);
     let begins = points.filter(|p| line.text.starts_with(p.text.as_str())).max_by_key(|p| p.text.len())?;

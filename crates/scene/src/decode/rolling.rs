@@ -1,4 +1,4 @@
-//! The sections `gears` and `rolling`: both become rolling pairs, told apart by their teeth.
+//! The sections `gears` and `rolling`: both become rolling pairs, distinguished by their teeth.
 
 use super::super::keys;
 use super::super::raw::*;
@@ -8,7 +8,7 @@ use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 use hodograph_base::json::fields::{Fields, list, word};
 use hodograph_base::json::{Node, Word};
 
-/// A gear pair, or a gear and its rack; counting needs no sizes.
+/// Decodes a gear pair, or a gear and its rack; a mobility count needs no sizes.
 pub(super) fn gear(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawRolling> {
     let f = Fields::open(node, both!("a gear pair", "齿轮副"), keys::GEAR, faults)?;
     let before = faults.list.len();
@@ -93,7 +93,8 @@ pub(super) fn gear(node: &Node, extent: Extent, faults: &mut Faults) -> Option<R
     Some(RawRolling { sides, sizes, kind: RollingKind::Gears, strand: None, line, through, angle, at, phase, flanks, span: node.span })
 }
 
-/// A wheel that rolls without slip on a straight or round track; counting needs no radius.
+/// Decodes a wheel that rolls without slip on a straight or round track; a mobility count needs
+/// no radius.
 pub(super) fn wheel(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawRolling> {
     let f = Fields::open(node, both!("a rolling wheel", "滚轮"), keys::ROLLING, faults)?;
     let before = faults.list.len();
@@ -156,8 +157,9 @@ pub(super) fn wheel(node: &Node, extent: Extent, faults: &mut Faults) -> Option<
     })
 }
 
-/// Sizes for counting: which they are makes no difference, but that a ring is the larger one. Of a planet between equal sun and planet wheels the ring
-/// that these close has three times their teeth.
+/// Returns sizes for a mobility count. Their values have no effect, except that a ring must be
+/// the larger one: with a planet between a sun of equal size and the ring, the ring has three times
+/// their teeth.
 fn some_teeth(links: &[Word], (ring, rack): (&Option<Word>, &Option<Word>), module: Option<RawQuantity>, span: Span) -> RawSizes {
     let of = |link: &Word| match ring {
         Some(ring) if ring.text == link.text => written("60", span),
@@ -168,7 +170,7 @@ fn some_teeth(links: &[Word], (ring, rack): (&Option<Word>, &Option<Word>), modu
     RawSizes::Teeth(geared.map(of).collect(), module)
 }
 
-/// A quantity that the file does not write.
+/// A quantity that is not in the file.
 fn written(text: &str, span: Span) -> RawQuantity {
     RawQuantity { text: text.to_owned(), span, bare: false }
 }

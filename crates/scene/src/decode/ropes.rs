@@ -1,4 +1,4 @@
-//! The section `ropes`: a rope that is wound on a drum and draws a load along a straight way.
+//! The section `ropes`: a rope that winds on a drum and pulls a load along a straight path.
 
 use super::super::keys;
 use super::super::raw::*;
@@ -9,7 +9,7 @@ use hodograph_base::diag::{Faults, both};
 use hodograph_base::json::Node;
 use hodograph_base::json::fields::{Fields, word};
 
-/// A drum, its load, and the direction in which the rope runs, the drum to its left.
+/// Decodes a drum, its load, and the direction of the rope, which has the drum on its left.
 pub(super) fn rope(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     let f = Fields::open(node, both!("a rope", "绳"), keys::ROPE, faults)?;
     let drum = f.need("drum", "\"2\"", faults).and_then(|n| word(n, "\"drum\"", faults));

@@ -1,8 +1,9 @@
 //! The parser of expressions: a winnow parser for each rule of the grammar.
 //!
-//! The grammar, in which a unit directly after a value binds tighter than any operator (10 rad/s = (10 rad)/s), and so does a
-//! parenthesis (0.05 (m/s)/mm = (0.05*(m/s))/mm). After a quotient of numbers it belongs to the quotient (sqrt(3)/2 m = (sqrt(3)/2) m), but
-//! for a unit of time, which is that of a period (2π/3 s = 2π/(3 s)):
+//! The grammar. A unit directly after a value binds tighter than any operator (10 rad/s = (10
+//! rad)/s), and so does a parenthesis (0.05 (m/s)/mm = (0.05*(m/s))/mm). After a quotient of
+//! numbers, the unit belongs to the quotient (sqrt(3)/2 m = (sqrt(3)/2) m), except for a unit of
+//! time, which is that of a period (2π/3 s = 2π/(3 s)):
 //! ```text
 //! sum      = product (("+" | "-") product)*
 //! product  = signed (("*" | "/") signed)*
@@ -19,9 +20,10 @@
 //! pi       = "pi" | "π"
 //! name     = letter (letter | digit | "_" | "'")*
 //! ```
-//! Minutes of arc may be written ' or ’, seconds '' or " or ”. The minus sign − and the dots and crosses · ⋅ × of products are read as `-` and `*`.
-//! The first token of a rule tells which one it is, and what follows may not fail without failing the whole (`cut_err`): a fault is where the
-//! input stands.
+//! Minutes of arc may be written ' or ’, seconds '' or " or ”. The minus sign − and the dots and
+//! crosses · ⋅ × of products are read as `-` and `*`. The first token of a rule selects the rule; a
+//! failure after it is a failure of the whole (`cut_err`), so that the fault is at the position of
+//! the input.
 
 use super::{Expr, ExprKind, FUNCTIONS, Function, Op, is_bare};
 use crate::units::{Dim, OF_ARC, UNITS, Unit, unit_named};
@@ -34,16 +36,16 @@ use winnow::stream::{LocatingSlice, Location, Stateful};
 use winnow::token::{one_of, take_while};
 use winnow::{ModalResult, Parser};
 
-/// A text, and what its names may mean.
+/// A text with the known names.
 type Input<'a> = Stateful<LocatingSlice<&'a str>, Names<'a>>;
 type Read<O> = ModalResult<O, EmptyError>;
 
 #[derive(Debug)]
 struct Names<'a> {
     parameters: &'a [&'a str],
-    /// Where the last value with a unit behind it ends.
+    /// End of the last value with a unit.
     tailed: usize,
-    /// The first name without a meaning: told only of texts that keep to the grammar.
+    /// Fault of the first unknown name; reported only for texts that fit the grammar.
     unknown: Option<Diagnostic>,
 }
 
@@ -60,13 +62,13 @@ const SIGNS: [char; 3] = ['+', '-', '−'];
 const FACTORS: [char; 5] = ['*', '·', '⋅', '×', '/'];
 const SUPERSCRIPT: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
-/// What is said of a text that is no expression from a byte on.
+/// Returns the fault of a text that is not an expression from a byte on.
 fn unreadable(text: &str, at: usize) -> Diagnostic {
     let fault = |message: Both| Diagnostic::error("expression", message);
     let rest = text.get(at..).unwrap_or_default();
     match rest.chars().next() {
         None => fault(both!("`{text}` ends too early", "`{text}` 不完整")).at(Span::new(0, text.len())),
-        // A comma between digits is a decimal comma: nothing else is parted by commas here.
+        // A comma between digits is a decimal comma: commas separate nothing here.
         Some(',') if decimal_comma(text, at) => {
             let d = fault(both!("`{text}` has a comma in a number", "`{text}` 的数中有逗号")).at(Span::new(at, at + 1));
             d.help(both!("write the decimal point: \"{}.{}\"", "请用小数点：\"{}.{}\"", &text[..at], &text[at + 1..]))
@@ -103,7 +105,8 @@ fn unreadable(text: &str, at: usize) -> Diagnostic {
     }
 }
 
-/// Whether the comma at a byte of a text stands between the two halves of one number: digits, none of which has a point already.
+/// Returns true if the comma at a byte of a text is between the two parts of one number: digits,
+/// neither of which has a decimal point.
 fn decimal_comma(text: &str, at: usize) -> bool {
     let (before, after) = (text[..at].trim_end_matches(|c: char| c.is_ascii_digit()), &text[at + 1..]);
     let left = at - before.len();
@@ -116,13 +119,13 @@ fn binary(op: Op, a: Expr, b: Expr) -> Expr {
     Expr { kind: ExprKind::Binary(op, Box::new(a), Box::new(b)), span }
 }
 
-/// A token: spaces may precede it. Its place is told with it.
+/// Parses a token, with spaces before it; returns it with its place.
 fn token<'a, O>(of: impl Parser<Input<'a>, O, ErrMode<EmptyError>>) -> impl Parser<Input<'a>, (O, Span), ErrMode<EmptyError>> {
     let spaces = take_while(0.., [' ', '\t']);
     preceded(spaces, of.with_span()).map(|(token, at)| (token, Span::new(at.start, at.end)))
 }
 
-/// One of these characters.
+/// Parses one of these characters.
 fn sign<'a, const N: usize>(of: [char; N]) -> impl Parser<Input<'a>, char, ErrMode<EmptyError>> {
     token(one_of(of)).map(|(c, _)| c)
 }
@@ -155,7 +158,7 @@ fn product(i: &mut Input) -> Read<Expr> {
     Ok(left)
 }
 
-/// Signs, then an operand.
+/// Parses signs, then an operand.
 fn signed(i: &mut Input, operand: fn(&mut Input) -> Read<Expr>) -> Read<Expr> {
     let (_, Span { start, .. }) = token("").parse_next(i)?;
     let negative = repeat(0.., sign(SIGNS)).fold(|| false, |negative, sign| negative ^ (sign != '+')).parse_next(i)?;
@@ -169,7 +172,7 @@ fn power(i: &mut Input) -> Read<Expr> {
     raised(i, base)
 }
 
-/// `base` and the exponent that may follow.
+/// Returns `base` with the exponent that may follow.
 fn raised(i: &mut Input, base: Expr) -> Read<Expr> {
     let caret = preceded(sign(['^']), cut_err(|i: &mut Input| signed(i, exponent)));
     Ok(match opt(alt((caret, superscript))).parse_next(i)? {
@@ -197,7 +200,7 @@ fn atom(i: &mut Input) -> Read<Expr> {
     token(alt((arc, with_unit, name, unit))).map(|(atom, _)| atom).parse_next(i)
 }
 
-/// A value, and the unit that may stand behind it.
+/// Parses a value, and the unit that may follow it.
 fn with_unit(i: &mut Input) -> Read<Expr> {
     let multiple = (number, opt(pi)).map(|(n, pi)| match pi {
         Some(pi) => binary(Op::Mul, n, pi),
@@ -215,9 +218,9 @@ fn with_unit(i: &mut Input) -> Read<Expr> {
     })
 }
 
-/// Degrees with minutes, seconds, or both.
+/// Parses degrees with minutes, seconds, or both.
 fn arc(i: &mut Input) -> Read<Expr> {
-    // What is tried here may be another unit, or none: nothing is said of it yet.
+    // This attempt may meet another unit or none, so it reports no fault.
     let degree = token(alt(("°", word))).verify_map(|(name, span)| {
         let unit = unit_named(name).filter(|_| ["°", "deg"].contains(&name))?;
         Some(Expr { kind: ExprKind::Unit(unit), span })
@@ -230,7 +233,7 @@ fn arc(i: &mut Input) -> Read<Expr> {
     Ok(smaller.into_iter().flatten().fold(binary(Op::Mul, whole, unit), |sum, part| binary(Op::Add, sum, part)))
 }
 
-/// So many sixtieths of a degree or of a minute, by one of their marks.
+/// Parses a number of sixtieths of a degree or of a minute, with one of their marks.
 fn part(i: &mut Input, unit: &'static Unit, marks: &[&'static str]) -> Read<Expr> {
     let count = number(i)?;
     let mark =
@@ -245,13 +248,13 @@ fn part(i: &mut Input, unit: &'static Unit, marks: &[&'static str]) -> Read<Expr
     Ok(binary(Op::Mul, count, Expr { kind: ExprKind::Unit(unit), span: at }))
 }
 
-/// What binds to a value without a sign.
+/// Parses a factor that binds to a value without a sign.
 fn tail(i: &mut Input) -> Read<Expr> {
     let factor = alt((group, unit)).parse_next(i)?;
     cut_err(|i: &mut Input| raised(i, factor.clone())).parse_next(i)
 }
 
-/// A unit behind what is not a number; a word that is none belongs to no value.
+/// Parses a unit after a value that is not a number; other words do not belong to the value.
 fn known_tail(i: &mut Input) -> Read<Expr> {
     let turns = terminated("r/min", not(one_of(is_letter)));
     let known = token(alt(("°", turns, word))).verify_map(|(name, span)| Some(Expr { kind: ExprKind::Unit(unit_named(name)?), span }));
@@ -278,12 +281,12 @@ fn word<'a>(i: &mut Input<'a>) -> Read<&'a str> {
     (one_of(char::is_alphabetic), take_while(0.., is_letter)).take().parse_next(i)
 }
 
-/// The constant.
+/// Parses the constant.
 fn pi(i: &mut Input) -> Read<Expr> {
     token(word.verify(is_pi)).map(|(_, span)| Expr { kind: ExprKind::Pi, span }).parse_next(i)
 }
 
-/// A unit directly after a value, or a degree sign.
+/// Parses a unit directly after a value, or a degree sign.
 fn unit(i: &mut Input) -> Read<Expr> {
     let turns = terminated("r/min", not(one_of(is_letter)));
     let (name, span) = token(alt(("°", turns, word))).parse_next(i)?;
@@ -296,7 +299,7 @@ fn unit(i: &mut Input) -> Read<Expr> {
     })
 }
 
-/// A function of a value in parentheses.
+/// Parses a function of a value in parentheses.
 fn call(i: &mut Input) -> Read<Expr> {
     let (name, at) = terminated(token(word), peek(sign(['(']))).parse_next(i)?;
     let function = FUNCTIONS.iter().find(|(n, _)| *n == name).map(|(_, f)| *f);
@@ -305,12 +308,12 @@ fn call(i: &mut Input) -> Read<Expr> {
         without_meaning(i, at, why);
     }
     let argument = cut_err(group).parse_next(i)?;
-    // Without a function there is a diagnosis, and the tree is dropped.
+    // Without a function there is a fault, and the tree is dropped.
     let kind = ExprKind::Call(function.unwrap_or(Function::Abs), Box::new(argument));
     Ok(Expr { kind, span: Span::new(at.start, i.current_token_start()) })
 }
 
-/// A parameter.
+/// Parses a parameter.
 fn parameter(i: &mut Input) -> Read<Expr> {
     let parameters = i.state.parameters;
     let known = |(name, span): (&str, Span)| {
@@ -320,7 +323,7 @@ fn parameter(i: &mut Input) -> Read<Expr> {
     token(word).verify_map(known).parse_next(i)
 }
 
-/// A name that stands alone: a parameter or a unit.
+/// Parses a single name: a parameter or a unit.
 fn name(i: &mut Input) -> Read<Expr> {
     let (name, span) = token(word).parse_next(i)?;
     let parameter = i.state.parameters.contains(&name).then(|| ExprKind::Parameter(name.to_owned()));
@@ -333,18 +336,19 @@ fn name(i: &mut Input) -> Read<Expr> {
     })
 }
 
-/// Notes a name without meaning; what is returned takes its place until the text has been read to its end.
+/// Records a name without meaning; the returned expression replaces it until the text has been
+/// read.
 fn without_meaning(i: &mut Input, span: Span, why: Diagnostic) -> Expr {
     i.state.unknown.get_or_insert(why.at(span));
     Expr { kind: ExprKind::Pi, span }
 }
 
-/// Whether a word is the constant.
+/// Returns true if a word is the constant.
 pub(super) fn is_pi(word: &str) -> bool {
     word == "pi" || word == "π"
 }
 
-/// What a name is made of after its first letter.
+/// Returns true for a character that may follow the first letter of a name.
 pub(super) fn is_letter(c: char) -> bool {
     c.is_alphabetic() || c.is_ascii_digit() || c == '_' || c == '\''
 }

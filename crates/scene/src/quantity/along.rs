@@ -1,4 +1,4 @@
-//! The direction in the plane of a straight guide, from the places of a pose.
+//! Direction in the fixed plane of a straight guide, from the places of a pose.
 
 use super::Known;
 use crate::Angle;
@@ -6,7 +6,8 @@ use crate::model::{Direction, Given, Guide, GuidePath};
 use hodograph_base::geom::Vec2;
 use hodograph_base::number::Real;
 
-/// The direction of a guide; `None` of an arc, and where its link's pose alone tells it.
+/// Returns the direction of a guide; `None` for an arc, and if only the pose of the guide's link
+/// gives it.
 pub(super) fn along<N: Real, K: Known<N>>(known: &K, guide: &Guide) -> Option<Vec2<N>> {
     let GuidePath::Line { direction, .. } = &guide.path else { return None };
     match direction {
@@ -22,7 +23,7 @@ pub(super) fn along<N: Real, K: Known<N>>(known: &K, guide: &Guide) -> Option<Ve
     }
 }
 
-/// The unit vector at an angle.
+/// Returns the unit vector at an angle.
 fn turned<N: Real>(angle: &Given<Angle>) -> Option<Vec2<N>> {
     let number =
         |x: f64| if angle.radius == 0.0 { Some(N::from_f64(x)) } else { N::from_bounded(x, angle.radius + x.abs() * f64::EPSILON) };

@@ -1,9 +1,11 @@
-//! `s_3`, `psi_3`, `h_3`, `Psi_3`, `Phi_3`, `pressure_3`, `rho_2/3`, `rho_min_2`: of a disc cam and its follower; over its whole turn also `Phi_far_3`,
-//! `Phi_back_3`, `Phi_near_3`, `pressure_start_3`, `pressure_out_3`, `pressure_back_3`, `rb_min_2`, `face_half_3`.
+//! `s_3`, `psi_3`, `h_3`, `Psi_3`, `Phi_3`, `pressure_3`, `rho_2/3`, `rho_min_2`: quantities of a
+//! disc cam and its follower; for its whole turn also `Phi_far_3`, `Phi_back_3`, `Phi_near_3`,
+//! `pressure_start_3`, `pressure_out_3`, `pressure_back_3`, `rb_min_2`, `face_half_3`.
 //!
-//! They follow from the geometry of the cam alone ([`hodograph_base::cam`]), in the number at hand by the texts of the scene. Where no one link
-//! carries cam and follower, the pressure angle and the radius of curvature are those of the pose: of a round end's way against the normal at the contact,
-//! and of the arc that is touched.
+//! They follow from the geometry of the cam alone ([`hodograph_base::cam`]), in a given number type
+//! from the texts of the scene. If no single link carries cam and follower, the pressure angle and
+//! the radius of curvature are those of the pose: the angle of a round end's path against the
+//! normal at the contact, and the radius of the arc in contact.
 
 use super::along::along;
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
@@ -17,13 +19,13 @@ use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
-/// Of a cam and its follower.
+/// A quantity of a cam and its follower.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CamQuantity {
     what: What,
-    /// The follower; of ρ the cam.
+    /// The follower; for ρ the cam.
     link: LinkId,
-    /// The follower of ρ.
+    /// The follower, for ρ.
     follower: Option<LinkId>,
     /// The point of a round end.
     end: Option<PointId>,
@@ -40,7 +42,7 @@ enum What {
     Turn(OfTurn),
 }
 
-/// Quantities of the whole turn of a cam, whatever its follower does.
+/// Quantities of the whole turn of a cam, with any follower.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum OfTurn {
     Rise,
@@ -68,7 +70,7 @@ const ROWS: [What; 9] = [
     What::Turn(OfTurn::FaceHalf),
 ];
 
-/// Quantities that a word behind the symbol of another tells: `Phi_far_3`.
+/// Quantities with a word after the symbol of another quantity: `Phi_far_3`.
 const WORDS: [(What, &str, What); 9] = [
     (What::Rho, "min_", What::Turn(OfTurn::RhoMin)),
     (What::Turn(OfTurn::Rise), "far_", What::Turn(OfTurn::Far)),
@@ -101,7 +103,7 @@ impl Quantity for CamQuantity {
     fn read(question: &Question<'_>) -> Result<Option<CamQuantity>, Diagnostic> {
         let what = ROWS[question.row(Self::WRITTEN)];
         let names = question.names();
-        // `h_65` is of the force of link 6 on link 5.
+        // `h_65` is the arm of the force of link 6 on link 5.
         if question.symbol() == "h" && question.link(names).is_err() && question.two_links().is_ok() {
             return Ok(None);
         }
@@ -167,7 +169,7 @@ impl Quantity for CamQuantity {
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {
-        // Where the geometry of the cam does not tell it, the places of what touches do.
+        // If the geometry of the cam does not give the value, the places of the contact do.
         self.end.map(|p| (Need::Point(p, None), Level::Position)).into_iter().collect()
     }
 
@@ -248,7 +250,7 @@ impl Quantity for CamQuantity {
     }
 }
 
-/// The least radius of the profile.
+/// Returns the least radius of curvature of the profile.
 fn least_radius(t: &Turning) -> Option<f64> {
     let (_, rho) = t.survey.of(&t.disc).least_rho?;
     let end = match t.disc.touch {
@@ -258,7 +260,8 @@ fn least_radius(t: &Turning) -> Option<f64> {
     Some(rho - end)
 }
 
-/// How far a flat face must reach to both sides of its point: the greatest distance of the contact over a turn, where s′ is greatest or least.
+/// Returns the necessary half width of a flat face on both sides of its point: the greatest
+/// distance of the contact over a turn, where s′ is greatest or least.
 fn face_half(t: &Turning) -> Option<f64> {
     let reach = |phi: f64| {
         let sides = [Side::Before, Side::After].map(|side| t.disc.station(phi, side).map(|s| (s.contact - s.pitch).norm()));
@@ -268,7 +271,7 @@ fn face_half(t: &Turning) -> Option<f64> {
 }
 
 impl CamQuantity {
-    /// Its value in double precision.
+    /// Returns its value in double precision.
     fn doubly(&self, t: &Turning) -> Option<f64> {
         let survey = || t.survey.of(&t.disc);
         match self.what {
@@ -295,7 +298,7 @@ impl CamQuantity {
         }
     }
 
-    /// Its value in numbers that know their error, or have more digits.
+    /// Returns its value in a number type with error bounds or more digits.
     fn exactly<N: Real>(&self, scene: &Scene, t: &Turning) -> Option<N> {
         let (cam, phi) = t.exact::<N>(scene)?;
         let here = (t.phi, t.side);
@@ -317,7 +320,7 @@ impl CamQuantity {
         }
     }
 
-    /// Of which kind of cam it is, where this one is another.
+    /// Returns the kind of cam that the quantity needs, if this cam is of another kind.
     fn lacking(&self, t: &Turning) -> Option<Both> {
         let flat = matches!((t.disc.touch, t.disc.follower), (Touch::Flat { .. }, Follower::Translating { .. }));
         match self.what {
@@ -329,13 +332,13 @@ impl CamQuantity {
         }
     }
 
-    /// The cam that is meant.
+    /// Returns the cam of the quantity.
     fn cam<'s>(&self, scene: &'s Scene) -> Option<(&'s Cam, &'s Turning)> {
         let cam = self.pair(scene)?;
         Some((cam, cam.disc.as_ref()?))
     }
 
-    /// Whether it is of the pose, whatever carries the cam.
+    /// Returns true if the pose alone gives the quantity, for any carrier of the cam.
     fn of_the_pose(&self, scene: &Scene, cam: &Cam) -> bool {
         match self.what {
             What::Rho => cam.touched_radius().is_some() || cam.is_touched_straight(),
@@ -346,7 +349,7 @@ impl CamQuantity {
         }
     }
 
-    /// Its value in the pose.
+    /// Returns its value in the pose.
     fn posed<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
         let scene = known.scene();
         let cam = self.pair(scene)?;
@@ -369,7 +372,7 @@ impl CamQuantity {
         Some(Value::Scalar(Vec2 { x: n.dot(w).magnitude(), y: n.cross(w).magnitude() }.angle()))
     }
 
-    /// The pair that is meant, wherever its cam turns.
+    /// Returns the cam pair of the quantity, on any carrier.
     fn pair<'s>(&self, scene: &'s Scene) -> Option<&'s Cam> {
         let meant = |c: &&Cam| match (self.what, self.follower) {
             (What::Rho, follower) => c.cam == self.link && follower == Some(c.follower),
@@ -380,13 +383,13 @@ impl CamQuantity {
     }
 }
 
-/// On what a follower moves.
+/// The path of a follower.
 enum Way {
     Guide(GuideId),
     Pivot(PointId),
 }
 
-/// The guide in which a follower slides, or the pivot about which it turns.
+/// Returns the guide in which a follower slides, or the pivot about which it turns.
 fn way_of(scene: &Scene, cam: &Cam) -> Option<Way> {
     let slides = scene.guides.iter().position(|g| g.slider == Some(cam.follower)).map(|g| Way::Guide(GuideId(g)));
     let joint = |p: &PointId| *p != cam.follows.point() && scene.carriers(*p).any(|l| l != cam.follower);

@@ -1,6 +1,7 @@
-//! `P_24`: the instantaneous centre of two links, by their velocities: P = Q + i (v_i − v_j)/(ω_i − ω_j), v of the links' points at Q.
+//! `P_24`: the instantaneous centre of two links, from their velocities: P = Q + i (v_i − v_j)/(ω_i
+//! − ω_j), v being the velocities of the links' points at Q.
 //!
-//! How it is found by the theorem of three centres is told by `centres`, which computes it in that other way.
+//! The module `centres` finds it independently, by the theorem of three centres.
 
 use super::value::{fastest, vanishes};
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
@@ -14,7 +15,8 @@ use hodograph_base::number::Real;
 /// The instantaneous centre of two links.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InstantCentre {
-    /// The two links, each with a point of the plane in which its motion is told, one of its own if it has any; the ground needs none.
+    /// The two links, each with a point of its plane as reference for its motion, one of its own if
+    /// it has any; the ground needs none.
     pub links: [(LinkId, Option<PointId>); 2],
 }
 
@@ -63,7 +65,7 @@ impl Quantity for InstantCentre {
             Some((v + (base - known.point(point)?).perp() * omega, omega))
         };
         let ((v, a), (w, b)) = (motion(self.links[0])?, motion(self.links[1])?);
-        // Two links that do not turn against one another have their centre nowhere.
+        // Two links without relative rotation have no centre at a finite place.
         if vanishes(a - b, fastest(known)) {
             return None;
         }
@@ -73,12 +75,13 @@ impl Quantity for InstantCentre {
 }
 
 impl InstantCentre {
-    /// The centre of two links.
+    /// Returns the centre of two links.
     ///
     /// # Errors
     /// A scene without points.
     pub(super) fn of_links(question: &Question<'_>, links: [LinkId; 2]) -> Result<InstantCentre, Diagnostic> {
-        // A link without a point of its own, a slider or a rack, moves as its plane does: any point of the scene is one of that plane.
+        // A link without a point, a slider or a rack, moves with its plane: any point of the scene
+        // serves as a point of that plane.
         let own = links.map(|l| question.first_point(l));
         let other = own.into_iter().flatten().next().or_else(|| question.any_point());
         let mut of = [(links[0], None), (links[1], None)];

@@ -1,9 +1,9 @@
-//! `omega_2 + omega_4`, `v_B - v_C`, `P13D/P13A`: the sum, the difference or the ratio of two quantities. Of vectors a ratio is that of their
-//! magnitudes.
+//! `omega_2 + omega_4`, `v_B - v_C`, `P13D/P13A`: the sum, the difference or the ratio of two
+//! quantities. The ratio of two vectors is that of their magnitudes.
 
 use super::*;
 
-/// How two quantities are combined.
+/// The operation that combines two quantities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operation {
     /// The sum.
@@ -15,7 +15,7 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// Its sign in the label language.
+    /// Returns its sign in the label language.
     pub fn sign(self) -> &'static str {
         match self {
             Operation::Sum => " + ",
@@ -28,17 +28,17 @@ impl Operation {
 /// The sum, the difference or the ratio of two quantities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Combined {
-    /// How.
+    /// The operation.
     pub operation: Operation,
-    /// Of what.
+    /// The two quantities.
     pub operands: [Operand; 2],
     entry: &'static Entry,
 }
 
-/// Writes the closed type of what can be combined.
+/// Writes the closed type of the possible operands.
 macro_rules! operands {
     ($($Family:ident),+ $(,)?) => {
-        /// A quantity that is combined with another: any but a combination.
+        /// An operand: any quantity except a combination.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum Operand {
             $(
@@ -48,7 +48,7 @@ macro_rules! operands {
         }
 
         impl Operand {
-            /// It as a question.
+            /// Returns the operand as a question.
             pub fn asked(self) -> Asked {
                 match self { $(Operand::$Family(q) => q.into()),+ }
             }
@@ -96,7 +96,7 @@ const KINDS: [Kind; 11] = [
 const FORMS: [Form; 2] = [Form::Scalar, Form::Vector];
 const LEVELS: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
 
-/// A line for each kind, form and level that a combination can have.
+/// One row for each kind, form and level of a combination.
 static ENTRIES: [Entry; KINDS.len() * FORMS.len() * LEVELS.len()] = {
     let first = Entry::new("", "omega_2 + omega_4", Kind::Number, Form::Scalar, ["quantity", "量"]);
     let mut all = [first; KINDS.len() * FORMS.len() * LEVELS.len()];
@@ -110,7 +110,7 @@ static ENTRIES: [Entry; KINDS.len() * FORMS.len() * LEVELS.len()] = {
     all
 };
 
-/// The two halves of a text that may be a combination, and how they are combined: at each sign once.
+/// Returns the ways to split a text into two operands, with the operation: one for each sign.
 pub fn halves(text: &str) -> impl Iterator<Item = (Operation, [&str; 2])> {
     text.char_indices().filter_map(move |(at, c)| {
         let operation = match c {
@@ -123,7 +123,7 @@ pub fn halves(text: &str) -> impl Iterator<Item = (Operation, [&str; 2])> {
     })
 }
 
-/// The halves of the text of a combination as it is asked, of which both are questions by themselves.
+/// Returns the two halves of a combination's text, each of which is a question.
 pub fn halves_of<'t>(combined: &Combined, text: &'t str) -> Option<[&'t str; 2]> {
     let is = |half: &str, operand: Operand| half.starts_with(operand.asked().entry().symbol) || !half.is_ascii();
     let fits = |(operation, [a, b]): &(Operation, [&str; 2])| {
@@ -134,7 +134,7 @@ pub fn halves_of<'t>(combined: &Combined, text: &'t str) -> Option<[&'t str; 2]>
 }
 
 impl Combined {
-    /// The combination of two quantities; `None` where their kinds or forms do not go together.
+    /// Returns the combination of two quantities; `None` if their kinds or forms do not fit.
     pub(crate) fn new(operation: Operation, [a, b]: [Asked; 2]) -> Option<Combined> {
         let (x, y) = (a.entry(), b.entry());
         let (kind, form) = match operation {
@@ -149,7 +149,7 @@ impl Combined {
     }
 }
 
-/// The kind of a quotient; `None` of what has no unit of its own here.
+/// Returns the kind of a quotient; `None` if the quotient has no unit here.
 fn quotient(a: Kind, b: Kind) -> Option<Kind> {
     Some(match (a, b) {
         (a, b) if a == b => Kind::Number,
@@ -163,7 +163,7 @@ fn quotient(a: Kind, b: Kind) -> Option<Kind> {
 }
 
 impl Quantity for Combined {
-    /// It is read from the texts of its operands.
+    /// The texts of the operands determine a combination.
     const WRITTEN: &'static [Entry] = &[];
 
     fn read(_question: &Question<'_>) -> Result<Option<Combined>, Diagnostic> {
@@ -203,7 +203,8 @@ impl Quantity for Combined {
     }
 }
 
-/// Two values combined; `None` where the divisor is not known from zero, or the forms differ.
+/// Combines two values; returns `None` if the forms differ, or if a ratio is undecided or not
+/// finite.
 pub fn combine<N: Real>(operation: Operation, a: Value<N>, b: Value<N>) -> Option<Value<N>> {
     let size = |v: Value<N>| match v {
         Value::Scalar(s) => Some(s),

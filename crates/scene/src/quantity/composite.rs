@@ -1,5 +1,6 @@
-//! `ve_A/2`, `vr_A/2`, `ak_A/2`: composite motion of a point. Moving point A is seen from frame 2 (a link, or a point with which the
-//! frame translates): v_a = v_e + v_r, a_a = a_eⁿ + a_eᵗ + a_rⁿ + a_rᵗ + a_k. `path_A/2` is the place of A in the axes of the frame.
+//! `ve_A/2`, `vr_A/2`, `ak_A/2`: composite motion of a point. Moving point A is observed from frame
+//! 2 (a link, or a point with which the frame translates): v_a = v_e + v_r, a_a = a_eⁿ + a_eᵗ +
+//! a_rⁿ + a_rᵗ + a_k. `path_A/2` is the place of A in the axes of the frame.
 
 use super::joined::name;
 use super::{Entry, Form, Frame, Known, Level, Meaning, Need, Of, Over, Quantity, RelativePath, Seen, Split, Value, owns, relative_path};
@@ -10,10 +11,10 @@ use hodograph_base::geom::Point;
 use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
-/// A part of the motion of a point that is seen from a frame.
+/// A part of the motion of a point that is observed from a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composite {
-    /// What of it.
+    /// The part.
     pub part: Part,
     /// The moving point.
     pub of: OnLink,
@@ -21,33 +22,33 @@ pub struct Composite {
     pub frame: Frame,
 }
 
-/// What of a composite motion, in the order of the table.
+/// The parts of a composite motion, in the order of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// v_e.
+    /// Transport velocity v_e.
     TransportVelocity,
-    /// v_r.
+    /// Relative velocity v_r.
     RelativeVelocity,
-    /// a_e.
+    /// Transport acceleration a_e.
     Transport,
-    /// a_eⁿ.
+    /// Normal part a_eⁿ.
     TransportNormal,
-    /// a_eᵗ.
+    /// Tangential part a_eᵗ.
     TransportTangential,
-    /// a_r.
+    /// Relative acceleration a_r.
     Relative,
-    /// a_rⁿ.
+    /// Normal part a_rⁿ.
     RelativeNormal,
-    /// a_rᵗ.
+    /// Tangential part a_rᵗ.
     RelativeTangential,
-    /// a_k.
+    /// Coriolis acceleration a_k.
     Coriolis,
     /// The place in the axes of the frame.
     Path,
 }
 
 impl Part {
-    /// All of them.
+    /// All parts.
     pub const ALL: [Part; 10] = [
         Part::TransportVelocity,
         Part::RelativeVelocity,
@@ -200,7 +201,7 @@ fn on_one_link(scene: &Scene, a: &OnLink, b: &OnLink) -> bool {
     })
 }
 
-/// Why a frame is none for a moving point.
+/// Returns the reason why a frame is unusable for a moving point.
 pub(crate) fn unusable(scene: &Scene, of: &OnLink, frame: Frame, text: &str) -> Option<Diagnostic> {
     let point = name(scene, of);
     let own = match frame {

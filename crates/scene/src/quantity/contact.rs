@@ -1,21 +1,21 @@
-//! Places where links press on each other.
+//! Places at which links press on each other.
 
 use crate::model::{Guide, GuideId, LinkId, PointId, Scene};
 use crate::rolling::{RollingId, Touch};
 
-/// A place where two links press on each other.
+/// A place at which two links press on each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contact {
-    /// In a pin that joins no others.
+    /// A pin that joins only the two links.
     Pin(PointId),
-    /// In a guide; `true` where the second link carries it.
+    /// A guide; `true` if the second link carries it.
     Guide(GuideId, bool),
-    /// The contact of a rolling pair; `true` where the second link is the first of the pair.
+    /// The contact of a rolling pair; `true` if the second link is the first of the pair.
     Rolling(RollingId, bool),
 }
 
-/// The number of parties that press on a pin: links, bare guides in which it runs, cylinders of which no numbered part carries it.
-/// The line of a rope holds no pin.
+/// Returns the number of bodies that press on a pin: links, bare guides in which it runs, and
+/// cylinders without a numbered part that carries it. The guide of a rope does not hold the pin.
 pub fn parties(scene: &Scene, p: PointId) -> usize {
     let rope = |g: &Guide| g.rolling.is_some_and(|r| scene.rolling[r.0].kind.is_flexible());
     let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none() && !rope(g)).count();
@@ -25,7 +25,8 @@ pub fn parties(scene: &Scene, p: PointId) -> usize {
     scene.carriers(p).count() + slots + cylinders.count()
 }
 
-/// Points at which a link is met: its own, then the pins that run in its guides, then its places of contact.
+/// Returns the points at which other bodies meet a link: its own, then the pins that run in its
+/// guides, then its places of contact.
 pub fn met_at(scene: &Scene, l: LinkId) -> impl Iterator<Item = PointId> + '_ {
     let own = scene.links[l.0].points.iter().copied();
     let pins = scene.guides.iter().filter(move |g| g.on == l).filter_map(|g| g.pin);
@@ -33,14 +34,14 @@ pub fn met_at(scene: &Scene, l: LinkId) -> impl Iterator<Item = PointId> + '_ {
     own.chain(pins).chain(contacts)
 }
 
-/// The places where two links press on each other, with nothing between them.
+/// Returns the places at which two links press directly on each other.
 pub fn contacts(scene: &Scene, i: LinkId, j: LinkId) -> Vec<Contact> {
     let mut out = Vec::new();
     let both_carry = |p: &PointId| scene.links[i.0].points.contains(p) && scene.links[j.0].points.contains(p);
     let pins = (0..scene.points.len()).map(PointId).filter(both_carry).filter(|p| parties(scene, *p) == 2);
     out.extend(pins.map(Contact::Pin));
     for (g, guide) in scene.guides.iter().enumerate() {
-        // A guide that keeps two wheels in touch is a part of their rolling pair.
+        // A guide that keeps two wheels in touch belongs to their rolling pair.
         if guide.rolling.is_some() {
             continue;
         }
@@ -66,7 +67,8 @@ pub fn contacts(scene: &Scene, i: LinkId, j: LinkId) -> Vec<Contact> {
     out
 }
 
-/// The next joint of a link beside a pin: where another link or a guide holds it.
+/// Returns the next joint of a link besides a pin: a point at which another link or a guide holds
+/// it.
 pub fn bar(scene: &Scene, pin: PointId, link: LinkId) -> Option<PointId> {
     scene.links[link.0].points.iter().copied().find(|p| *p != pin && parties(scene, *p) > 1)
 }

@@ -1,8 +1,10 @@
-//! `rho_E`, `O_E`, `J_2`, `d_2`, `K_2`, `u_2`, `p_24`: how the path of a point bends, and what belongs to the pole of a link.
+//! `rho_E`, `O_E`, `J_2`, `d_2`, `K_2`, `u_2`, `p_24`: the curvature of the path of a point, and
+//! the quantities of the pole of a link.
 //!
-//! From velocities and accelerations at the instant: ρ = v³/(v × a), its centre O = E + i v · v²/(v × a); P = B + i v_B/ω,
-//! PJ = a_P/ω², u = i a_P/ω, K = P + a_P/(ω² − iα). `J_2/3` is seen from link 3, by relative velocities and accelerations. How these are
-//! drawn, and what they are where they are nowhere, is told by `curvature`.
+//! From velocities and accelerations at the instant: ρ = v³/(v × a), its centre O = E + i v · v²/(v
+//! × a); P = B + i v_B/ω, PJ = a_P/ω², u = i a_P/ω, K = P + a_P/(ω² − iα). `J_2/3` is observed from
+//! link 3, with relative velocities and accelerations. The module `curvature` draws these
+//! quantities and treats the cases in which they do not exist.
 
 use super::value::{fastest, largest, vanishes};
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
@@ -13,43 +15,44 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
-/// Of a path, or of the pole of a link.
+/// A quantity of a path, or of the pole of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Curvature {
     /// The radius of curvature of a point's path, or its centre.
     Path(OnLink, OfPath),
-    /// What belongs to the pole of a link against another; each with a point of its own, the ground needs none.
+    /// A quantity of the pole of a link relative to another; each link has a reference point, the
+    /// ground needs none.
     Pole([(LinkId, Option<PointId>); 2], OfPole),
 }
 
-/// Of the path of a point.
+/// Quantities of the path of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum OfPath {
-    /// ρ.
+    /// The radius of curvature ρ.
     Radius,
     /// The centre of curvature.
     Centre,
 }
 
-/// Of the pole of a link.
+/// Quantities of the pole of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum OfPole {
-    /// J.
+    /// The inflection pole J.
     InflectionPole,
-    /// PJ.
+    /// The diameter PJ of the inflection circle.
     Diameter,
-    /// K.
+    /// The acceleration pole K.
     AccelerationPole,
-    /// u.
+    /// The pole velocity u.
     PoleVelocity,
     /// The pole in the axes of the link.
     InLink,
 }
 
-/// Lines of the table.
+/// Rows of the table.
 const PATHS: [OfPath; 2] = [OfPath::Radius, OfPath::Centre];
 const POLES: [OfPole; 5] = [OfPole::InflectionPole, OfPole::Diameter, OfPole::AccelerationPole, OfPole::PoleVelocity, OfPole::InLink];
 
@@ -72,7 +75,7 @@ impl Quantity for Curvature {
     fn read(question: &Question<'_>) -> Result<Option<Curvature>, Diagnostic> {
         let row = question.row(Self::WRITTEN);
         if let Some(of) = PATHS.get(row) {
-            // ρ of a cam is of two links, its least one of one.
+            // ρ of a cam belongs to two links, its least value to one.
             let names = question.names();
             if *of == OfPath::Radius && (names.contains('/') || names.starts_with("min_") || question.link(names).is_ok()) {
                 return Ok(None);
@@ -169,7 +172,7 @@ impl Quantity for Curvature {
 fn path<N: Real, K: Known<N>>(known: &K, p: &OnLink, of: OfPath) -> Option<Value<N>> {
     let (v, a) = (known.vector(Level::Velocity, p)?, known.vector(Level::Acceleration, p)?);
     let (square, turn) = (v.norm2(), v.cross(a));
-    // Either is known to the rounding of the largest of its kind.
+    // The rounding error of v and a is that of the largest velocity and acceleration.
     let [fast, strong] =
         [(Level::Velocity, v), (Level::Acceleration, a)].map(|(level, own)| largest(known, level).max(own.norm().approx()));
     if vanishes(turn, fast * a.norm().approx() + strong * v.norm().approx()) {
@@ -188,7 +191,7 @@ fn path<N: Real, K: Known<N>>(known: &K, p: &OnLink, of: OfPath) -> Option<Value
     }
 }
 
-/// The motion of one link as another sees it, at a place: velocity, ω, acceleration, α.
+/// The motion of one link relative to another at a place: velocity, ω, acceleration, α.
 struct Seen<N> {
     at: Point<N>,
     v: Vec2<N>,

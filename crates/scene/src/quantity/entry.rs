@@ -1,15 +1,15 @@
-//! A line of the table of quantities: what is told of all that share it.
+//! A row of the table of quantities: the properties that all quantities with this row share.
 
 use super::{Frame, Level, Need};
 use crate::model::{OnLink, PointId};
 use crate::{Lang, LinkId};
 use hodograph_base::kind::Kind;
 
-/// What a value is.
+/// The form of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Form {
-    /// A number; counter-clockwise plus.
+    /// A number; positive counter-clockwise.
     Scalar,
     /// A vector.
     Vector,
@@ -18,7 +18,8 @@ pub enum Form {
 }
 
 impl Form {
-    /// Endings of its columns in a table: a number has one column, a vector its components and its length, a place its coordinates.
+    /// Returns the endings of its columns in a table: a number has one column, a vector its
+    /// components and its magnitude, a place its coordinates.
     pub fn columns(self) -> &'static [&'static str] {
         match self {
             Form::Scalar => &[""],
@@ -28,42 +29,42 @@ impl Form {
     }
 }
 
-/// What stands over the letter of a symbol.
+/// The sign above the letter of a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Over {
-    /// Nothing.
+    /// No sign.
     Nothing,
     /// This sign.
     Sign(&'static str),
     /// The sign of sliding in the notation at hand.
     Sliding,
-    /// The same, and which part of it.
+    /// The sign of sliding in the notation at hand, with a mark for the part.
     SlidingPart(&'static str),
     /// The sign of the Coriolis acceleration in the notation at hand.
     Coriolis,
 }
 
-/// What a quantity is of.
+/// The object of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
     /// A point.
     Point(OnLink),
-    /// A point, seen from another.
+    /// A point relative to another.
     Points(OnLink, OnLink),
     /// A link.
     Link(LinkId),
-    /// A link, seen from another.
+    /// A link relative to another.
     Links(LinkId, LinkId),
     /// The line between two points.
     Line(PointId, PointId),
-    /// A point, seen from a frame.
+    /// A point observed from a frame.
     Seen(OnLink, Frame),
     /// The mechanism as a whole.
     Mechanism,
 }
 
 impl Of {
-    /// What must be known of it at a level.
+    /// Returns the motions that must be known at a level.
     pub(super) fn needs(self, level: Level) -> Vec<(Need, Level)> {
         let at = |p: OnLink| (Need::Point(p.point, p.link), level);
         let end = |p: PointId| (Need::Point(p, None), level);
@@ -79,34 +80,35 @@ impl Of {
     }
 }
 
-/// A line of the table of quantities.
+/// A row of the table of quantities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
-    /// How `find` writes it before the `_`, in Latin letters.
+    /// The symbol before the `_` in `find`, in Latin letters.
     pub symbol: &'static str,
-    /// A question, as an example.
+    /// An example of a question.
     pub example: &'static str,
-    /// What it is, and hence its unit.
+    /// The kind, which determines the unit.
     pub kind: Kind,
-    /// How deep it asks.
+    /// The level of motion.
     pub level: Level,
-    /// What its value is.
+    /// The form of the value.
     pub form: Form,
     /// Its letter in the label language.
     pub letter: &'static str,
-    /// What stands over the letter.
+    /// The sign above the letter.
     pub over: Over,
-    /// Whether it is counted from a place or direction that was chosen: its size says nothing, and an error relative to it neither.
+    /// True if the value is measured from a chosen place or direction: then its size has no
+    /// meaning, nor has an error relative to it.
     pub from_origin: bool,
-    /// In English, in Chinese.
+    /// Name in English and in Chinese.
     pub(super) name: [&'static str; 2],
-    /// The same of several.
+    /// Plural name in English and in Chinese.
     pub(super) several: Option<[&'static str; 2]>,
 }
 
 impl Entry {
-    /// A line of the table; its level is that of its kind, and its letter its symbol, where the family does not say otherwise. `name`: in
-    /// English, in Chinese.
+    /// Returns a row of the table. The default level is that of the kind, the default letter the
+    /// symbol. `name` is in English and in Chinese.
     pub(super) const fn new(symbol: &'static str, example: &'static str, kind: Kind, form: Form, name: [&'static str; 2]) -> Entry {
         let level = kind.level();
         Entry {
@@ -123,32 +125,32 @@ impl Entry {
         }
     }
 
-    /// With its letter, and what stands over it.
+    /// Returns the row with this letter and the sign above it.
     pub(super) const fn printed(self, letter: &'static str, over: Over) -> Entry {
         Entry { letter, over, ..self }
     }
 
-    /// With the name of several of its quantities whose symbols say of what they are.
+    /// Returns the row with a plural name, for quantities whose symbols include their objects.
     pub(super) const fn several_are(self, several: [&'static str; 2]) -> Entry {
         Entry { several: Some(several), ..self }
     }
 
-    /// As deep as this, where its kind alone does not say it.
+    /// Returns the row with this level, if the kind does not determine it.
     pub(super) const fn at_level(self, level: Level) -> Entry {
         Entry { level, ..self }
     }
 
-    /// Counted from a chosen place or direction.
+    /// Returns the row of a quantity measured from a chosen place or direction.
     pub(super) const fn counted_from_origin(self) -> Entry {
         Entry { from_origin: true, ..self }
     }
 
-    /// Its name, in the label language: `normal acceleration`.
+    /// Returns its name in a language: `normal acceleration`.
     pub fn name(&self, lang: Lang) -> &'static str {
         in_words(self.name, lang)
     }
 
-    /// The name of several: `angular velocities of the links`.
+    /// Returns its plural name: `angular velocities of the links`.
     pub fn several(&self, lang: Lang) -> Option<&'static str> {
         self.several.map(|words| in_words(words, lang))
     }

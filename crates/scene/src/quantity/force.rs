@@ -1,7 +1,8 @@
-//! `F_12`, `F_B3`, `h_65`, `M_b`, `P`: reactions, balancing moment and force, inertia forces, power.
+//! `F_12`, `F_B3`, `h_65`, `M_b`, `P`: reactions, balancing moment and force, inertia forces,
+//! power.
 //!
-//! F_ij is the force of link i on link j; F_ji = −F_ij. [`Forces`] holds what is known of an instant: the free-body solutions fill it, a question
-//! looks it up.
+//! F_ij is the force of link i on link j; F_ji = −F_ij. [`Forces`] holds the forces of an instant:
+//! the free-body solutions fill it, a question looks its value up.
 
 use super::contact::{Contact, bar, contacts, parties};
 use super::forces::{Forces, Wrench};
@@ -20,15 +21,15 @@ pub struct Force(Which);
 /// A part of a reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
-    /// All of it.
+    /// The whole force.
     Whole,
-    /// Along the bar from the pin to the next joint of the second link.
+    /// The part along the bar from the pin to the next joint of the second link.
     Normal,
-    /// Square to it.
+    /// The part perpendicular to it.
     Tangential,
 }
 
-/// A quantity that follows from motion and loads, without any reaction.
+/// A quantity that follows from motion and loads without reactions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ByMotion {
     /// The power of the drivers.
@@ -44,7 +45,7 @@ pub enum ByMotion {
 }
 
 impl Force {
-    /// The quantity, where no reaction enters it.
+    /// Returns the quantity, if it contains no reaction.
     pub fn by_motion(&self) -> Option<ByMotion> {
         match self.0 {
             Which::Power => Some(ByMotion::Power),
@@ -312,7 +313,7 @@ impl Quantity for Force {
                 let contact = *contacts(scene, i, j).first()?;
                 let force = reaction(forces, contact, j)?.force;
                 let along = |p: PointId| (known.point(bar(scene, p, j)?)? - known.point(p)?).unit();
-                // The normal force of a guide is square to it.
+                // The normal force of a guide is perpendicular to it.
                 let u = match (contact, part) {
                     (_, Along::Whole) | (Contact::Rolling(..), _) => return Some(Value::Vector(force)),
                     (Contact::Pin(p), Along::Normal) => along(p)?,
@@ -348,12 +349,13 @@ impl Quantity for Force {
 }
 
 impl Force {
-    /// True for a reaction between two links, or of a pin on a link.
+    /// Returns true for a reaction between two links, or of a pin on a link.
     pub fn is_reaction(&self) -> bool {
         matches!(self.0, Which::Reaction(..) | Which::OfPin(..))
     }
 
-    /// The fault of asking for the force of two links that do not press on each other, with the pin that they share with others.
+    /// Returns the fault of a question for the force of two links that do not press on each other,
+    /// with the pin that they share with others.
     fn not_joined(&self, scene: &Scene, find: &Find, [i, j]: [LinkId; 2]) -> Diagnostic {
         let [a, b] = [i, j].map(|l| scene.link_name(l));
         let shared = scene.links[i.0].points.iter().copied().find(|p| scene.links[j.0].points.contains(p));
@@ -380,7 +382,7 @@ impl Force {
     }
 }
 
-/// The driver of `b`, `b2`: 0, 1.
+/// Returns the index of the driver in `b`, `b2`: 0, 1.
 fn balanced(names: &str) -> Option<usize> {
     match names.strip_prefix('b')? {
         "" => Some(0),
@@ -404,13 +406,14 @@ fn reaction_wanted(question: &Question<'_>) -> Diagnostic {
     ))
 }
 
-/// True if a numbered slider runs in a straight guide.
+/// Returns true if a numbered slider runs in a straight guide.
 fn slides(scene: &Scene, g: GuideId) -> bool {
     let guide = &scene.guides[g.0];
     guide.slider.is_some() && matches!(guide.path, GuidePath::Line { .. })
 }
 
-/// The force of a contact on the second of its links, with its couple about the place of the contact.
+/// Returns the force of a contact on one of its links, with its couple about the place of the
+/// contact.
 fn reaction<N: Real>(forces: &Forces<N>, contact: Contact, on: LinkId) -> Option<Wrench<N>> {
     if !forces.determinate {
         return None;

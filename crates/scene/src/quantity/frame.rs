@@ -1,22 +1,24 @@
-//! Frames of reference from which a point is seen, and the path that it draws there, from topology alone.
+//! Frames of reference for moving points, and the paths of the points in them, from topology alone.
 //!
-//! A moving point M is seen from a link (the axes turn with it) or from another point (the axes translate with that). The point of the
-//! frame that lies at M is the transport point; of a frame that translates with C it moves as C does.
+//! A moving point M is observed from a link (the axes turn with it) or from another point (the axes
+//! translate with that). The point of the frame that coincides with M is the transport point; in a
+//! frame that translates with C it moves as C does.
 
 use super::{Joined, joined};
 use crate::model::{GuideId, GuidePath, LinkId, OnLink, PointId, Scene};
 
-/// From what a moving point is seen.
+/// The frame from which a moving point is observed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Frame {
-    /// From a link: axes that turn with it.
+    /// A link: axes that turn with it.
     Link(LinkId),
-    /// From a point: axes that translate with it.
+    /// A point: axes that translate with it.
     Point(OnLink),
 }
 
 impl Frame {
-    /// The point of the frame that lies at a moving point, or moves as one that lies there does.
+    /// Returns the point of the frame that coincides with a moving point, or a point with the same
+    /// motion.
     pub fn transport_point(self, of: OnLink) -> OnLink {
         match self {
             Frame::Link(l) => OnLink { point: of.point, link: Some(l) },
@@ -24,7 +26,8 @@ impl Frame {
         }
     }
 
-    /// The fixed axis about which the frame turns, or about which the point runs with which it translates.
+    /// Returns the fixed axis about which the frame turns, or about which the reference point of a
+    /// translating frame moves.
     pub fn axis(self, scene: &Scene, of: OnLink) -> Option<PointId> {
         let fixed = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
         let on = |l: LinkId, own: PointId| scene.links[l.0].points.iter().copied().find(|p| fixed(p) && *p != own);
@@ -34,7 +37,7 @@ impl Frame {
         }
     }
 
-    /// Whether the frame stands still, so that nothing is carried.
+    /// Returns true if the frame is at rest, so that there is no transport motion.
     pub fn is_fixed(self, scene: &Scene) -> bool {
         match self {
             Frame::Link(l) => l == scene.ground,
@@ -42,7 +45,7 @@ impl Frame {
         }
     }
 
-    /// Whether a point belongs to the frame for good.
+    /// Returns true if a point is permanently fixed in the frame.
     pub fn carries(self, scene: &Scene, of: &OnLink) -> bool {
         match self {
             Frame::Link(l) => owns(scene, l, of),
@@ -54,32 +57,33 @@ impl Frame {
 /// The path of a moving point in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RelativePath {
-    /// Along a guide that turns as the frame does.
+    /// Along a guide that turns with the frame.
     Guide(GuideId),
-    /// Along a circle about a point of the frame.
+    /// A circle about a point of the frame.
     Circle(PointId),
-    /// No pair gives it.
+    /// Not given by a pair.
     Unknown,
 }
 
-/// Whether a link carries a point for good.
+/// Returns true if a point is permanently fixed on a link.
 pub fn owns(scene: &Scene, link: LinkId, p: &OnLink) -> bool {
     scene.links[link.0].points.contains(&p.point) && p.link.is_none_or(|l| l == link || scene.links[l.0].points.contains(&p.point))
         || p.link == Some(link)
 }
 
-/// The links that carry a point for good.
+/// Returns the links on which a point is permanently fixed.
 fn carriers<'a>(scene: &'a Scene, p: &'a OnLink) -> impl Iterator<Item = LinkId> + 'a {
     (0..scene.links.len()).map(LinkId).filter(|l| owns(scene, *l, p))
 }
 
-/// The path of a moving point in a frame, as the pairs of the scene give it.
+/// Returns the path of a moving point in a frame, from the pairs of the scene.
 pub fn relative_path(scene: &Scene, of: OnLink, frame: Frame) -> RelativePath {
     let seat = frame.transport_point(of);
     if let (Frame::Link(l), Some(Joined::Guide(g))) = (frame, joined(scene, &of, &seat)) {
         let guide = &scene.guides[g.0];
         let straight = matches!(guide.path, GuidePath::Line { .. });
-        // Of a block on an arc only the pin keeps to the arc; the others run on circles about the same centre.
+        // Of a block on an arc only the pin follows the arc; the others move on circles about the
+        // same centre.
         let runs = if straight { guide.on == l || guide.slider == Some(l) } else { guide.on == l && guide.pin == Some(of.point) };
         if runs {
             return RelativePath::Guide(g);
@@ -102,7 +106,8 @@ pub fn relative_path(scene: &Scene, of: OnLink, frame: Frame) -> RelativePath {
     centre.map_or(RelativePath::Unknown, RelativePath::Circle)
 }
 
-/// Whether an arc of a guide keeps the distance of two points: its centre, and the pin that runs in it.
+/// Returns true if a guide along an arc fixes the distance of two points: its centre, and the pin
+/// that runs in it.
 fn arc_keeps(scene: &Scene, a: &OnLink, b: OnLink) -> bool {
     let pair = |guide: &crate::model::Guide, centre: &OnLink, pin: &OnLink| {
         let GuidePath::Arc { centre: k, .. } = guide.path else { return false };

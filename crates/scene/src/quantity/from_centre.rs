@@ -1,4 +1,5 @@
-//! `P_13D`, also written `P13D`: the distance of a point from the instantaneous centre of two links, by which speeds divide: v_D = ω₃ · P13D.
+//! `P_13D`, also written `P13D`: the distance of a point from the instantaneous centre of two
+//! links, to which velocities are proportional: v_D = ω₃ · P13D.
 
 use super::{Entry, Form, InstantCentre, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::model::{OnLink, PointId, Scene};
@@ -27,7 +28,7 @@ impl Quantity for FromCentre {
         if question.two_links().is_ok() {
             return Ok(None);
         }
-        // The last name is the point's.
+        // The last name is that of the point.
         let found = names.char_indices().skip(1).find_map(|(cut, _)| {
             let (links, point) = names.split_at(cut);
             let point = question.point(point.trim_start_matches([',', '/', ' ']))?;

@@ -1,23 +1,24 @@
-//! What joins two points of which a relative quantity is asked: a link that carries both, a cylinder between them, a guide along
-//! which one slides on the other.
+//! The joint of two points with a relative quantity: a link that carries both, a cylinder between
+//! them, a guide along which one slides on the other.
 //!
-//! Decided from topology alone. aⁿ and aᵗ belong to a body that turns with the line of the two points; v_r, aʳ and aᵏ belong to a guide
-//! or a cylinder. A question without its joint is a fault, for the quantity is not defined then.
+//! Topology alone decides. aⁿ and aᵗ belong to a body that turns with the line of the two points;
+//! v_r, aʳ and aᵏ belong to a guide or a cylinder. A question without its joint is a fault, because
+//! the quantity is then not defined.
 
 use crate::model::{Guide, GuideId, LinkId, OnLink, PointId, Scene};
 
-/// What joins two points.
+/// The joint of two points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joined {
-    /// One link carries both.
+    /// One link that carries both.
     Link(LinkId),
-    /// They are the ends of a cylinder (index of its driver).
+    /// A cylinder whose ends they are (index of its driver).
     Cylinder(usize),
-    /// They coincide, and one slides on the other along a guide.
+    /// A guide: the points coincide, and one slides on the other along it.
     Guide(GuideId),
 }
 
-/// What joins two points; `None`: nothing that a relative quantity other than v and a could belong to.
+/// Returns the joint of two points; `None` if only their v and a are defined.
 pub fn joined(scene: &Scene, a: &OnLink, b: &OnLink) -> Option<Joined> {
     if a.point == b.point {
         let slides = |g: &Guide| (carries(scene, g, a) && runs(scene, g, b)) || (carries(scene, g, b) && runs(scene, g, a));
@@ -29,19 +30,20 @@ pub fn joined(scene: &Scene, a: &OnLink, b: &OnLink) -> Option<Joined> {
     both.map(Joined::Link).or_else(|| scene.drivers.iter().position(|d| d.kind.ends().is_some_and(ends)).map(Joined::Cylinder))
 }
 
-/// Whether a point is one of the link that carries the guide.
+/// Returns true if a point is on the link that carries the guide.
 fn carries(scene: &Scene, g: &Guide, p: &OnLink) -> bool {
     p.link.map_or_else(|| scene.links[g.on.0].points.contains(&p.point), |l| l == g.on)
 }
 
-/// Whether a point runs in the guide: its pin (of whichever link that the pin joins), or any point of its slider.
+/// Returns true if a point runs in the guide: its pin (as a point of any link that the pin joins),
+/// or any point of its slider.
 fn runs(scene: &Scene, g: &Guide, p: &OnLink) -> bool {
     let is_pin = g.pin == Some(p.point) && p.link.is_none_or(|l| l != g.on && scene.links[l.0].points.contains(&p.point));
     let of_slider = |s: LinkId| p.link.map_or_else(|| scene.links[s.0].points.contains(&p.point), |l| l == s);
     is_pin || g.slider.is_some_and(of_slider)
 }
 
-/// A point as a question names it: `B`, `B3`.
+/// Returns the name of a point in a question: `B`, `B3`.
 pub(super) fn name(scene: &Scene, p: &OnLink) -> String {
     format!("{}{}", scene.point_name(p.point), p.link.map_or("", |l| scene.link_name(l)))
 }

@@ -1,28 +1,29 @@
-//! How deep a question asks, and what it asks for: places, velocities, accelerations of points and links.
+//! Levels of motion, and the motions that a question needs: places, velocities, accelerations of
+//! points and links.
 
 use crate::model::{LinkId, PointId};
 
-/// A derivative by time.
+/// A time derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rate {
-    /// The first.
+    /// The first derivative.
     Velocity,
-    /// The second.
+    /// The second derivative.
     Acceleration,
 }
 
 impl Rate {
-    /// Both, in order.
+    /// Both derivatives, in order.
     pub const ALL: [Rate; 2] = [Rate::Velocity, Rate::Acceleration];
 }
 
-/// A thing asked for: the motion of a point (of a certain link) or the turning of a link.
+/// A needed motion: that of a point (of a certain link), or the rotation of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Need {
-    /// The vector of a point; with a link, of the point of that link that lies there.
+    /// The vector of a point; with a link, of the coincident point of that link.
     Point(PointId, Option<LinkId>),
-    /// The turning of a link.
+    /// The rotation of a link.
     Turning(LinkId),
-    /// The forces of the scene: the places of what is loaded, and the motion of what has mass.
+    /// The forces of the scene: the places of the loads, and the motion of the masses.
     Forces,
 }

@@ -1,50 +1,55 @@
-//! The few meanings that all questions reduce to, and the formulas of relative motion that belong to them.
+//! The few meanings to which all questions reduce, and their formulas of relative motion.
 //!
-//! A room that answers by a way of its own (the drawing, the compiled sweep) matches [`Meaning`], not the families of quantities.
+//! A module with its own way to answer (the drawing, the compiled sweep) matches [`Meaning`], not
+//! the families of quantities.
 
 use super::value::{fastest, vanishes};
 use super::{Frame, Joined, Known, Level, Place, Seen, Value, joined};
 use crate::model::{GuidePath, LinkId, OnLink, PointId};
 use hodograph_base::number::Real;
 
-/// What a question comes down to; its level is told by [`Asked::level`](super::Asked::level).
+/// The meaning of a question; [`Asked::level`](super::Asked::level) is its level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meaning {
-    /// Where something is.
+    /// The place of something.
     Place(Place),
-    /// The vector of a point, from the pole.
+    /// The vector of a point, drawn from the pole.
     Vector(OnLink),
-    /// A part of the motion of the first point against the second.
+    /// A part of the motion of the first point relative to the second.
     Relative(Split, OnLink, OnLink),
-    /// A part of the motion of a point seen from a frame that no guide shows; the centre of the relative path, where it is a circle.
+    /// A part of the motion of a point observed from a frame, without a guide that gives it; the
+    /// last field is the centre of the relative path, if it is a circle.
     Seen(Seen, OnLink, Frame, Option<PointId>),
-    /// The angular velocity or acceleration of a link; with a second one, against that.
+    /// The angular velocity or acceleration of a link; with a second link, relative to it.
     Turning(LinkId, Option<LinkId>),
-    /// The angular velocity of the first link over that of the second; with an arm, both against it.
+    /// The ratio of the first link's angular velocity to the second's; with an arm, both relative
+    /// to it.
     Ratio([LinkId; 2], Option<LinkId>),
 }
 
-/// The parts of the motion of one point against another.
+/// The parts of the motion of one point relative to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Split {
-    /// All of it.
+    /// The whole.
     Whole,
-    /// Along the line of the two, as they turn with it.
+    /// Along the line of the two, with the rotation of that line.
     Along,
-    /// Square to that line.
+    /// Perpendicular to that line.
     Across,
     /// Along the guide or the cylinder.
     Sliding,
-    /// Of an acceleration along a guide, what is square to the guide: v_r²/ρ of an arc.
+    /// The part of an acceleration along a guide that is perpendicular to the guide: v_r²/ρ for an
+    /// arc.
     SlidingNormal,
-    /// And what is along it.
+    /// The part of that acceleration along the guide.
     SlidingTangential,
-    /// 2 ω × v_r.
+    /// Coriolis acceleration 2 ω × v_r.
     Coriolis,
 }
 
 impl Meaning {
-    /// The value by the formulas of relative motion; `None` where something is not known, or nothing joins two points as the part demands.
+    /// Returns the value by the formulas of relative motion; `None` if data are unknown, or if no
+    /// joint of the two points fits the part.
     pub(super) fn value<N: Real, K: Known<N>>(self, level: Level, known: &K) -> Option<Value<N>> {
         match self {
             Meaning::Place(place) => place.value(known),
@@ -62,7 +67,8 @@ impl Meaning {
     }
 }
 
-/// (ω₁ − ω_h)/(ω₂ − ω_h); `None` where the second does not turn against the arm. `fastest` is the largest angular velocity of the mechanism.
+/// Returns (ω₁ − ω_h)/(ω₂ − ω_h); `None` if the second link does not turn relative to the arm.
+/// `fastest` is the largest angular velocity of the mechanism.
 pub fn ratio<N: Real>([a, b]: [N; 2], arm: N, fastest: f64) -> Option<N> {
     if vanishes(b - arm, [a, b, arm].map(|w| w.approx().abs()).into_iter().fold(fastest, f64::max)) {
         return None;
@@ -76,7 +82,8 @@ fn relative<N: Real, K: Known<N>>(split: Split, level: Level, known: &K, a: &OnL
     let joint = joined(known.scene(), a, b);
     let whole = |level| Some(known.vector(level, a)? - known.vector(level, b)?);
     let line = || Some(known.point(a.point)? - known.point(b.point)?);
-    // Along the line of two points: the unit vector, the length, and the velocity of the one against the other, along and square to it.
+    // Along the line of two points: the unit vector, the length, and the velocity of one point
+    // relative to the other, along and perpendicular to it.
     let split_velocity = || {
         let (d, v) = (line()?, whole(Velocity)?);
         let u = d.unit()?;
@@ -85,7 +92,7 @@ fn relative<N: Real, K: Known<N>>(split: Split, level: Level, known: &K, a: &OnL
     let two = N::from_f64(2.0);
     let coriolis = || match joint? {
         Joined::Guide(g) => Some(whole(Velocity)?.perp() * (two * known.turning(Velocity, known.scene().guides[g.0].on)?)),
-        // v_r along the line, ω that of the line.
+        // v_r along the line, ω of the line.
         Joined::Cylinder(_) => {
             let (u, l, along, across) = split_velocity()?;
             Some(u.perp() * (two * along * across / l))

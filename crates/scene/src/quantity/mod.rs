@@ -1,12 +1,14 @@
-//! The quantities that can be asked for: one file a family, and one list of them.
+//! The quantities that a question can name: one file per family, and one list of the families.
 //!
-//! A family says everything that is decided about its quantities before anything is solved: how `find` writes them, their symbol, what
-//! they are of, kind (hence unit) and level, form of the value, which motions have to be known, and by which joint the quantity is
-//! defined at all. Every other room asks [`Asked`]; none tells families apart. A new quantity is a file with an `impl Quantity` and its
-//! name in the list below.
+//! A family defines all properties of its quantities that do not depend on a solution: the form in
+//! `find`, symbol, object, kind (hence unit) and level, form of the value, the motions that must be
+//! known, and the joint without which the quantity is not defined. Every other module uses
+//! [`Asked`] and does not distinguish families. A new quantity is a file with an `impl Quantity`
+//! and its name in the list below.
 //!
-//! The drawing board, the loop equations and the sweep each have ways of their own to answer; they go by the [`Meaning`] of a question.
-//! One without it is calculated by its own formula ([`Asked::value`]) from places, vectors and angular velocities.
+//! The drawing board, the loop equations and the sweep have their own ways to answer; they use the
+//! [`Meaning`] of a question. A question without a meaning is computed by its own formula
+//! ([`Asked::value`]) from places, vectors and angular velocities.
 
 mod along;
 mod cam;
@@ -74,64 +76,66 @@ use hodograph_base::number::Real;
 
 /// A family of quantities.
 trait Quantity: Copy + Into<Asked> {
-    /// The lines of the table: all that share a symbol's letters, kind and name.
+    /// The rows of the table: all combinations of symbol, kind and name.
     const WRITTEN: &'static [Entry];
 
-    /// Reads a question whose symbol is among [`Quantity::WRITTEN`]; `None` where the names behind it make it another family's.
+    /// Reads a question whose symbol is among [`Quantity::WRITTEN`]; returns `None` if the names
+    /// after it belong to another family.
     ///
     /// # Errors
     /// Names that do not fit the symbol in any family.
     fn read(question: &Question<'_>) -> Result<Option<Self>, Diagnostic>;
 
-    /// Its line of the table.
+    /// Returns its row of the table.
     fn entry(&self) -> &'static Entry;
 
-    /// What it is a quantity of.
+    /// Returns the object of the quantity.
     fn of(&self) -> Of;
 
-    /// What it comes down to; `None`: no room has a way of its own for it.
+    /// Returns its meaning; `None` if no module has its own way to answer it.
     fn meaning(&self, scene: &Scene) -> Option<Meaning>;
 
-    /// The motions that must be known.
+    /// Returns the motions that must be known.
     fn needs(&self) -> Vec<(Need, Level)> {
         self.of().needs(self.entry().level)
     }
 
-    /// The links that must be placed beside what moves as [`Quantity::needs`] says.
+    /// Returns the links that must have a place, in addition to the motions of [`Quantity::needs`].
     fn places(&self, _scene: &Scene) -> Vec<LinkId> {
         Vec::new()
     }
 
-    /// Why it is not defined in this scene.
+    /// Returns the reason why it is not defined in this scene.
     fn fault(&self, _scene: &Scene, _find: &Find) -> Option<Diagnostic> {
         None
     }
 
-    /// Why it has no value where the motion is known: what it is divided by vanishes, or a direction that it needs is that of a zero vector.
+    /// Returns the reason why it has no value although the motion is known: a divisor vanishes, or
+    /// it needs the direction of a zero vector.
     fn no_value(&self, _scene: &Scene) -> Both {
         both!("nothing defines it in this pose", "该位置此量无定义")
     }
 
-    /// Why it is infinite in the pose of the scene, if it is.
+    /// Returns the reason why it is infinite in the pose of the scene, if it is.
     fn infinite(&self, _scene: &Scene) -> Option<Both> {
         None
     }
 
-    /// A remark on what the answer is of.
+    /// Returns a note on the object of the answer.
     fn note(&self, _scene: &Scene, _find: &Find) -> Option<Diagnostic> {
         None
     }
 
-    /// Its value where places, vectors and rates are known.
+    /// Returns its value from known places, vectors and rates.
     fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
         self.meaning(known.scene())?.value(self.entry().level, known)
     }
 }
 
-/// Writes the closed type of all families, and the doors to each.
+/// Writes the closed type of all families, and the calls to each.
 macro_rules! families {
     ($($(#[$doc:meta])* $Family:ident),+ $(,)?) => {
-        /// A quantity that is asked for.
+        /// A quantity to find.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum Asked {
             $($(#[$doc])* $Family($Family)),+
@@ -143,11 +147,11 @@ macro_rules! families {
             }
         })+
 
-        /// The lines of all families, in the order of the list.
+        /// The rows of all families, in the order of the list.
         const TABLES: &[&[Entry]] = &[$($Family::WRITTEN),+];
 
         impl Asked {
-            /// Reads a question of a known symbol: the first family that takes it.
+            /// Reads a question with a known symbol: the first family that accepts it.
             pub(crate) fn read(question: &Question<'_>) -> Result<Option<Asked>, Diagnostic> {
                 $(if question.is_among($Family::WRITTEN) && let Some(q) = $Family::read(question)? {
                     return Ok(Some(q.into()));
@@ -155,42 +159,44 @@ macro_rules! families {
                 Ok(None)
             }
 
-            /// Its line of the table: symbol, kind, level, form, names.
+            /// Returns its row of the table: symbol, kind, level, form, names.
             pub fn entry(&self) -> &'static Entry {
                 match self { $(Asked::$Family(q) => q.entry()),+ }
             }
 
-            /// What it is a quantity of.
+            /// Returns the object of the quantity.
             pub fn of(&self) -> Of {
                 match self { $(Asked::$Family(q) => q.of()),+ }
             }
 
-            /// By which the rooms that answer go; `None`: by the formula of [`Asked::value`].
+            /// Returns the meaning by which other modules answer; `None`: by the formula of
+            /// [`Asked::value`].
             pub fn meaning(&self, scene: &Scene) -> Option<Meaning> {
                 match self { $(Asked::$Family(q) => q.meaning(scene)),+ }
             }
 
-            /// The motions that must be known for it, each with its level.
+            /// Returns the motions that must be known for it, each with its level.
             pub fn needs(&self) -> Vec<(Need, Level)> {
                 match self { $(Asked::$Family(q) => q.needs()),+ }
             }
 
-            /// The links that must be placed beside what has to move.
+            /// Returns the links that must have a place, in addition to the moving ones.
             pub fn places(&self, scene: &Scene) -> Vec<LinkId> {
                 match self { $(Asked::$Family(q) => q.places(scene)),+ }
             }
 
-            /// Its value by the formulas of relative motion; `None` where something is not known, or nothing defines it.
+            /// Returns its value by the formulas of relative motion; `None` if data are unknown, or
+            /// if it is not defined.
             pub fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
                 match self { $(Asked::$Family(q) => q.value(known)),+ }
             }
 
-            /// Why it has no value in a pose of which the motion is known.
+            /// Returns the reason why it has no value in a pose with known motion.
             pub fn no_value(&self, scene: &Scene) -> Both {
                 match self { $(Asked::$Family(q) => q.no_value(scene)),+ }
             }
 
-            /// Why it is infinite in the pose of the scene, if it is.
+            /// Returns the reason why it is infinite in the pose of the scene, if it is.
             pub fn infinite(&self, scene: &Scene) -> Option<Both> {
                 match self { $(Asked::$Family(q) => q.infinite(scene)),+ }
             }
@@ -207,21 +213,21 @@ macro_rules! families {
 }
 
 families! {
-    /// `v_E`, `a_B3`: how a point moves.
+    /// `v_E`, `a_B3`: motion of a point.
     PointMotion,
-    /// `v_CB`, `an_CB`: how a point moves against another.
+    /// `v_CB`, `an_CB`: motion of a point relative to another.
     Relative,
-    /// `vr_B3B2`, `ak_B3B2`: how a point slides on another link.
+    /// `vr_B3B2`, `ak_B3B2`: sliding of a point on another link.
     Sliding,
-    /// `ve_A/2`, `arn_A/2`, `path_A/2`: how a point moves as a frame carries it and sees it.
+    /// `ve_A/2`, `arn_A/2`, `path_A/2`: motion of a point with a frame and relative to it.
     Composite,
-    /// `omega_3`, `alpha_3/2`: how a link turns.
+    /// `omega_3`, `alpha_3/2`: rotation of a link.
     Turning,
-    /// `x_E`, `phi_3`, `l_AB`: where things are.
+    /// `x_E`, `phi_3`, `l_AB`: places, angles and distances.
     Place,
-    /// `rho_E`, `J_2`, `K_2`: how paths bend, and what belongs to the pole of a link.
+    /// `rho_E`, `J_2`, `K_2`: curvature of paths, and the quantities of the pole of a link.
     Curvature,
-    /// `s_3`, `pressure_3`, `rho_2/3`: of a cam and its follower.
+    /// `s_3`, `pressure_3`, `rho_2/3`: quantities of a cam and its follower.
     CamQuantity,
     /// `P_13D`: the distance of a point from the instantaneous centre of two links.
     FromCentre,
@@ -235,27 +241,27 @@ families! {
     Transmission,
     /// `F_12`, `M_b`, `FI_3`: forces and moments.
     Force,
-    /// `omega_2 + omega_4`, `P13D/P13A`: the sum, the difference or the ratio of two.
+    /// `omega_2 + omega_4`, `P13D/P13A`: the sum, the difference or the ratio of two quantities.
     Combined,
 }
 
 impl Asked {
-    /// The kind of the quantity: which unit it has.
+    /// Returns the kind of the quantity, which determines its unit.
     pub fn kind(&self) -> Kind {
         self.entry().kind
     }
 
-    /// How deep it asks.
+    /// Returns its level.
     pub fn level(&self) -> Level {
         self.entry().level
     }
 
-    /// The diagram on which it is read.
+    /// Returns the diagram in which it is read.
     pub fn diagram(&self) -> DiagramKind {
         if self.kind().is_of_forces() { DiagramKind::Force } else { DiagramKind::of(self.level()) }
     }
 
-    /// The points of whose motion it is asked, the one from which the other is seen last.
+    /// Returns the points of the question; the reference point comes last.
     pub fn points(&self, scene: &Scene) -> Vec<OnLink> {
         match self.meaning(scene) {
             Some(Meaning::Vector(p)) => vec![p],
@@ -266,12 +272,12 @@ impl Asked {
     }
 }
 
-/// All lines of the table, in the order of the families.
+/// Returns all rows of the table, in the order of the families.
 pub(crate) fn lines() -> impl Iterator<Item = &'static Entry> {
     TABLES.iter().copied().flatten()
 }
 
-/// The lines of the table, one for each symbol, in the order of the families.
+/// Returns the rows of the table, one for each symbol, in the order of the families.
 pub(crate) fn symbols() -> Vec<&'static Entry> {
     let mut out: Vec<&Entry> = Vec::new();
     for entry in lines() {
@@ -282,7 +288,7 @@ pub(crate) fn symbols() -> Vec<&'static Entry> {
     out
 }
 
-/// Remarks on what is asked, each once.
+/// Returns the notes on all questions, each once.
 pub fn notes(scene: &Scene) -> Vec<Diagnostic> {
     let mut out: Vec<Diagnostic> = Vec::new();
     for note in scene.find.iter().filter_map(|f| f.what.note(scene, f)) {
@@ -293,7 +299,8 @@ pub fn notes(scene: &Scene) -> Vec<Diagnostic> {
     out
 }
 
-/// The faults of questions that nothing in the scene defines, such as a sliding without a guide.
+/// Returns the faults of questions that are not defined in the scene, such as sliding without a
+/// guide.
 pub fn undefined(scene: &Scene) -> Faults {
     let mut faults = Faults::default();
     scene.find.iter().filter_map(|f| f.what.fault(scene, f)).for_each(|d| faults.push(d));

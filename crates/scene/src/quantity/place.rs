@@ -1,5 +1,5 @@
-//! `x_E`, `y_E`, `phi_3`, `l_AB`, `s_F`: where a point is, the angle of a link from the x axis, the distance of two points, how far a pin or slider is
-//! along its straight guide, at the instant.
+//! `x_E`, `y_E`, `phi_3`, `l_AB`, `s_F`: coordinates of a point, angle of a link from the x axis,
+//! distance of two points, position of a pin or slider along its straight guide, at the instant.
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::model::{Find, GuideId, GuidePath, LinkId, OnLink, PointId, Scene, Through};
@@ -8,7 +8,7 @@ use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
-/// Where something is.
+/// A quantity of position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place {
     /// A coordinate of a point (m).
@@ -17,25 +17,25 @@ pub enum Place {
     LinkAngle(LinkId),
     /// Distance of two points (m).
     Distance(PointId, PointId),
-    /// How far a point is along a straight guide, from where the guide's coordinate is zero (m).
+    /// Position of a point along a straight guide, from the zero of the guide's coordinate (m).
     Along(GuideId, PointId, Of),
 }
 
 /// An axis of the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Axis {
-    /// To the right.
+    /// Horizontal, positive to the right.
     X,
-    /// Up.
+    /// Vertical, positive upward.
     Y,
 }
 
 impl Axis {
-    /// Both, in the order of the table.
+    /// Both axes, in the order of the table.
     pub const ALL: [Axis; 2] = [Axis::X, Axis::Y];
 }
 
-/// Lines of the table behind those of the two coordinates.
+/// Rows of the table after those of the two coordinates.
 const ANGLE: usize = 2;
 const DISTANCE: usize = 3;
 const ALONG: usize = 4;
@@ -68,7 +68,8 @@ impl Quantity for Place {
             }
             ALONG => {
                 let names = question.names();
-                // The lift of a cam's follower, and what asks for one of another link, is a quantity of cams.
+                // The lift of a cam's follower, and a question with the name of another link, are
+                // quantities of cams.
                 if question.is_follower(names) || question.guides_of(names).is_empty() && question.link(names).is_ok() {
                     return Ok(None);
                 }
@@ -171,7 +172,7 @@ impl Quantity for Place {
 }
 
 impl Place {
-    /// Its value where places are known.
+    /// Returns its value from known places.
     pub(super) fn value<N: Real, K: Known<N>>(self, known: &K) -> Option<Value<N>> {
         Some(Value::Scalar(match self {
             Place::Coordinate(p, Axis::X) => known.point(p)?.x,

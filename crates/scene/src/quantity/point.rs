@@ -1,4 +1,5 @@
-//! `v_E`, `a_E`: velocity and acceleration of a point; `v_B3`: of the point of link 3 that lies at B.
+//! `v_E`, `a_E`: velocity and acceleration of a point; `v_B3`: of the point of link 3 that
+//! coincides with B.
 
 use super::{Entry, Form, Meaning, Of, Quantity, Rate};
 use crate::model::{OnLink, Scene};
@@ -6,17 +7,17 @@ use crate::resolve::Question;
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::kind::Kind;
 
-/// How a point moves.
+/// The motion of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointMotion {
-    /// Its velocity or its acceleration.
+    /// Velocity or acceleration.
     pub rate: Rate,
     /// The point.
     pub of: OnLink,
 }
 
 impl PointMotion {
-    /// Whether a question has the symbol of one of these.
+    /// Returns true if the symbol of a question is one of these.
     pub(crate) fn takes(question: &Question<'_>) -> bool {
         question.is_among(Self::WRITTEN)
     }

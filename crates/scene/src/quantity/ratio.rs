@@ -1,5 +1,6 @@
-//! `i_24`: the transmission ratio of two links, i = ω₂/ω₄, minus where they turn in opposite senses; `i_24/3` in the frame of the arm 3,
-//! (ω₂ − ω₃)/(ω₄ − ω₃), which of a gear train depends on its numbers of teeth alone (Willis).
+//! `i_24`: the transmission ratio of two links, i = ω₂/ω₄, negative if they turn in opposite
+//! senses; `i_24/3` in the frame of the arm 3, (ω₂ − ω₃)/(ω₄ − ω₃), which for a gear train depends
+//! on its numbers of teeth alone (Willis).
 
 use super::{Entry, Form, Level, Meaning, Need, Of, Over, Quantity};
 use crate::model::{LinkId, Scene};
@@ -10,9 +11,9 @@ use hodograph_base::kind::Kind;
 /// A transmission ratio.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ratio {
-    /// The link whose angular velocity is divided, and by whose.
+    /// The links of dividend and divisor.
     pub links: [LinkId; 2],
-    /// The arm from which both are seen; `None`: the ground.
+    /// The arm from which both are observed; `None`: the ground.
     pub arm: Option<LinkId>,
 }
 
@@ -23,7 +24,7 @@ impl Quantity for Ratio {
 
     fn read(question: &Question<'_>) -> Result<Option<Ratio>, Diagnostic> {
         let (links, arm) = match question.names().split_once('/') {
-            // `2/4` are two links, as elsewhere; `24/3` and `2,4/3` have an arm.
+            // `2/4` are two links, as in other questions; `24/3` and `2,4/3` have an arm.
             Some((names, arm)) if question.link(names.trim()).is_err() => (question.two_links_of(names)?, Some(question.link(arm.trim())?)),
             Some(_) | None => (question.two_links()?, None),
         };

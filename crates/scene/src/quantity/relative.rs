@@ -1,5 +1,5 @@
-//! `v_CB`, `a_CB`: motion of one point against another; `an_CB`, `at_CB`: its parts along and square to their line, where a link or a
-//! cylinder turns with that line.
+//! `v_CB`, `a_CB`: motion of one point relative to another; `an_CB`, `at_CB`: its parts along and
+//! perpendicular to their line, if a link or a cylinder turns with that line.
 
 use super::joined::name;
 use super::{Entry, Form, Joined, Meaning, Of, Over, Quantity, Split, joined};
@@ -8,18 +8,18 @@ use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::kind::Kind;
 
-/// How a point moves against another.
+/// The motion of a point relative to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Relative {
-    /// What of it.
+    /// The part.
     pub part: Part,
     /// The point.
     pub of: OnLink,
-    /// From which it is seen.
+    /// The reference point.
     pub to: OnLink,
 }
 
-/// What of a relative motion, in the order of the table.
+/// The parts of a relative motion, in the order of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// The difference of the two velocities.
@@ -28,12 +28,12 @@ pub enum Part {
     Acceleration,
     /// aⁿ: along the line of the two points.
     Normal,
-    /// aᵗ: square to it.
+    /// aᵗ: perpendicular to it.
     Tangential,
 }
 
 impl Part {
-    /// All of them.
+    /// All parts.
     pub const ALL: [Part; 4] = [Part::Velocity, Part::Acceleration, Part::Normal, Part::Tangential];
 }
 

@@ -1,5 +1,6 @@
-//! `spin_3`: the angular velocity of the roller of follower 3, which rolls without slip on its cam: v_B + ω × (E − B) is the velocity of the cam's
-//! point at the contact E. A roller's spin moves nothing else (局部自由度): it is told only if it is asked for.
+//! `spin_3`: the angular velocity of the roller of follower 3, which rolls without slip on its cam:
+//! v_B + ω × (E − B) is the velocity of the cam's point at the contact E. A roller's spin moves no
+//! other link (局部自由度), so it is reported only if a question names it.
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::cams::{Cam, Follows};
@@ -15,7 +16,7 @@ use hodograph_base::number::Real;
 pub struct RollerSpin {
     /// The follower.
     pub follower: LinkId,
-    /// The roller's centre, the cam and a point of it; `None` where the follower has no roller.
+    /// The roller's centre, the cam and a point of it; `None` if the follower has no roller.
     on: Option<(PointId, LinkId, PointId)>,
 }
 
@@ -68,13 +69,13 @@ impl Quantity for RollerSpin {
         let of_cam = known.vector(Level::Velocity, &OnLink { point, link: Some(cam) })?
             + (contact - known.point(point)?).perp() * known.turning(Level::Velocity, cam)?;
         let of_centre = known.vector(Level::Velocity, &OnLink { point: centre, link: None })?;
-        // The contact lies at −r n from the centre.
+        // The contact is at −r n from the centre.
         let spin = (of_cam - of_centre).dot(normal.perp()) / -radius;
         spin.is_decided().then_some(Value::Scalar(spin))
     }
 }
 
-/// The normal of the profile at the contact, toward the roller.
+/// Returns the normal of the profile at the contact, toward the roller.
 fn normal<N: Real, K: Known<N>>(pair: &Cam, known: &K, at: Vec2<N>) -> Option<Vec2<N>> {
     if let Some((k, _)) = pair.circle {
         return (at - known.point(k)?.to_vec2()).unit();

@@ -1,4 +1,5 @@
-//! Motion seen from a frame where no guide gives its parts: a_r = a − a_e − 2 ω_e × v_r, along and square to the relative path.
+//! Motion observed from a frame if no guide gives its parts: a_r = a − a_e − 2 ω_e × v_r, along and
+//! perpendicular to the relative path.
 
 use super::value::{largest, vanishes};
 use super::{Frame, Known, Level, Value};
@@ -6,25 +7,26 @@ use crate::model::{OnLink, PointId};
 use hodograph_base::geom::Vec2;
 use hodograph_base::number::Real;
 
-/// A part of the motion of a point seen from a frame.
+/// A part of the motion of a point observed from a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
-    /// a_r.
+    /// The relative acceleration a_r.
     Relative,
-    /// a_rⁿ: square to the relative path.
+    /// a_rⁿ: perpendicular to the relative path.
     RelativeNormal,
     /// a_rᵗ: along it.
     RelativeTangential,
     /// a_k = 2 ω_e × v_r.
     Coriolis,
-    /// a_eⁿ: square to the path of the transport point.
+    /// a_eⁿ: perpendicular to the path of the transport point.
     TransportNormal,
     /// a_eᵗ: along it.
     TransportTangential,
 }
 
 impl Seen {
-    /// The value by the formulas; `about`: the centre of the relative path, where it is a circle.
+    /// Returns the value by the formulas; `about` is the centre of the relative path, if it is a
+    /// circle.
     pub(super) fn value<N: Real, K: Known<N>>(self, known: &K, of: &OnLink, frame: Frame, about: Option<PointId>) -> Option<Value<N>> {
         use Level::{Acceleration, Velocity};
         let seat = frame.transport_point(*of);
@@ -61,12 +63,14 @@ impl Seen {
     }
 }
 
-/// Returns the direction of a velocity; `None` if it is no larger than rounding beside `fastest`, the largest velocity of the mechanism.
+/// Returns the direction of a velocity; `None` if its magnitude is within rounding errors relative
+/// to `fastest`, the largest velocity of the mechanism.
 pub fn heading<N: Real>(velocity: Vec2<N>, fastest: f64) -> Option<Vec2<N>> {
     if vanishes(velocity.norm(), fastest) { None } else { velocity.unit() }
 }
 
-/// The parts of an acceleration along a unit vector and square to it. A point momentarily at rest has no normal part: v²/ρ = 0.
+/// Returns the parts of an acceleration along a unit vector and perpendicular to it. A point
+/// momentarily at rest has no normal part: v²/ρ = 0.
 pub fn split<N: Real>(along: Option<Vec2<N>>, whole: Vec2<N>) -> [Vec2<N>; 2] {
     let tangential = along.map_or(whole, |u| u * u.dot(whole));
     [tangential, whole - tangential]

@@ -1,5 +1,5 @@
-//! `vr_B3B2`, `ar_B3B2`, `ak_B3B2`: sliding velocity, sliding and Coriolis acceleration of a point against the link on which it slides,
-//! or of the ends of a cylinder.
+//! `vr_B3B2`, `ar_B3B2`, `ak_B3B2`: sliding velocity, sliding and Coriolis acceleration of a point
+//! relative to the link on which it slides, or of the ends of a cylinder.
 
 use super::joined::name;
 use super::{Entry, Form, Joined, Level, Meaning, Need, Of, Over, Quantity, Split, joined};
@@ -9,30 +9,31 @@ use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::kind::Kind;
 
-/// How a point slides on another link. Both are at one point, or the ends of a cylinder; one may be the pin itself (`vr_BB3`).
+/// The sliding of a point on another link. Both points are at one place, or are the ends of a
+/// cylinder; one may be the pin itself (`vr_BB3`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sliding {
-    /// What of it.
+    /// The part.
     pub part: Part,
-    /// What slides.
+    /// The sliding point.
     pub of: OnLink,
-    /// On what it slides.
+    /// The point on which it slides.
     pub to: OnLink,
 }
 
-/// What of a sliding, in the order of the table.
+/// The parts of a sliding motion, in the order of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// v_r.
+    /// Sliding velocity v_r.
     Velocity,
-    /// aʳ.
+    /// Sliding acceleration aʳ.
     Acceleration,
-    /// aᵏ = 2 ω × v_r.
+    /// Coriolis acceleration aᵏ = 2 ω × v_r.
     Coriolis,
 }
 
 impl Part {
-    /// All of them.
+    /// All parts.
     pub const ALL: [Part; 3] = [Part::Velocity, Part::Acceleration, Part::Coriolis];
 }
 
@@ -45,13 +46,13 @@ impl Quantity for Sliding {
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Sliding>, Diagnostic> {
-        // Behind a stroke stands a frame.
+        // A frame follows a slash.
         if question.names().contains('/') {
             return Ok(None);
         }
         let (of, to) = question.two_points()?;
-        // The ends of a cylinder slide along their line; elsewhere sliding is at one place. There one of the two may be the pin itself:
-        // vr_BB3 is the sliding of pin B on link 3.
+        // The ends of a cylinder slide along their line; other sliding points coincide. One of the
+        // two may be the pin itself: vr_BB3 is the sliding of pin B on link 3.
         if of.point != to.point && !question.are_ends_of_a_cylinder(of.point, to.point) {
             let d = question.fault(both!(
                 "`{}`: sliding is between two links at one place",
@@ -78,7 +79,7 @@ impl Quantity for Sliding {
 
     fn meaning(&self, scene: &Scene) -> Option<Meaning> {
         let split = match self.part {
-            // At the contact of a cam all of the relative velocity is sliding.
+            // At the contact of a cam the whole relative velocity is sliding.
             Part::Velocity if self.at_a_cam(scene) => Split::Whole,
             Part::Velocity | Part::Acceleration => Split::Sliding,
             Part::Coriolis => Split::Coriolis,
@@ -90,7 +91,7 @@ impl Quantity for Sliding {
         let of = self.of();
         match self.part {
             Part::Velocity => of.needs(Level::Velocity),
-            // 2 ω × v_r is made of velocities.
+            // 2 ω × v_r follows from velocities.
             Part::Acceleration | Part::Coriolis => [of.needs(Level::Velocity), of.needs(Level::Acceleration)].concat(),
         }
     }
@@ -118,7 +119,7 @@ impl Quantity for Sliding {
 }
 
 impl Sliding {
-    /// Whether it is of a follower and its cam where they touch.
+    /// Returns true for the points of a follower and its cam at their contact.
     fn at_a_cam(&self, scene: &Scene) -> bool {
         let of = [self.of.link, self.to.link];
         let touch =
@@ -127,7 +128,7 @@ impl Sliding {
     }
 }
 
-/// A pair that slides in this scene, as a question names it: `, such as B3B2`.
+/// Returns a sliding pair of this scene in the form of a question: `, such as B3B2`.
 fn example(scene: &Scene) -> Both {
     let pair = |g: &Guide| {
         let p = scene.point_name(g.pin?);

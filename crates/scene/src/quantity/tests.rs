@@ -1,9 +1,9 @@
-//! The table of quantities: what every line of it promises.
+//! Tests of the table of quantities.
 
 use super::*;
 use crate::{Scene, read};
 
-/// A four-bar whose coupler point moves a slider, that asks these questions.
+/// A four-bar linkage whose coupler point moves a slider, with these questions.
 fn asking(find: &str) -> Scene {
     let text = format!(
         r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C", "E"], "3": ["C", "D"], "4": ["A", "D"], "6": ["E", "F"]}}, "ground": "4",
@@ -21,7 +21,7 @@ fn every_line_is_read_from_its_example() {
     for line in lines {
         let scene = asking(&format!("\"{}\"", line.example));
         assert_eq!(scene.find[0].what.entry(), line, "{}", line.example);
-        // The power stands alone.
+        // The power has no names.
         assert_eq!(line.example.split_once('_').map_or(line.example, |e| e.0), line.symbol);
     }
 }

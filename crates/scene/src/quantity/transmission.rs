@@ -1,5 +1,5 @@
-//! `gamma_C`: the transmission angle at a pin that joins a rod and the link that it moves: the acute angle of the two, of a slider that of the rod
-//! against the normal of its guide.
+//! `gamma_C`: the transmission angle at a pin that joins a rod and the link that it moves: the
+//! acute angle between the two, for a slider that between the rod and the normal of its guide.
 
 use super::along::along;
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
@@ -17,12 +17,12 @@ pub struct Transmission {
     pub at: PointId,
 }
 
-/// What one of the two links does at the pin.
+/// The form of one of the two links at the pin.
 #[derive(Clone, Copy)]
 enum Side {
-    /// It is a bar to another joint.
+    /// A bar to another joint.
     Bar(PointId),
-    /// It slides in a straight guide.
+    /// A slider in a straight guide.
     Slider(GuideId),
 }
 
@@ -91,13 +91,14 @@ impl Quantity for Transmission {
             }
         };
         let (a, b) = (direction(a)?, direction(b)?);
-        // Of the angle and its supplement the acute one.
+        // The acute one of the angle and its supplement.
         Some(Value::Scalar(Vec2 { x: a.dot(b).magnitude(), y: a.cross(b).magnitude() }.angle()))
     }
 }
 
 impl Transmission {
-    /// The two moving links at the pin; `None` where there are not two, or one of them is held nowhere else.
+    /// Returns the two moving links at the pin; `None` if there are not two, or if one of them has
+    /// no other joint.
     fn sides(&self, scene: &Scene) -> Option<[Side; 2]> {
         let joint = |p: PointId| scene.carriers(p).count() > 1 || scene.guides.iter().any(|g| g.pin == Some(p));
         let straight = |l: LinkId| {

@@ -1,4 +1,5 @@
-//! `omega_3`, `alpha_3`: angular velocity and acceleration of a link; `omega_3/2`: against link 2. Counter-clockwise plus.
+//! `omega_3`, `alpha_3`: angular velocity and acceleration of a link, positive counter-clockwise;
+//! `omega_3/2`: relative to link `2`.
 
 use super::{Entry, Form, Meaning, Of, Over, Quantity, Rate};
 use crate::model::{LinkId, Scene};
@@ -6,14 +7,14 @@ use crate::resolve::Question;
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::kind::Kind;
 
-/// How a link turns.
+/// The rotation of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning {
     /// ω or α.
     pub rate: Rate,
     /// The link.
     pub of: LinkId,
-    /// Against which; `None`: the ground.
+    /// The reference link; `None`: the ground.
     pub against: Option<LinkId>,
 }
 

@@ -1,4 +1,4 @@
-//! What an answer is, and what a formula may use to find one.
+//! The value of an answer, and the data that its formula may use.
 
 use super::{Forces, Form, Level};
 use crate::model::{GuideId, LinkId, OnLink, PointId, Scene};
@@ -10,14 +10,14 @@ use hodograph_base::number::Real;
 pub enum Value<N = f64> {
     /// A vector.
     Vector(Vec2<N>),
-    /// A number (ω, α, an angle, a distance); counter-clockwise plus.
+    /// A number (ω, α, an angle, a distance); positive counter-clockwise.
     Scalar(N),
     /// A place in the plane (m).
     Point(Point<N>),
 }
 
 impl<N: Real> Value<N> {
-    /// Which form it has.
+    /// Returns its form.
     pub fn form(&self) -> Form {
         match self {
             Value::Vector(_) => Form::Vector,
@@ -26,7 +26,8 @@ impl<N: Real> Value<N> {
         }
     }
 
-    /// Its numbers: a scalar's one; the components of a vector, the coordinates of a place.
+    /// Returns its numbers: one for a scalar; the components of a vector, the coordinates of a
+    /// place.
     pub fn numbers(&self) -> (N, Option<N>) {
         match *self {
             Value::Vector(v) => (v.x, Some(v.y)),
@@ -35,7 +36,7 @@ impl<N: Real> Value<N> {
         }
     }
 
-    /// A value of the same form, each number put through `f`.
+    /// Applies `f` to each number; the form remains.
     pub fn map<M>(self, mut f: impl FnMut(N) -> M) -> Value<M> {
         match self {
             Value::Vector(v) => Value::Vector(Vec2 { x: f(v.x), y: f(v.y) }),
@@ -46,7 +47,8 @@ impl<N: Real> Value<N> {
 }
 
 impl Value {
-    /// Length of a vector, absolute value of a number; of a place its distance from the origin.
+    /// Returns the magnitude of a vector, the absolute value of a number, or the distance of a
+    /// place from the origin.
     pub fn magnitude(&self) -> f64 {
         match self {
             Value::Vector(v) => v.norm(),
@@ -55,7 +57,7 @@ impl Value {
         }
     }
 
-    /// Its numbers in a table, as [`Form::columns`] names them.
+    /// Returns its numbers in a table, as [`Form::columns`] names them.
     pub fn columns(&self) -> Vec<f64> {
         match *self {
             Value::Vector(v) => vec![v.x, v.y, v.norm()],
@@ -64,7 +66,8 @@ impl Value {
         }
     }
 
-    /// The same, or zero where it is no more than `noise`; of a place each coordinate by itself.
+    /// Returns the value, or zero if it is at most `noise`; for a place, each coordinate
+    /// separately.
     pub fn above(&self, noise: f64) -> Value {
         match *self {
             Value::Point(_) => self.map(|x| if x.abs() > noise { x } else { 0.0 }),
@@ -73,7 +76,7 @@ impl Value {
         }
     }
 
-    /// How far two values of one form are apart; `None` where their forms differ.
+    /// Returns the distance of two values of one form; `None` if their forms differ.
     pub fn apart(&self, other: &Value) -> Option<f64> {
         match (self, other) {
             (Value::Vector(a), Value::Vector(b)) => Some((*a - *b).norm()),
@@ -84,16 +87,19 @@ impl Value {
     }
 }
 
-/// The part of the largest number of its kind in the mechanism that rounding leaves of a difference.
+/// Rounding error of a difference, as a fraction of the largest number of its kind in the
+/// mechanism.
 pub const ROUNDING: f64 = 1e-13;
 
-/// True for a difference that plain numbers do not tell from none, beside what it comes from.
+/// Returns true if a difference is within rounding errors relative to `beside`; never for number
+/// types that refine their values.
 pub(super) fn vanishes<N: Real>(value: N, beside: f64) -> bool {
     !N::refines() && value.approx().abs() <= ROUNDING * beside
 }
 
-/// The largest angular velocity that is known, or that of the mechanism's size with the largest velocity: a link that turns by rounding alone
-/// does not turn beside it.
+/// Returns the largest known angular velocity, or the quotient of the largest velocity and the size
+/// of the mechanism if it is larger: relative to it, a link that turns by rounding errors alone is
+/// at rest.
 pub(super) fn fastest<N: Real, K: Known<N>>(known: &K) -> f64 {
     let turning = (0..known.scene().links.len()).filter_map(|l| known.turning(Level::Velocity, LinkId(l)));
     let omega = turning.map(|omega| omega.approx().abs()).fold(0.0, f64::max);
@@ -102,21 +108,22 @@ pub(super) fn fastest<N: Real, K: Known<N>>(known: &K) -> f64 {
     if size > 0.0 { omega.max(largest(known, Level::Velocity) / size) } else { omega }
 }
 
-/// The largest velocity or acceleration of a point that is known.
+/// Returns the largest known velocity or acceleration of a point.
 pub(super) fn largest<N: Real, K: Known<N>>(known: &K, level: Level) -> f64 {
     let points = (0..known.scene().points.len()).map(|p| OnLink { point: PointId(p), link: None });
     points.filter_map(|p| known.vector(level, &p)).map(|v| v.norm().approx()).fold(0.0, f64::max)
 }
 
-/// What a formula may use: the scene, the places of a pose, and its motion.
+/// The data that a formula may use: the scene, the places of a pose, and its motion.
 pub trait Known<N> {
     /// The scene.
     fn scene(&self) -> &Scene;
     /// The place of a point.
     fn point(&self, p: PointId) -> Option<Point<N>>;
-    /// A straight guide in the plane: where its coordinate is zero, and its direction.
+    /// A straight guide in the fixed plane: the place at which its coordinate is zero, and its
+    /// direction.
     fn guide(&self, g: GuideId) -> Option<(Point<N>, Vec2<N>)>;
-    /// The direction from which a link's angle is counted.
+    /// The zero direction of a link's angle.
     fn direction(&self, link: LinkId) -> Option<Vec2<N>>;
     /// The vector of the point of a link (or of the pin itself).
     fn vector(&self, level: Level, p: &OnLink) -> Option<Vec2<N>>;

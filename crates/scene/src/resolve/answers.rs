@@ -1,4 +1,4 @@
-//! The section `answers`: the units in which is printed.
+//! The section `answers`: the units of printed quantities.
 
 use super::*;
 use crate::book::{Book, BookUnit};

@@ -4,10 +4,10 @@ use super::guides::Numbered;
 use super::loads::{loaded, on_link, positive};
 use super::*;
 
-/// Guides and drivers.
+/// Guides and drivers of the scene.
 pub(super) type Moving<'a> = (&'a [Numbered], &'a [Driver]);
 
-/// The size of a load as a file tells it.
+/// The size of a load in the form of the file.
 enum Told {
     Couple(Given),
     Components([Given; 2]),
@@ -55,7 +55,7 @@ pub(super) fn applied(c: &Context, moving: Moving, raw: &RawApplied, faults: &mu
     Some(Applied { link, at, size, course: course.map(|(course, _)| course), span: raw.span })
 }
 
-/// The size of a load: `F`, `M`, or the largest amount of its diagram.
+/// Returns the size of a load: `F`, `M`, or the largest amount of its diagram.
 fn told(c: &Context, raw: &RawApplied, course: Option<&(Course, bool)>, faults: &mut Faults) -> Option<Told> {
     let amounts = course.map(|(course, _)| course.stations.iter().filter_map(|s| s.amount.as_ref()));
     let largest = amounts.and_then(|all| all.max_by(|a, b| a.value.abs().total_cmp(&b.value.abs())));
@@ -103,7 +103,7 @@ fn couple(raw: &RawApplied, given: Given, against: bool, faults: &mut Faults) ->
     })
 }
 
-/// A force by its magnitude: under an angle or against the motion.
+/// Resolves a force given by its magnitude: at an angle or against the motion.
 fn directed(c: &Context, raw: &RawApplied, given: Given, against: bool, faults: &mut Faults) -> Option<Size> {
     let line = transpose(raw.line.as_ref().map(|word| line_of(c, word, faults)))?;
     let angle = transpose(raw.angle.as_ref().map(|q| c.values.angle(q, faults)))?;
@@ -127,7 +127,7 @@ fn directed(c: &Context, raw: &RawApplied, given: Given, against: bool, faults: 
     }
 }
 
-/// Two points of one link.
+/// Returns two points of one link.
 fn line_of(c: &Context, word: &Word, faults: &mut Faults) -> Option<(PointId, PointId)> {
     let (a, b) = note(c.names.pair(word), faults)?;
     if c.common(a, b).is_some() {
@@ -138,7 +138,7 @@ fn line_of(c: &Context, word: &Word, faults: &mut Faults) -> Option<(PointId, Po
     None
 }
 
-/// The part of the motion, and true if its diagram is one of couples.
+/// Returns the part of the motion, with true if its diagram is one of couples.
 fn course(c: &Context, moving: Moving, load: &RawApplied, raw: &RawCourse, faults: &mut Faults) -> Option<(Course, bool)> {
     let along = along(c, moving, raw, faults)?;
     let amounts: Vec<&RawQuantity> = raw.stations.iter().filter_map(|(_, amount)| amount.as_ref()).collect();
@@ -200,7 +200,7 @@ fn words(places: &[f64]) -> Both {
     Both::names(&words.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
-/// The motion along which a load is told.
+/// Returns the motion along which a load is given.
 fn along(c: &Context, (guides, drivers): Moving, raw: &RawCourse, faults: &mut Faults) -> Option<Along> {
     match (&raw.slide, &raw.turn) {
         (Some(word), None) => {

@@ -1,11 +1,12 @@
-//! The section `attempts`: wrong solutions, their mistakes and what was printed.
+//! The section `attempts`: wrong solutions, their mistakes and the printed results.
 //!
-//! Whether the scene lets a mistake be made where it is said is decided in `attempts`, which knows the equations.
+//! The module `attempts`, which has the equations, decides whether a mistake is possible in the
+//! scene.
 
 use super::find::asked;
 use super::*;
 
-/// The wrong solutions.
+/// Resolves the wrong solutions.
 pub(super) fn attempts(c: &Context, faults: &mut Faults) -> Vec<Attempted> {
     c.raw.attempts.iter().filter_map(|raw| attempt(c, raw, faults)).collect()
 }

@@ -1,10 +1,11 @@
-//! What the sections `belts` and `chains` say of two neighbours: the link that keeps their distance, and their radii; what keeps a rope taut.
+//! The data of two neighbours in the sections `belts` and `chains`: the link that keeps their
+//! distance, and their radii; the guide that keeps a rope taut.
 
 use super::super::rolling::Contours;
 use super::rolling::whole;
 use super::*;
 
-/// The two circles of a strand, whose links and centres are known.
+/// Resolves the two circles of a strand with known links and centres.
 pub(super) fn round(
     c: &Context,
     raw: &RawRolling,
@@ -24,7 +25,7 @@ pub(super) fn round(
             let counts: Vec<Option<u32>> = teeth.iter().map(|z| whole(c, z, faults)).collect();
             let pitch = pitch.as_ref().filter(|p| c.values.positive_length(p, both!("the pitch", "节距"), faults).is_some());
             let radius = |(q, z): (&RawQuantity, Option<u32>)| {
-                // With z links round it and p each, the chain runs z p per turn.
+                // With z teeth on the sprocket and pitch p, the chain advances z p per revolution.
                 let text = format!("({})*{}/(2*pi)", pitch?.text, z?);
                 c.values.si(&RawQuantity { text, span: q.span, bare: false }, Wanted::Length, &mut Faults::default())
             };
@@ -52,7 +53,8 @@ pub(super) fn round(
     Some(Contours::Belt { centres, radii: [a?, b?], teeth, crossed, right, arm: arm?, belt })
 }
 
-/// A rope stays taut and keeps its direction: its load slides in a guide of the link that carries the drum's axis.
+/// Checks that a rope stays taut and keeps its direction: its load must slide in a guide of a link
+/// that carries the drum's axis.
 pub(super) fn taut(c: &Context, raw: &RawRolling, (load, axis): (LinkId, PointId), faults: &mut Faults) -> Option<()> {
     let is = |word: &Option<Word>, link: LinkId| word.as_ref().map_or(link == c.ground, |w| w.text == c.link_name(link));
     let carriers = || (0..c.names.links.len()).map(LinkId).filter(|l| c.carries(*l, axis));

@@ -5,7 +5,7 @@ use crate::cams::raw::RawCam;
 use crate::quantity::Frame;
 use crate::quantity::composite::unusable;
 
-/// The moving points and frames. Whether they serve is not decided here.
+/// Resolves the moving points and frames. [`judged`] checks later whether the frames are usable.
 pub(super) fn composite(c: &Context, faults: &mut Faults) -> Vec<Seen> {
     let mut out: Vec<Seen> = Vec::new();
     for raw in &c.raw.composite {
@@ -35,13 +35,13 @@ pub(super) fn composite(c: &Context, faults: &mut Faults) -> Vec<Seen> {
     out
 }
 
-/// The cam whose contact has this name, which is no point of the scene.
+/// Returns the cam whose contact has this name; the contact is not a point of the scene.
 fn contact(c: &Context, name: &str) -> Option<usize> {
     let named = |cam: &RawCam| cam.at.as_ref().is_some_and(|w| w.text == name);
     c.raw.cams.iter().position(named).filter(|_| !c.names.points.iter().any(|p| p.name == name))
 }
 
-/// The point of cam or follower at their contact: that of the follower, where nothing else is said.
+/// Resolves the point of cam or follower at their contact; the default is the follower's point.
 fn at_contact(c: &Context, raw: &RawComposite, cam: usize, faults: &mut Faults) -> Option<Seen> {
     let pair = &c.raw.cams[cam];
     let (own, follower) = (note(c.names.link(&pair.cam), faults)?, note(c.names.link(&pair.follower), faults)?);
@@ -60,7 +60,7 @@ fn at_contact(c: &Context, raw: &RawComposite, cam: usize, faults: &mut Faults) 
     Some(Seen { of: Moving::Contact { cam, on }, frame, span: raw.span })
 }
 
-/// The frames that are none for their moving points.
+/// Reports the frames that are unusable for their moving points.
 pub(super) fn judged(scene: &Scene, faults: &mut Faults) {
     for s in &scene.composite {
         match s.of {
@@ -68,7 +68,8 @@ pub(super) fn judged(scene: &Scene, faults: &mut Faults) {
                 let text = scene.point_name(of.point).to_owned();
                 unusable(scene, &of, s.frame, &text).into_iter().for_each(|d| faults.push(d.at(s.span)));
             }
-            // Whatever point of the link it is: a fixed frame carries nothing, and its own link is none.
+            // For every point of the link: a fixed frame gives no frame motion, and the point's own
+            // link no relative motion.
             Moving::Contact { on, .. } if s.frame.is_fixed(scene) || s.frame == Frame::Link(on) => {
                 let (text, link) = (
                     scene.link_name(on),

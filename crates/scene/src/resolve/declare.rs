@@ -1,4 +1,5 @@
-//! Points and links: those that the file lists, and those that a guide, the ground or a cylinder brings along.
+//! Points and links: those that the file lists, and those that a guide, the ground or a cylinder
+//! adds.
 
 use std::collections::HashMap;
 
@@ -6,15 +7,15 @@ use super::super::decode::{MAX_LINKS, MAX_POINTS};
 use super::super::names;
 use super::*;
 
-/// The declared names, in the order of the file.
+/// The declared points and links, in the order of the file.
 pub(super) struct Declared {
     pub points: Vec<Point>,
     pub links: Vec<Link>,
-    /// Missing (with a fault) where the file names none or an impossible one.
+    /// The ground; `None` (with a fault) if the file names none or an impossible one.
     pub ground: Option<LinkId>,
-    /// The places of contact of the rolling pairs, in their order.
+    /// The places of contact of the rolling pairs, in the order of the pairs.
     pub contacts: Vec<[PointId; 2]>,
-    /// The contacts of cams that questions name, each with its cam's place in the file.
+    /// The contacts of cams that questions name, each with its cam's index in the file.
     pub touches: Vec<(PointId, usize)>,
 }
 
@@ -32,7 +33,7 @@ impl Register {
         if let Some(id) = self.by_point.get(&word.text) {
             return *id;
         }
-        // A bad name is declared all the same: its other mentions are the same fault, not new ones.
+        // A bad name is declared too, so that its other mentions are not reported again.
         faults.list.extend(names::check(word, names::Named::Point));
         let id = PointId(self.points.len());
         self.points.push(Point { name: word.text.clone(), place: Place::Unknown, sketch: None, span: word.span });
@@ -77,7 +78,8 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
         };
         let id = r.by_link.get(&slider.text).copied();
         match (id, &guide.pin) {
-            // Two guides may share an unlisted slider: a block pinned at one point, or a cross-shaped slider without a pin.
+            // Two guides may share an unlisted slider: a block pinned at one point, or a
+            // cross-shaped slider without a pin.
             (Some(id), Some(pin)) if id.0 >= listed => {
                 let pin = r.point(pin, faults);
                 if !r.links[id.0].points.contains(&pin) {
@@ -118,7 +120,7 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
     Declared { points: r.points, links: r.links, ground, contacts, touches }
 }
 
-/// The contacts of cams that questions name: points on no link.
+/// Declares the contacts of cams that questions name: points on no link.
 fn touches(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Vec<(PointId, usize)> {
     let asked: Vec<&str> = raw.find.iter().flatten().filter_map(|w| Some(w.text.split_once('_')?.1)).collect();
     let named = |w: &&Word| asked.iter().any(|names| names.contains(&w.text)) && !r.by_point.contains_key(&w.text);
@@ -126,8 +128,8 @@ fn touches(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Vec<(PointI
     new.into_iter().map(|(k, word)| (r.point(word, faults), k)).collect()
 }
 
-/// The place of contact of a rolling pair, or both ends of a strand, by the names that the file gives them or the first free ones of the
-/// usual letters.
+/// Declares the place of contact of a rolling pair, or both ends of a strand, under the names in
+/// the file, or under the first free ones of the usual letters.
 fn contacts(pair: &RawRolling, r: &mut Register, faults: &mut Faults) -> [PointId; 2] {
     let mut named = |word: &Option<Word>, usual: &[&str]| {
         if let Some(word) = word {
@@ -143,7 +145,7 @@ fn contacts(pair: &RawRolling, r: &mut Register, faults: &mut Faults) -> [PointI
     }
 }
 
-/// A bare pin need not be on a link: in two slots it has its place all the same.
+/// Declares a bare pin that is on no link: in two slots it has a definite place.
 fn loose_pin(raw: &RawScene, guide: &RawGuide, r: &mut Register, faults: &mut Faults) {
     let Some(pin) = &guide.pin else { return };
     let slots = raw.guides.iter().filter(|g| g.pin.as_ref().is_some_and(|p| p.text == pin.text)).count();
@@ -159,10 +161,10 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
     }
     let tracks = raw.rolling.iter().flat_map(|p| &p.sides).map(|s| &s.link);
     let carries = raw.guides.iter().map(|g| &g.on).chain(tracks).any(|on| on.as_ref().is_none_or(|on| on.text == word.text));
-    // Nothing else holds the mechanism: then points given by coordinates can only be its fixed pivots. Where the ground
-    // carries guides, they may as well be places of the pose.
+    // If the ground has no other points, points given by coordinates can only be its fixed pivots.
+    // If it carries guides, they may also be places of the pose.
     let pivots = if carries { Vec::new() } else { implied_pivots(raw, r) };
-    // A ground that nothing touches is a mistyped name, not a link without points of its own.
+    // A ground that nothing joins is a misspelt name, not a link without points of its own.
     if !carries && pivots.is_empty() {
         let d = Diagnostic::error(
             "unknown-link",
@@ -197,7 +199,8 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
     Some(r.link(word, pivots, faults))
 }
 
-/// The fixed pivots of a ground that lists no points: those given by coordinates that would otherwise join nothing.
+/// Returns the fixed pivots of a ground that lists no points: points given by coordinates that join
+/// nothing else.
 fn implied_pivots(raw: &RawScene, r: &Register) -> Vec<PointId> {
     let runs = |name: &str| raw.guides.iter().any(|g| g.pin.as_ref().is_some_and(|p| p.text == name));
     (0..r.points.len())
@@ -210,7 +213,8 @@ fn implied_pivots(raw: &RawScene, r: &Register) -> Vec<PointId> {
         .collect()
 }
 
-/// A link without points must slide, carry a guide or be the ground; else nothing joins it to the others.
+/// Reports links without points that neither slide nor carry a guide and are not the ground:
+/// nothing joins them to other links.
 fn empty_links(raw: &RawScene, r: &Register, ground: Option<LinkId>, faults: &mut Faults) {
     for (i, link) in r.links.iter().enumerate() {
         let named = |w: &Option<Word>| w.as_ref().is_some_and(|w| w.text == link.name);

@@ -18,7 +18,7 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
             RawDriverKind::Slide { slide, position } => self::slide(c, (guides, rolling), slide, position, faults),
             RawDriverKind::Cylinder { ends, length, links } => cylinder(c, ends, length, links, faults),
         };
-        // What is wrong with a law is told of the position alone.
+        // A fault in a law is reported once, for the position.
         if raw.law.is_some() && kind.is_none() {
             continue;
         }
@@ -42,7 +42,7 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
     out
 }
 
-/// The rate of a driver that tells none.
+/// Returns the rate of a driver without one.
 fn untold(raw: &RawDriver, rate: Wanted, value: f64) -> Given {
     let unit = if rate == Wanted::Omega { "rad/s" } else { "m/s" };
     Given { value, radius: 0.0, text: format!("{value} {unit}"), span: raw.span }
@@ -73,7 +73,8 @@ fn turn(
         Some(word) => note(c.names.link(word), faults),
         None => Some(c.ground),
     };
-    // A wheel with another number of teeth does not stand as before after a turn of the driver: there all turns count.
+    // A wheel with another number of teeth does not return to its place after one turn of the
+    // driver, so all whole turns count.
     let rolling = !c.raw.rolling.is_empty();
     let angle = match angle {
         Some(q) if rolling => Some(c.values.angle_in_full(q, faults)?),
@@ -108,7 +109,8 @@ fn turn(
         None => Some(None),
     };
     let (line, against_line) = (on(lines[0], link)?, on(lines[1], against)?);
-    // A link whose guide is its direction has an angle without two points; that of a wheel counts by a mark on it.
+    // A link oriented by its guide has an angle without two points; a wheel's angle is measured by
+    // a mark on it.
     let has_direction = |l: LinkId, line: Option<(PointId, PointId)>| {
         line.is_some()
             || c.rolls(l)
@@ -129,8 +131,8 @@ fn turn(
     Some(DriverKind::Turn { link, against, line, against_line, angle })
 }
 
-/// The angle of a driven link that has one point and a guide, which is that of its guide: where the guide gives it, the driver
-/// need not, and must not give another.
+/// Returns the angle of a driven link with one point and a guide. The angle is that of the guide:
+/// if the guide gives it, the driver may omit it and must not give another.
 fn guided(
     c: &Context,
     link: LinkId,
@@ -138,7 +140,7 @@ fn guided(
     angle: Option<Given<Angle>>,
     faults: &mut Faults,
 ) -> Option<Option<Given<Angle>>> {
-    // Where pairs alone are counted, a guide without a direction has any.
+    // For a mobility count, a guide without a direction has an arbitrary one.
     let stated = guides.iter().filter(|_| !c.raw.extent.is_of_pairs()).find_map(|(g, _)| match &g.path {
         GuidePath::Line { direction: Direction::Instant(angle), .. } if g.on == link => Some(angle),
         GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
@@ -161,10 +163,10 @@ fn guided(
     None
 }
 
-/// Of more than 2⁵³ degrees `f64` tells not even the whole ones.
+/// Largest angle of a driver in degrees: beyond 2⁵³, `f64` does not represent all whole degrees.
 const MOST_DEGREES: f64 = 9_007_199_254_740_992.0;
 
-/// Two texts of one angle may differ by the rounding of what a person types (nine digits).
+/// Tolerance for two texts of the same angle, which may be rounded to nine digits.
 const ONE_ANGLE: f64 = 1e-9;
 
 fn slide(
@@ -181,12 +183,13 @@ fn slide(
     let named = |w: &Option<Word>| w.as_ref().is_some_and(|w| w.text == word.text);
     let mut meant: Vec<usize> =
         (0..c.raw.guides.len()).filter(|i| named(&c.raw.guides[*i].pin) || named(&c.raw.guides[*i].slider)).collect();
-    // The centre of a cam's circle, or a roller, also runs in what stands for the contact: who drives it means its own guide.
+    // The centre of a cam's circle, or a roller, also runs in the guide that replaces the contact;
+    // the driver refers to its own guide.
     if meant.iter().any(|i| !c.raw.guides[*i].contact) {
         meant.retain(|i| !c.raw.guides[*i].contact);
     }
     match meant.as_slice() {
-        // A guide that has been left out for its own fault is not missed here.
+        // A guide dropped for its own fault is not reported as missing here.
         [one] => guides.iter().position(|(_, i)| i == one).map(|i| DriverKind::Slide { guide: GuideId(i), position }),
         [] => {
             // The centre of a wheel runs along its track.
@@ -198,7 +201,7 @@ fn slide(
                 return Some(DriverKind::Slide { guide: GuideId(guides.len() + i), position });
             }
             let wheels = c.raw.rolling.iter().filter(|p| p.kind == RollingKind::Wheel).filter_map(|p| p.sides[1].centre.as_ref());
-            // A wheel that has been left out for its own fault is not missed here.
+            // A wheel dropped for its own fault is not reported as missing here.
             if wheels.clone().any(|centre| centre.text == word.text) {
                 return None;
             }

@@ -1,4 +1,4 @@
-//! The section `find`: what is asked.
+//! The section `find`: the questions.
 
 use super::*;
 use crate::cams::raw::RawFollows;
@@ -21,10 +21,11 @@ pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
     out
 }
 
-/// A point of contact is on no link: what moves there is a point of one of the links.
+/// Refuses motions of a point of contact, which is on no link: the question must name a point of
+/// one of the links.
 fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> {
     let moving = match what.of() {
-        // It has a place all the same.
+        // The position of a contact is defined.
         _ if what.entry().level == Level::Position => Vec::new(),
         Of::Point(p) => vec![p],
         Of::Points(p, q) => vec![p, q],
@@ -49,7 +50,8 @@ fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> 
     )))
 }
 
-/// A scene that asks nothing in particular wants it all: every moving point's v and a, every moving link's ω and α.
+/// Returns the questions of a scene without `find`: v and a of every moving point, ω and α of every
+/// moving link.
 fn everything(c: &Context) -> Vec<Find> {
     let (points, links) = (c.names.points, c.names.links);
     let mut out = Vec::new();
@@ -76,12 +78,12 @@ fn everything(c: &Context) -> Vec<Find> {
     out
 }
 
-/// A symbol in Latin letters; the figures write Greek ones.
+/// Returns a symbol in Latin letters, for the Greek ones in figures.
 fn spelt(symbol: &str) -> &str {
     match symbol {
         "ω" => "omega",
         "α" => "alpha",
-        // Norton's and Uicker's letter.
+        // The letter in Norton and in Uicker.
         "φ" | "theta" | "θ" => "phi",
         "γ" => "gamma",
         "η" => "eta",
@@ -89,7 +91,7 @@ fn spelt(symbol: &str) -> &str {
     }
 }
 
-/// Whether a text begins as a question does: a quantity's symbol and `_`.
+/// Returns true if a text begins as a question does: with the symbol of a quantity and `_`.
 pub(crate) fn begins_a_question(text: &str) -> bool {
     is_alone(spelt(text.trim()))
         || with_underscore(text.trim_start())
@@ -97,17 +99,17 @@ pub(crate) fn begins_a_question(text: &str) -> bool {
             .is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
 }
 
-/// True for a symbol that is a question without names behind it: the power `P`.
+/// True for a symbol that is a question without names: the power `P`.
 fn is_alone(symbol: &str) -> bool {
     quantity::lines().any(|e| e.example == symbol && e.symbol == symbol)
 }
 
-/// A question, or two of them combined.
+/// Reads a question, or two of them combined.
 pub(super) fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
     one(c, word).or_else(|d| combined(c, word).unwrap_or(Err(d)))
 }
 
-/// The sum, the difference or the ratio of two quantities; `None` of a text that is none.
+/// Reads the sum, the difference or the ratio of two quantities; `None` for other texts.
 fn combined(c: &Context, word: &Word) -> Option<Result<Asked, Diagnostic>> {
     let part = |text: &str| one(c, &Word { text: text.to_owned(), span: word.span }).ok();
     let (operation, operands) = halves(&word.text).find_map(|(operation, [a, b])| Some((operation, [part(a)?, part(b)?])))?;
@@ -121,7 +123,7 @@ fn combined(c: &Context, word: &Word) -> Option<Result<Asked, Diagnostic>> {
     }))
 }
 
-/// A text with the underscore that the name of a centre may lack: `P13D`.
+/// Returns a text with the underscore that the name of a centre may omit: `P13D`.
 fn with_underscore(text: &str) -> Cow<'_, str> {
     match text.strip_prefix('P') {
         Some(rest) if rest.starts_with(|c: char| c.is_ascii_digit()) => Cow::Owned(format!("P_{rest}")),
@@ -155,12 +157,13 @@ fn one(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
     let question = Question { c, word, symbol: entry.symbol, names: rest };
     match Asked::read(&question)? {
         Some(asked) => Ok(asked),
-        // Every family that knows the symbol wants two points.
+        // Every family with this symbol needs two points.
         None => Err(question.names_one_point()),
     }
 }
 
-/// A question whose symbol is known: what a family of quantities may ask of the names behind it.
+/// A question with a known symbol, as a family of quantities reads it: methods to resolve its
+/// names.
 pub(crate) struct Question<'a> {
     c: &'a Context<'a>,
     word: &'a Word,
@@ -169,22 +172,22 @@ pub(crate) struct Question<'a> {
 }
 
 impl Question<'_> {
-    /// The question as it is written.
+    /// Returns the question as written.
     pub fn text(&self) -> &str {
         &self.word.text
     }
 
-    /// What stands before the `_`, in Latin letters.
+    /// Returns the part before the `_`, in Latin letters.
     pub fn symbol(&self) -> &'static str {
         self.symbol
     }
 
-    /// What stands behind it.
+    /// Returns the part after the `_`.
     pub fn names(&self) -> &str {
         self.names
     }
 
-    /// A driver by its number, from 0 on.
+    /// Returns a driver's index, counted from 0, if the scene has this driver.
     ///
     /// # Errors
     /// A scene with fewer drivers.
@@ -197,43 +200,43 @@ impl Question<'_> {
         Err(self.fault(message).help(both!("count them in the order of the file, from 1 on", "按文件中的次序从 1 数起")))
     }
 
-    /// Whether a table has its symbol.
+    /// Returns true if a table has its symbol.
     pub fn is_among(&self, table: &[Entry]) -> bool {
         table.iter().any(|e| e.symbol == self.symbol)
     }
 
-    /// The line of a table that has its symbol; the first where none has.
+    /// Returns the row of a table that has its symbol, or the first row.
     pub fn row(&self, table: &[Entry]) -> usize {
         table.iter().position(|e| e.symbol == self.symbol).unwrap_or(0)
     }
 
-    /// A fault of it.
+    /// Returns a fault of the question.
     pub fn fault(&self, message: Both) -> Diagnostic {
         Diagnostic::error("find", message).at(self.word.span)
     }
 
-    /// The link of a name.
+    /// Returns the link with this name.
     ///
     /// # Errors
-    /// A name that is no link's.
+    /// A name that belongs to no link.
     pub fn link(&self, name: &str) -> Result<LinkId, Diagnostic> {
         self.c.names.link_in(name, self.word)
     }
 
-    /// The point of a name, if there is one.
+    /// Returns the point with this name, if any.
     pub fn point(&self, name: &str) -> Option<PointId> {
         self.c.names.point(&Word { text: name.to_owned(), span: self.word.span }).ok()
     }
 
-    /// Two different links, their names one after the other: `24`, `2,10`, `2/4`.
+    /// Returns two different links from their joined names: `24`, `2,10`, `2/4`.
     ///
     /// # Errors
-    /// Names that are no two links, that could be read in two ways, or twice the same.
+    /// Names of other than two links, ambiguous names, or the same link twice.
     pub fn two_links(&self) -> Result<[LinkId; 2], Diagnostic> {
         self.two_links_of(self.names)
     }
 
-    /// The same of a part of the names.
+    /// Returns two different links from a part of the names.
     ///
     /// # Errors
     /// As [`Question::two_links`].
@@ -259,7 +262,8 @@ impl Question<'_> {
         Ok(links)
     }
 
-    /// The roller of a follower: its centre, the cam on which it rolls, and a point of that.
+    /// Returns the roller of a follower: its centre, the cam on which it rolls, and a point of the
+    /// cam.
     pub fn roller(&self, follower: LinkId) -> Option<(PointId, LinkId, PointId)> {
         let name = self.c.link_name(follower);
         self.c.raw.cams.iter().filter(|cam| cam.follower.text == name).find_map(|cam| {
@@ -269,7 +273,8 @@ impl Question<'_> {
         })
     }
 
-    /// The guides of the file in which a pin or a slider of this name runs, each with the pin.
+    /// Returns the guides of the file in which a pin or a slider with this name runs, each with the
+    /// pin.
     pub fn guides_of(&self, name: &str) -> Vec<(GuideId, Option<PointId>)> {
         let is = |word: &Option<Word>| word.as_ref().is_some_and(|w| w.text == name.trim());
         let mine = |(_, g): &(usize, &RawGuide)| !g.contact && (is(&g.pin) || is(&g.slider));
@@ -277,40 +282,40 @@ impl Question<'_> {
         self.c.raw.guides.iter().enumerate().filter(mine).map(|(k, g)| (GuideId(k), pin(g))).collect()
     }
 
-    /// Whether a link is the follower of a cam.
+    /// Returns true if a link is the follower of a cam.
     pub fn is_follower(&self, name: &str) -> bool {
         self.c.raw.cams.iter().any(|cam| cam.follower.text == name.trim())
     }
 
-    /// The point of a follower's round end that touches a cam.
+    /// Returns the point of a follower's round end that touches a cam.
     pub fn end_of(&self, follower: LinkId) -> Option<PointId> {
         let name = self.c.link_name(follower);
         let cam = self.c.raw.cams.iter().find(|cam| cam.follower.text == name && !matches!(cam.follows, RawFollows::Face(_)))?;
         self.c.names.point(cam.follows.pin()?).ok()
     }
 
-    /// The first point of a link.
+    /// Returns the first point of a link.
     pub fn first_point(&self, link: LinkId) -> Option<PointId> {
         self.c.names.links[link.0].points.first().copied()
     }
 
-    /// A point of the scene, whatever it is on.
+    /// Returns a point of the scene, on any link.
     pub fn any_point(&self) -> Option<PointId> {
         (!self.c.names.points.is_empty()).then_some(PointId(0))
     }
 
-    /// Two different points.
+    /// Returns two different points.
     ///
     /// # Errors
-    /// Names that are no two points.
+    /// Names of other than two points.
     pub fn pair(&self) -> Result<(PointId, PointId), Diagnostic> {
         self.c.names.pair_in(self.names, self.word)
     }
 
-    /// One or two points, each perhaps of a certain link.
+    /// Returns one or two points, each with its link if the name includes one.
     ///
     /// # Errors
-    /// Names that are no points.
+    /// Names that are not points.
     pub fn points(&self) -> Result<(OnLink, Option<OnLink>), Diagnostic> {
         if self.c.names.is_link_only(self.names) {
             return Err(self.of_a_link());
@@ -318,10 +323,10 @@ impl Question<'_> {
         self.c.names.on_links(self.names, self.word)
     }
 
-    /// Two points of which the one is seen from the other.
+    /// Returns two points; the first is observed from the second.
     ///
     /// # Errors
-    /// Names that are no two points, or twice the same.
+    /// Names of other than two points, or the same point twice.
     pub fn two_points(&self) -> Result<(OnLink, OnLink), Diagnostic> {
         let (of, to) = self.points()?;
         let to = to.ok_or_else(|| self.names_one_point())?;
@@ -331,13 +336,14 @@ impl Question<'_> {
         Ok((of, to))
     }
 
-    /// A point, and behind a stroke the frame from which it is seen, a link or a point; `None` where there is no stroke.
+    /// Returns a point and, after a slash, the frame from which it is observed, a link or a point;
+    /// `None` without a slash.
     ///
     /// # Errors
-    /// Names that are no point, and no link or point.
+    /// Names that are not a point and a link or point.
     pub fn point_and_frame(&self) -> Result<Option<(OnLink, Frame)>, Diagnostic> {
         let Some((point, frame)) = self.names.split_once('/') else {
-            // A symbol of which all quantities have a frame.
+            // A symbol all of whose quantities have a frame.
             let (symbol, first) = (self.symbol, quantity::symbols().into_iter().find(|e| e.symbol == self.symbol));
             let d = self.fault(both!("`{}` names no frame", "`{}` 没有写动系", self.text()));
             let example = first.map_or("", |e| e.example);
@@ -349,29 +355,29 @@ impl Question<'_> {
         self.c.names.seen_from(point.trim(), frame.trim(), self.word).map(Some)
     }
 
-    /// How a point is called.
+    /// Returns the name of a point.
     pub fn point_name(&self, p: PointId) -> &str {
         self.c.point_name(p)
     }
 
-    /// The ground.
+    /// Returns the ground.
     pub fn ground(&self) -> LinkId {
         self.c.ground
     }
 
-    /// Whether it is the ground.
+    /// Returns true if the link is the ground.
     pub fn is_ground(&self, link: LinkId) -> bool {
         link == self.c.ground
     }
 
-    /// Whether a link has an angle: by two points, or by a guide.
+    /// Returns true if a link has an angle: by two points, or by a guide.
     pub fn has_angle(&self, link: LinkId) -> bool {
         let name = self.c.link_name(link);
         let guided = self.c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == name));
         guided || self.c.names.links[link.0].points.len() >= 2
     }
 
-    /// Whether a cylinder has these ends.
+    /// Returns true if the two points are the ends of a cylinder.
     pub fn are_ends_of_a_cylinder(&self, a: PointId, b: PointId) -> bool {
         self.c.raw.drivers.iter().any(|d| match &d.kind {
             RawDriverKind::Cylinder { ends, .. } => {
@@ -392,7 +398,8 @@ impl Question<'_> {
         d.help(both!("write for example {example}", "例如写 {example}"))
     }
 
-    /// A velocity is of a point: which points of a link can be asked, where a link is named.
+    /// Returns the fault of a quantity of a point that names a link, with the points of the link as
+    /// help.
     fn of_a_link(&self) -> Diagnostic {
         let (c, symbol, link) = (self.c, self.symbol, self.names);
         let d = self.fault(both!(
@@ -402,7 +409,8 @@ impl Question<'_> {
         ));
         let own = c.names.links.iter().find(|l| l.name == link).map_or(&[][..], |l| &l.points);
         let own = own.iter().map(|p| format!("{symbol}_{}", c.point_name(*p)));
-        // Where a pin runs in the link's guide, the link has a point at the same place, and a motion of its own there.
+        // Where a pin runs in the link's guide, the link has a coincident point with its own
+        // motion.
         let pins = c.raw.guides.iter().filter(|g| g.on.as_ref().is_some_and(|on| on.text == link)).filter_map(|g| g.pin.as_ref());
         let pins = pins.map(|pin| format!("{symbol}_{}", c.names.run(&pin.text, link)));
         let all: Vec<String> = if PointMotion::takes(self) { own.chain(pins).collect() } else { own.collect() };

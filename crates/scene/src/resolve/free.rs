@@ -1,11 +1,13 @@
-//! Centres of gears that nothing places. A train told by its numbers of teeth has angular velocities without having a size or a direction:
-//! where only these are asked, the centres are laid along the x axis, as a book draws them.
+//! Places of gear centres that the data leave free. A gear train given by its numbers of teeth
+//! alone has definite angular velocities without sizes and directions: if the scene asks only for
+//! these, the centres are placed along the x axis, as in books.
 
 use super::super::quantity::Asked;
 use super::super::rolling::{Contours, Sizes};
 use super::*;
 
-/// Lays free centres along the x axis, each as far from the one before as lengths or radii say, else as teeth of 1 mm module make it.
+/// Places free centres along the x axis, each at the distance that lengths or radii give, else at
+/// that of teeth of 1 mm module.
 pub(super) fn centres(
     c: &Context,
     (rolling, drivers, find): (&mut rolling::Resolved, &[Driver], &[Find]),
@@ -18,7 +20,8 @@ pub(super) fn centres(
         return;
     }
     let mut laid: Vec<PointId> = Vec::new();
-    // A chain of gears is laid from its first axis on: once more for every centre that a round has found.
+    // A chain of gears is placed from its first axis on; each pass may make further centres
+    // reachable.
     loop {
         let before = (laid.len(), rolling.lengths.len());
         for i in 0..rolling.rolling.len() {
@@ -46,7 +49,8 @@ pub(super) fn centres(
     }
 }
 
-/// Lays the centre `to` of a pair beside `from`, if it is free and that one is placed; of an arm with an angle its length alone.
+/// Places the centre `to` of a pair beside `from`, if `to` is free and `from` is placed. For an arm
+/// with a given angle it adds only the length.
 fn lay(
     c: &Context,
     (rolling, pair, drivers): (&mut rolling::Resolved, usize, &[Driver]),
@@ -60,7 +64,7 @@ fn lay(
     if !anchored || !is_free(c, (arm, &*rolling, &*laid), (from, to), places, lengths) {
         return;
     }
-    // A further centre of an arm that meshes with two others stands over them, by its distance from each.
+    // A further centre of an arm that meshes with two others is placed by its distances from both.
     let placed = |q: &PointId| c.carries(arm, *q) && (laid.contains(q) || matches!(places[q.0], Place::At(_)));
     if on_arm(c, arm).any(|p| laid.contains(&p)) && neighbours(rolling, to).filter(placed).nth(1).is_some() {
         let given = |p: PointId, rolled: &[Length]| lengths.iter().chain(rolled).any(|l| (l.a, l.b) == (p, to) || (l.b, l.a) == (p, to));
@@ -84,19 +88,19 @@ fn lay(
     }
     let Place::At([x, y]) = &places[from.0] else { return };
     let (x, y) = (x.clone(), y.clone());
-    // A bare 0 has no dimension to which a length could be added.
+    // A bare 0 has no dimension, so that no length can be added to it.
     let bare = x.text.trim().parse::<f64>().is_ok();
     let text = if bare { distance.text.clone() } else { summed(&x.text, &distance.text, laid.contains(&from)) };
     let Some(x) = c.values.si(&RawQuantity { text, span: distance.span, bare: false }, Wanted::Length, &mut Faults::default()) else {
         return;
     };
     places[to.0] = Place::At([x, y]);
-    // The coordinates say it now.
+    // The coordinates replace this length.
     rolling.lengths.retain(|l| !between(l));
     laid.push(to);
 }
 
-/// Whether a fixed axis is placed. The first of several fixed axes of which none is, is the origin.
+/// Returns true if a fixed axis has a place. If no axis has one, the first is placed at the origin.
 fn anchor(c: &Context, p: PointId, places: &mut [Place]) -> bool {
     match places[p.0] {
         Place::At(_) => true,
@@ -112,8 +116,8 @@ fn anchor(c: &Context, p: PointId, places: &mut [Place]) -> bool {
     }
 }
 
-/// Whether nothing but the pairs of its gears says where a centre is: it is carried by the arm, or the ground, and by gears that are nothing
-/// but wheels about it.
+/// Returns true if only the gear pairs place a centre: the arm or the ground carries it, and all
+/// other links on it are plain wheels about it.
 fn is_free(
     c: &Context,
     (arm, rolling, laid): (LinkId, &rolling::Resolved, &[PointId]),
@@ -122,15 +126,16 @@ fn is_free(
     lengths: &[Length],
 ) -> bool {
     let unplaced = matches!(places[to.0], Place::Unknown) && !c.raw.points.iter().any(|(w, _)| w.text == c.point_name(to));
-    // All that an arm carries are centres of the train.
+    // True if an arm carries only centres of the train.
     let centre = |p: PointId| neighbours(rolling, p).next().is_some();
     let only_arm = arm == c.ground || on_arm(c, arm).all(centre);
     let wheels = (0..c.names.links.len())
         .map(LinkId)
         .filter(|l| *l != arm && c.carries(*l, to))
-        // Another arm about it that carries nothing but centres is as free as they are.
+        // Another arm about it that carries only centres is as free as they are.
         .all(|l| l != c.ground && on_arm(c, l).all(|p| p == to || centre(p)) && !guided(c, l));
-    // The first centre of an arm may be laid however far it is from the next ones: its direction is as free as it is.
+    // A length from the first centre of an arm to the next ones does not fix it, because the arm's
+    // direction is free.
     let first = arm != c.ground && !on_arm(c, arm).any(|p| laid.contains(&p));
     let inner = |l: &Length| first && c.carries(arm, l.a) && c.carries(arm, l.b);
     let measured = lengths.iter().any(|l| (l.a == to || l.b == to) && l.a != from && l.b != from && !inner(l));
@@ -144,12 +149,12 @@ fn is_free(
     unplaced && only_arm && wheels && !measured && !told && !runs && !rammed
 }
 
-/// The points of a link.
+/// Returns the points of a link.
 fn on_arm<'a>(c: &'a Context, arm: LinkId) -> impl Iterator<Item = PointId> + 'a {
     c.names.links[arm.0].points.iter().copied()
 }
 
-/// The centres with whose gears those about `centre` mesh.
+/// Returns the centres of the gears in mesh with those about `centre`.
 fn neighbours(rolling: &rolling::Resolved, centre: PointId) -> impl Iterator<Item = PointId> + '_ {
     let found: std::collections::BTreeSet<usize> = rolling
         .rolling
@@ -163,13 +168,14 @@ fn neighbours(rolling: &rolling::Resolved, centre: PointId) -> impl Iterator<Ite
     found.into_iter().map(PointId)
 }
 
-/// Whether a link carries a guide or slides in one.
+/// Returns true if a link carries a guide or slides in one.
 fn guided(c: &Context, link: LinkId) -> bool {
     c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == c.link_name(link)))
 }
 
-/// The text of a coordinate and a length behind it. Expressions are read only so deep and so long: what [`by_teeth`] makes is added up, and the sum
-/// that a laid centre has goes on without brackets.
+/// Returns the text of a coordinate plus a length. Expressions are limited in depth and length, so
+/// lengths of [`by_teeth`] are added as numbers, and the sum of a placed centre continues without
+/// further parentheses.
 fn summed(x: &str, distance: &str, is_sum: bool) -> String {
     let tenths = |text: &str| {
         let (whole, tenth) = text.strip_suffix(" mm")?.split_once('.')?;
@@ -183,8 +189,8 @@ fn summed(x: &str, distance: &str, is_sum: bool) -> String {
     }
 }
 
-/// The distance of the centres of two gears of 1 mm module; of two pulleys, whose distance is free, that at which the gap between them is as wide
-/// as both.
+/// Returns the distance of the centres of two gears of 1 mm module; for two pulleys, whose distance
+/// is free, twice the sum of the radii.
 fn by_teeth(c: &Context, rolling: &rolling::Resolved, pair: usize) -> Option<Given> {
     let text = match &rolling.rolling[pair].contours {
         Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } => {

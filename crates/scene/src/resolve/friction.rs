@@ -4,7 +4,7 @@ use super::guides::Numbered;
 use super::loads::{computed, positive};
 use super::*;
 
-/// The pairs of an entry: a pin, or the guides of a slider.
+/// Resolves the pairs of an entry: a pin, or the guides of a slider.
 pub(super) fn friction(c: &Context, guides: &[Numbered], raw: &RawFriction, faults: &mut Faults) -> Vec<Friction> {
     let pairs = match (&raw.pin, &raw.slider) {
         (Some(pin), None) => at_pin(c, pin, raw, faults).map(|pair| vec![pair]),
@@ -26,7 +26,7 @@ fn fault<T>(message: Both, help: Both, span: Span, faults: &mut Faults) -> Optio
     None
 }
 
-/// The coefficient of friction.
+/// Returns the coefficient of friction.
 fn coefficient(c: &Context, raw: &RawQuantity, faults: &mut Faults) -> Option<Given> {
     let value = c.values.pure_number(raw, faults)?;
     let given = Given { value, radius: 2.0 * f64::EPSILON * value.abs(), text: raw.text.clone(), span: raw.span };

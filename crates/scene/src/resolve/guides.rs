@@ -2,7 +2,8 @@
 
 use super::*;
 
-/// A guide with its number in the file: faulty guides are left out, and a driver may name one of those.
+/// A guide with its index in the file: faulty guides are dropped, and a driver may name one of
+/// them.
 pub(super) type Numbered = (Guide, usize);
 
 pub(super) fn guides(c: &Context, places: &[Place], faults: &mut Faults) -> Vec<Numbered> {
@@ -97,9 +98,10 @@ fn guide(c: &Context, raw: &RawGuide, places: &[Place], faults: &mut Faults) -> 
     sound.then_some(guide)
 }
 
-/// Lets a slider without a pin of its own run by one of its joints, so that the pair is the same as one that is written with its pin: a slider keeps its
-/// distance from its guide, and with it every parallel of the guide through a joint. A joint with coordinates has the parallel through it,
-/// another one lies on the guide as written.
+/// Gives a slider without a pin one of its joints as a pin, so that the pair equals one written
+/// with its pin. A slider keeps its distance from its guide, and so does every parallel to the
+/// guide through a joint. A joint with coordinates gets the parallel through it; another joint is
+/// on the guide as written.
 fn run_by_a_joint(c: &Context, guide: &mut Guide, places: &[Place]) {
     let (None, Some(slider), GuidePath::Line { through, offset, .. }) = (guide.pin, guide.slider, &mut guide.path) else { return };
     let joins = |p: PointId, l: usize| l != slider.0 && c.names.links[l].points.contains(&p);
@@ -159,7 +161,7 @@ fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &
         (Some((a, b)), turned) => Direction::Along(a, b, turned),
         (None, Some(angle)) if raw.slid => Direction::Slid(angle),
         (None, Some(angle)) => Direction::Instant(angle),
-        // Whatever it is, the pairs are the same.
+        // For a mobility count, the direction has no effect.
         (None, None) if c.raw.extent.is_of_pairs() => {
             Direction::Instant(Given { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span: raw.span })
         }
@@ -207,7 +209,8 @@ pub(super) fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Fa
     }
 }
 
-/// A guide without a direction gives its link its direction: a lever known by its pivot and its slot only.
+/// Resolves a guide without a direction, which orients its link: a lever known by its pivot and its
+/// slot only.
 fn own(
     c: &Context,
     raw: &RawGuide,

@@ -50,15 +50,15 @@ pub(super) fn lengths(c: &Context, faults: &mut Faults) -> Vec<Length> {
     out
 }
 
-/// Whether two lengths that are given in two ways mean the same. Coordinates are often written to six or seven digits, so a
-/// tighter bound would call them contradictory; a millionth of a length is far below what paper shows, and what a larger bound
-/// would let through changes the fifth digit of an answer.
+/// Returns true if two lengths given in two ways agree. Coordinates are often written to six or
+/// seven digits, so a tighter bound would report contradictions; a millionth of a length is far
+/// below what paper shows, and differences above the bound change the fifth digit of an answer.
 pub(super) fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * a.abs().max(b.abs())
 }
 
-/// The unit in which the file writes its lengths: that of the `units` table, else that of the first length, parameter or
-/// coordinate that shows one, else millimetres.
+/// Returns the unit in which the file writes its lengths: that of the `units` table, else that of
+/// the first length, parameter or coordinate with a unit, else millimetres.
 pub(super) fn unit(c: &Context) -> &'static Unit {
     let coordinates = c.raw.points.iter().flat_map(|(_, place)| match place {
         RawPlace::At(xy) | RawPlace::InLink { xy, .. } => xy.as_slice(),
@@ -69,12 +69,12 @@ pub(super) fn unit(c: &Context) -> &'static Unit {
     table.or_else(|| unit_shown(c)).or_else(|| coordinates.clone().find_map(unit_in)).unwrap_or_else(usual)
 }
 
-/// The unit of the first length (or parameter) that shows one.
+/// Returns the unit of the first length (or parameter) with a unit.
 pub(super) fn unit_shown(c: &Context) -> Option<&'static Unit> {
     c.raw.lengths.iter().chain(&c.raw.parameters).find_map(|(_, q)| unit_in(q))
 }
 
-/// The unit of length with which a quantity ends.
+/// Returns the unit of length at the end of a quantity.
 fn unit_in(q: &RawQuantity) -> Option<&'static Unit> {
     let word = q.text.trim_end().rsplit(|c: char| !c.is_ascii_alphabetic()).next()?;
     unit_named(word).filter(|u| u.dim == Wanted::Length.dim())

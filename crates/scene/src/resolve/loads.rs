@@ -23,7 +23,7 @@ pub(super) fn loads(c: &Context, moving: Moving, faults: &mut Faults) -> Loads {
     }
 }
 
-/// A link that can be loaded: ground takes no load, which a note says.
+/// Returns a link that can be loaded. Loads on the ground have no effect, which a note says.
 pub(super) fn loaded(c: &Context, word: &Word, faults: &mut Faults) -> Option<LinkId> {
     let link = note(c.names.link(word), faults)?;
     if link != c.ground {
@@ -47,12 +47,12 @@ pub(super) fn positive(given: Given, what: Both, faults: &mut Faults) -> Option<
     None
 }
 
-/// An optional quantity; `None` where it has a fault.
+/// Resolves an optional quantity; `None` if it has a fault.
 fn optional(c: &Context, raw: Option<&RawQuantity>, wanted: Wanted, faults: &mut Faults) -> Option<Option<Given>> {
     transpose(raw.map(|q| c.values.si(q, wanted, faults).and_then(|given| positive(given, wanted.describe(), faults))))
 }
 
-/// A quantity that is computed from others of the file.
+/// Resolves a quantity that is computed from others of the file.
 pub(super) fn computed(c: &Context, text: String, span: Span, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
     c.values.si(&RawQuantity { text, span, bare: true }, wanted, faults)
 }
@@ -116,7 +116,7 @@ fn mass(c: &Context, raw: &RawMass, gravity: Option<&[Given; 2]>, faults: &mut F
     Some(Mass { link, m, weight, j, at, span: raw.span })
 }
 
-/// A point that the link carries.
+/// Returns a point that the link carries.
 pub(super) fn on_link(c: &Context, word: &Word, link: LinkId, faults: &mut Faults) -> Option<PointId> {
     let point = note(c.names.point(word), faults)?;
     if c.carries(link, point) {
@@ -127,7 +127,8 @@ pub(super) fn on_link(c: &Context, word: &Word, link: LinkId, faults: &mut Fault
     None
 }
 
-/// The link on which a spring acts at a point: the only one that carries it, of several a moving one.
+/// Returns the link on which a spring acts at a point: the only one that carries it, or else a
+/// moving one.
 fn carrier(c: &Context, point: PointId) -> Option<LinkId> {
     let mut on = (0..c.names.links.len()).map(LinkId).filter(|l| c.carries(*l, point));
     let first = on.next()?;

@@ -1,7 +1,8 @@
-//! Raw scene to [`Scene`]: names to ids, texts to SI values, and every rule of the format that one file can break.
+//! Raw scene to [`Scene`]: names to ids, texts to SI values, and all checks that concern one file.
 //!
-//! Each file reads one section. All of them go on after a fault, so that one run shows them all; only what hangs on a
-//! broken part is passed over in silence. Whether the given things suffice to fix the mechanism is not decided here.
+//! Each file reads one section and continues after a fault, so that one run reports all faults;
+//! parts that depend on a faulty part are skipped silently. Other modules decide whether the data
+//! determine the mechanism.
 
 mod answers;
 mod applied;
@@ -33,7 +34,7 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
 use hodograph_base::json::Word;
 use hodograph_base::json::fields::suggest;
 
-/// What every section needs.
+/// The common data of all sections.
 struct Context<'a> {
     raw: &'a RawScene,
     values: &'a Values<'a>,
@@ -41,7 +42,7 @@ struct Context<'a> {
     ground: LinkId,
     /// The places of contact of the rolling pairs.
     contacts: &'a [[PointId; 2]],
-    /// The contacts of cams that are points of the scene, each with its cam's place in the file.
+    /// The contacts of cams that are points of the scene, each with its cam's index in the file.
     touches: &'a [(PointId, usize)],
 }
 
@@ -50,7 +51,7 @@ impl Context<'_> {
         self.names.links[link.0].points.contains(&point)
     }
 
-    /// The centre of something round on a link; `why` says what the link carries.
+    /// Returns the centre of a round contour on a link; `why` describes the contour for the fault.
     fn centre_on(&self, word: &Word, link: LinkId, why: Both, faults: &mut Faults) -> Option<PointId> {
         let centre = note(self.names.point(word), faults)?;
         if self.carries(link, centre) {
@@ -61,18 +62,18 @@ impl Context<'_> {
         None
     }
 
-    /// Whether a point is the contact of a pair, on no link.
+    /// Returns true if a point is the contact of a pair, on no link.
     fn is_contact(&self, point: PointId) -> bool {
         self.contacts.iter().any(|at| at.contains(&point)) || self.touches.iter().any(|(at, _)| *at == point)
     }
 
-    /// Whether a link is a wheel, or what a wheel rolls on.
+    /// Returns true if a link is a wheel or the track of a wheel.
     fn rolls(&self, link: LinkId) -> bool {
         let named = |s: &RawRollingSide| s.link.as_ref().is_some_and(|w| w.text == self.link_name(link));
         self.raw.rolling.iter().any(|p| p.sides.iter().any(named))
     }
 
-    /// A link that carries both points.
+    /// Returns a link that carries both points.
     fn common(&self, a: PointId, b: PointId) -> Option<LinkId> {
         (0..self.names.links.len()).map(LinkId).find(|l| self.carries(*l, a) && self.carries(*l, b))
     }
@@ -85,7 +86,7 @@ impl Context<'_> {
         &self.names.links[l.0].name
     }
 
-    /// The points of a link, for a help line.
+    /// Returns the points of a link, for a help line.
     fn points_of(&self, l: LinkId) -> Both {
         match self.names.links[l.0].points.as_slice() {
             [] => both!("link `{}` has no points", "构件 `{}` 没有点", self.link_name(l)),
@@ -96,7 +97,7 @@ impl Context<'_> {
         }
     }
 
-    /// A pair of points that must both be on `link`.
+    /// Returns a pair of points that must both be on `link`.
     fn line_on(&self, word: &Word, link: LinkId) -> Result<(PointId, PointId), Diagnostic> {
         let (a, b) = self.names.pair(word)?;
         match [a, b].into_iter().find(|p| !self.carries(link, *p)) {
@@ -109,14 +110,14 @@ impl Context<'_> {
     }
 }
 
-/// Hands a fault over and goes on without the value.
+/// Records a fault and returns `None` in its place.
 fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
     result.map_err(|d| faults.push(d)).ok()
 }
 
 pub(super) use find::{Question, begins_a_question};
 
-/// `Some(None)` for what is absent, `None` for what has a fault.
+/// Returns `Some(None)` for absent data, `None` for faulty data.
 fn transpose<T>(found: Option<Option<T>>) -> Option<Option<T>> {
     match found {
         None => Some(None),
@@ -125,12 +126,12 @@ fn transpose<T>(found: Option<Option<T>>) -> Option<Option<T>> {
     }
 }
 
-/// A quantity that the file does not write, such as the coordinates of a pivot at the origin.
+/// A quantity that is not in the file, such as the coordinates of a pivot at the origin.
 fn zero(span: Span) -> Given {
     Given { value: 0.0, radius: 0.0, text: "0".to_owned(), span }
 }
 
-/// What a file that is no scene has in common with one.
+/// The data that other files share with a scene.
 pub(super) struct Opening {
     pub title: Option<Localized>,
     pub language: Option<Lang>,
@@ -138,7 +139,7 @@ pub(super) struct Opening {
     pub book: Book,
 }
 
-/// Title, language, paper and units of a file that is no scene.
+/// Resolves title, language, paper and units of a file other than a scene.
 pub(super) fn front(raw: &RawScene, values: &Values, faults: &mut Faults) -> Opening {
     let book = answers::book(raw, faults);
     let paper = paper::paper(raw, values, &book, faults);
@@ -146,20 +147,21 @@ pub(super) fn front(raw: &RawScene, values: &Values, faults: &mut Faults) -> Ope
     Opening { title: localized(&raw.title), language: paper::language(raw, faults), paper, book }
 }
 
-/// Resolves a whole scene. The result means something only where no error has been added to `faults`.
+/// Resolves a whole scene. The result is valid only if no error has been added to `faults`.
 pub(super) fn resolve(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
     let mut found = Faults::default();
     let scene = with_cams(raw, source, &mut found);
     if !raw.links_sound {
         found.list.retain(|d| !matches!(d.code, "unknown-point" | "unknown-link" | "not-on-link" | "no-points" | "too-few-links"));
     }
-    // With an error already found, a remark about what is unused would be noise.
+    // After an error, notes on unused parameters have no value.
     let broken = faults.has_errors() || found.has_errors();
     faults.list.extend(found.list.into_iter().filter(|d| !broken || d.code != "unused-parameter"));
     scene
 }
 
-/// The sections of a scene whose cams have been written as other pairs; without cams those of the scene itself.
+/// Resolves the sections of a scene after its cams have been replaced by other pairs; without cams,
+/// the sections as they are.
 fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
     if raw.cams.is_empty() {
         let mut scene = sections(raw, source, faults)?;
@@ -168,13 +170,13 @@ fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene>
     }
     let settled = rollers::settled(raw, faults);
     let marked = marked::marked(&settled);
-    // What is wrong besides the cams is told when all is read.
+    // Faults outside the cams are reported by the full reading.
     let Some(bare) = sections(&marked, source, &mut Faults::default()) else { return sections(&marked, source, faults) };
     let mut scene = expanded(raw, &marked, source, &bare, None, faults)?;
     for cam in 0..scene.cams.len() {
         let Some(pieces) = &scene.cams[cam].posed else { continue };
         let rest = (0..pieces.segments.len()).filter(|piece| *piece != pieces.touched);
-        // One that cannot be touched makes no scene.
+        // A piece that cannot be touched gives no scene.
         let on = |piece| Some((piece, expanded(raw, &marked, source, &bare, Some((cam, piece)), &mut Faults::default())?));
         let others: Vec<(usize, Scene)> = rest.filter_map(on).collect();
         if let Some(pieces) = &mut scene.cams[cam].posed {
@@ -185,7 +187,8 @@ fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene>
     Some(scene)
 }
 
-/// The same with the cams written as other pairs; `on` puts the contact of a cam on a piece of its profile.
+/// Resolves a scene with the cams replaced by other pairs; `on` puts the contact of a cam on a
+/// piece of its profile.
 fn expanded(
     raw: &RawScene,
     marked: &RawScene,
@@ -198,14 +201,14 @@ fn expanded(
     let broken = faults.has_errors();
     let mut rest = Faults::default();
     let scene = sections(&expanded.raw, source, &mut rest);
-    // A parameter of a piece that is not touched is used all the same.
+    // A parameter of an untouched piece counts as used.
     let unused = |d: &Diagnostic| {
         let named = raw.parameters.iter().find(|(name, _)| d.span == Some(name.span));
         d.code == "unused-parameter" && named.is_some_and(|(name, _)| expanded.used.contains(&name.text))
     };
     faults.list.extend(rest.list.into_iter().filter(|d| !unused(d)));
     let mut scene = scene.filter(|_| !broken)?;
-    // A question for a roller stays as it was written.
+    // A question about a roller keeps its text.
     for word in raw.find.iter().flatten() {
         scene.find.iter_mut().filter(|f| f.span == word.span).for_each(|f| f.text.clone_from(&word.text));
     }
@@ -220,7 +223,8 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         let declare::Declared { points, links, ground, contacts, touches } = &declared;
         let (names, fixed) = (Names::new(points, links), ground.unwrap_or(LinkId(0)));
         let context = Context { raw, values: &values, names, ground: fixed, contacts, touches };
-        // Without a ground every guide and driver would be judged against the wrong link; the rest can still be read.
+        // Without a ground, guides and drivers would be judged against the wrong link; the other
+        // sections can still be read.
         let mut lengths = lengths::lengths(&context, faults);
         let mut places = places::places(&context, *ground, &lengths, faults);
         let sketch = places::sketch(&context, faults);
@@ -279,7 +283,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
     Some(scene)
 }
 
-/// The error of a pencil outside any scene, in mm.
+/// Returns the pencil error of a quantity outside a scene, in mm.
 pub(super) fn pencil(quantity: &RawQuantity, source: &str, faults: &mut Faults) -> Option<f64> {
     let (values, _) = Values::new(source, &[], &[], faults);
     paper::pencil_mm(quantity, &values, faults)
@@ -290,7 +294,7 @@ pub(super) fn width(quantity: &RawQuantity, source: &str, faults: &mut Faults) -
     paper::width_mm(quantity, &values, faults)
 }
 
-/// A text given in one language serves for both.
+/// Returns a text in both languages; a text in one language serves for both.
 pub(super) fn localized(raw: &Option<RawLocalized>) -> Option<Localized> {
     let raw = raw.as_ref()?;
     let text = |word: &Option<Word>| word.as_ref().map(|w| w.text.clone());

@@ -4,15 +4,15 @@ use super::*;
 use crate::book::Book;
 use hodograph_base::kind::Kind;
 
-/// ISO 216 sheets, upright, in mm.
+/// ISO 216 sheets in portrait format, in mm.
 const SHEETS: [(&str, [f64; 2]); 5] =
     [("A4", [210.0, 297.0]), ("A3", [297.0, 420.0]), ("A2", [420.0, 594.0]), ("A1", [594.0, 841.0]), ("A5", [148.0, 210.0])];
 
-/// Sides of a sheet in mm. On less than 20 mm no figure has room, and more than 5 m no printer takes; a picture of either size
-/// would only be an accident of units.
+/// Smallest and largest side of a sheet in mm. A figure does not fit in less than 20 mm, and
+/// printers do not take more than 5 m; such a side is a mistake in the units.
 const SIDES_MM: [f64; 2] = [20.0, 5000.0];
 
-/// No pencil is blunter than this (mm): a finger is.
+/// Largest accepted pencil error (mm).
 const BLUNTEST_MM: f64 = 5.0;
 
 pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut Faults) -> Paper {
@@ -28,7 +28,7 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
             faults.push(Diagnostic::error("not-positive", both!("`{key}` must be greater than zero", "`{key}` 应大于零")).at(q.span));
             return None;
         }
-        // The value counts per metre of paper.
+        // The value is per metre of paper.
         Some((kind, given.value / 1000.0))
     };
     let scales = [
@@ -45,7 +45,7 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
     }
 }
 
-/// The error of a pencil, in mm.
+/// Returns the pencil error, in mm.
 pub(crate) fn pencil_mm(q: &RawQuantity, values: &Values, faults: &mut Faults) -> Option<f64> {
     let given = values.positive_length(q, both!("the pencil error", "作图误差"), faults)?;
     let mm = given.value * 1000.0;
@@ -103,7 +103,7 @@ fn sides_mm(sides: &[RawQuantity; 2], values: &Values, faults: &mut Faults) -> O
     Some(mm)
 }
 
-/// The width of a page, in mm.
+/// Returns the width of a page, in mm.
 pub(super) fn width_mm(q: &RawQuantity, values: &Values, faults: &mut Faults) -> Option<f64> {
     let given = values.positive_length(q, both!("the width", "宽度"), faults)?;
     let mm = given.value * 1000.0;

@@ -3,7 +3,7 @@
 use super::lengths::same;
 use super::*;
 
-/// The place of every point, in the order of the points.
+/// Returns the place of every point, in the order of the points.
 pub(super) fn places(c: &Context, ground: Option<LinkId>, lengths: &[Length], faults: &mut Faults) -> Vec<Place> {
     let mut places = vec![Place::Unknown; c.names.points.len()];
     for (word, raw) in &c.raw.points {
@@ -38,7 +38,7 @@ fn place(c: &Context, point: Option<PointId>, raw: &RawPlace, faults: &mut Fault
     }
 }
 
-/// The base of a place in a link: two other points of a link that carries the point too.
+/// Returns the base of a place in a link: two other points of a link that also carries the point.
 fn self_or_base(c: &Context, point: Option<PointId>, word: &Word, faults: &mut Faults) -> Option<(PointId, PointId)> {
     let (a, b) = note(c.names.pair(word), faults)?;
     let point = point?;
@@ -63,12 +63,12 @@ fn self_or_base(c: &Context, point: Option<PointId>, word: &Word, faults: &mut F
     Some((a, b))
 }
 
-/// Places whose bases lead back to themselves: D by the base AC and C by the base AD.
+/// Reports places with circular bases: D by the base AC and C by the base AD.
 fn circular(c: &Context, places: &mut [Place], faults: &mut Faults) {
-    // 0 not seen, 1 on the way, 2 done.
+    // 0: not seen, 1: on the path, 2: done.
     let mut state = vec![0u8; places.len()];
     for start in 0..places.len() {
-        // An explicit stack: a chain of bases can be as long as there are points.
+        // An explicit stack: a chain of bases can be as long as the list of points.
         let mut stack = vec![(start, false)];
         while let Some((p, leaving)) = stack.pop() {
             if leaving {
@@ -87,7 +87,7 @@ fn circular(c: &Context, places: &mut [Place], faults: &mut Faults) {
                         .at(span)
                         .help(both!("take a base of points that are known without it", "请以不依赖它的已知点为基准")),
                 );
-                // Once said is enough; without its place the circle is open.
+                // Each circle is reported once; without this place it is open.
                 places[p] = Place::Unknown;
                 state[p] = 2;
                 continue;
@@ -102,8 +102,9 @@ fn circular(c: &Context, places: &mut [Place], faults: &mut Faults) {
     }
 }
 
-/// Ground pivots without coordinates: two with a length between them lie on the x axis, the first at the origin; a single
-/// one lies at the origin. Where any point has coordinates the frame of the plane is given already.
+/// Places ground pivots without coordinates: two with a length between them on the x axis, the
+/// first at the origin; a single one at the origin. If any point has coordinates, they already
+/// define the coordinate system.
 pub(super) fn pivots(c: &Context, ground: LinkId, lengths: &[Length], places: &mut [Place]) {
     if places.iter().any(|p| matches!(p, Place::At(_))) {
         return;
@@ -127,7 +128,7 @@ pub(super) fn pivots(c: &Context, ground: LinkId, lengths: &[Length], places: &m
     }
 }
 
-/// Lengths that the places of their ends contradict.
+/// Reports lengths that contradict the places of their ends.
 fn contradictions(c: &Context, lengths: &[Length], places: &[Place], faults: &mut Faults) {
     for length in lengths {
         let distance = match (&places[length.a.0], &places[length.b.0]) {
@@ -154,17 +155,17 @@ fn contradictions(c: &Context, lengths: &[Length], places: &[Place], faults: &mu
     }
 }
 
-/// A number for a message, with six digits.
+/// Rounds a number to six digits for a message.
 fn short(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-/// The rough coordinates of every point.
+/// Returns the rough coordinates of every point.
 pub(super) fn sketch(c: &Context, faults: &mut Faults) -> Vec<Option<[f64; 2]>> {
     let mut out = vec![None; c.names.points.len()];
     for (word, xy) in &c.raw.sketch {
         let point = note(c.names.point(word), faults);
-        // A sketch is rough: its bare numbers need no unit of their own.
+        // A sketch is rough: its bare numbers need no unit.
         let rough = |q: &RawQuantity| match (q.bare, c.values.has_unit(Wanted::Length)) {
             (true, false) => {
                 RawQuantity { text: format!("{} {}", q.text, super::lengths::unit_shown(c).map_or("m", |u| u.name)), ..q.clone() }
@@ -179,7 +180,7 @@ pub(super) fn sketch(c: &Context, faults: &mut Faults) -> Vec<Option<[f64; 2]>> 
     out
 }
 
-/// `"C": "left of BD"`.
+/// Resolves sides: `"C": "left of BD"`.
 pub(super) fn sides(c: &Context, faults: &mut Faults) -> Vec<Side> {
     let mut out = Vec::new();
     for (word, said) in &c.raw.sides {

@@ -1,18 +1,19 @@
-//! The sections `gears` and `rolling`: rolling pairs, the guides that keep them in touch, and the distances of their centres.
+//! The sections `gears` and `rolling`: rolling pairs, their guides, and the distances of their
+//! centres.
 
 use super::super::rolling::{Contours, Flanks, Rolling, RollingId, RollingKind, Sizes};
 use super::*;
 
-/// Most teeth of a gear: more are a mistyped number.
+/// Largest number of teeth of a gear; larger numbers are typing errors.
 const MOST_TEETH: u32 = 100_000;
 
-/// What the sections give.
+/// The results of the sections.
 #[derive(Default)]
 pub(super) struct Resolved {
     pub rolling: Vec<Rolling>,
-    /// Guides of the pairs, to stand behind those of the file.
+    /// Guides of the pairs, which follow those of the file.
     pub guides: Vec<Guide>,
-    /// Distances of centres that the sizes tell and the file does not.
+    /// Distances of centres that follow from the sizes and are not in the file.
     pub lengths: Vec<Length>,
 }
 
@@ -23,7 +24,7 @@ struct Side {
     centre: Option<PointId>,
 }
 
-/// `first_guide` is the number of the next guide.
+/// Resolves the rolling pairs; `first_guide` is the index of the next guide.
 pub(super) fn rolling(c: &Context, places: &[Place], lengths: &[Length], first_guide: usize, faults: &mut Faults) -> Resolved {
     let mut out = Resolved::default();
     for (raw, at) in c.raw.rolling.iter().zip(c.contacts) {
@@ -34,7 +35,7 @@ pub(super) fn rolling(c: &Context, places: &[Place], lengths: &[Length], first_g
         {
             out.rolling.push(pair);
         } else {
-            // A guide or a length of a pair with a fault would name a pair that is not there.
+            // A guide or a length of a faulty pair would refer to a missing pair.
             out.guides.truncate(before.0);
             out.lengths.truncate(before.1);
         }
@@ -53,7 +54,7 @@ fn pair(
     faults: &mut Faults,
 ) -> Option<Rolling> {
     let sides: Vec<Option<Side>> = raw.sides.iter().map(|s| side(c, s, faults)).collect();
-    // Its whole turns count.
+    // Whole turns of the phase count.
     let phase = raw.phase.as_ref().map(|q| c.values.angle_in_full(q, faults));
     let [Some(a), Some(b)] = sides[..] else { return None };
     if a.link == b.link {
@@ -123,7 +124,8 @@ fn pair(
     Some(Rolling { links: [a.link, b.link], contours, at, kind: raw.kind, phase, flanks, span: raw.span })
 }
 
-/// Whether something other than the phase says how a link stands: it is fixed, coordinates give two of its points, or a driver its angle.
+/// Returns true if data other than the phase fix the angle of a link: it is the ground, two of its
+/// points have coordinates, or a driver gives its angle.
 fn stands(c: &Context, link: LinkId, places: &[Place]) -> bool {
     let placed = c.names.links[link.0].points.iter().filter(|p| matches!(places[p.0], Place::At(_))).count();
     let turned = c.raw.drivers.iter().any(|d| match &d.kind {
@@ -145,7 +147,7 @@ fn side(c: &Context, raw: &RawRollingSide, faults: &mut Faults) -> Option<Side> 
     Some(Side { link, centre })
 }
 
-/// A wheel on a straight track: its centre runs along the track.
+/// Resolves a wheel on a straight track: its centre moves along the track.
 fn straight(
     c: &Context,
     raw: &RawRolling,
@@ -216,10 +218,11 @@ fn straight(
             return None;
         }
     };
-    // The wheel's centre runs beside the track, at the distance of its radius.
+    // The wheel's centre moves parallel to the track, at the distance of its radius.
     let (through, offset) = match &raw.through {
         Some(given) => (guides::through(c, on, given, faults)?, Some(radius.clone())),
-        // A wheel that coordinates place tells where its track is; else it is the line itself.
+        // A wheel with coordinates fixes the position of its track; else the track is the line
+        // itself.
         None => match &direction {
             Direction::Along(from, _, None) if matches!(places[wheel.0], Place::Unknown) => (Through::Point(*from), Some(radius.clone())),
             Direction::Along(..) | Direction::Instant(_) | Direction::Own | Direction::Slid(_) => (Through::Pin, None),
@@ -228,14 +231,16 @@ fn straight(
     Some((Contours::Track { centre: wheel, radius, guide }, GuidePath::Line { through, direction, offset }))
 }
 
-/// The direction of a track that nothing tells, for counting: that of the guide in which its link slides.
+/// Returns the direction of a track without one, for a mobility count: that of the guide in
+/// which its link slides.
 fn sliding_angle(c: &Context, on: LinkId, span: Span) -> Given<Angle> {
     let mine = |g: &&RawGuide| g.slider.as_ref().is_some_and(|w| w.text == c.link_name(on));
     let told = c.raw.guides.iter().find(mine).and_then(|g| g.angle.as_ref()).and_then(|q| c.values.angle(q, &mut Faults::default()));
     told.unwrap_or(Given { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span })
 }
 
-/// Two circles, and the radius of that about the first centre on which the second runs, where the sizes tell it.
+/// Resolves two circles, and the radius about the first centre of the path of the second, if it
+/// follows from the sizes.
 fn round(
     c: &Context,
     raw: &RawRolling,
@@ -285,7 +290,7 @@ fn round(
             larger(c, raw, hollow, [f64::from(za), f64::from(zb)], faults)?;
             match module {
                 None => (Sizes::Teeth([za, zb]), None),
-                // Shifted gears run at the distance that their centres have.
+                // Shifted gears run at the given distance of their centres.
                 Some(_) if raw.flanks.shift.is_some() => (Sizes::Teeth([za, zb]), None),
                 Some(module) => {
                     c.values.positive_length(module, both!("the module", "模数"), faults)?;
@@ -304,7 +309,7 @@ fn round(
     Some((Contours::Circles { centres, sizes, hollow, guide }, radius))
 }
 
-/// A hollow circle is the larger one.
+/// Checks that a hollow circle is the larger one.
 fn larger(c: &Context, raw: &RawRolling, hollow: Option<usize>, sizes: [f64; 2], faults: &mut Faults) -> Option<()> {
     let Some(i) = hollow else { return Some(()) };
     if sizes[i] > sizes[1 - i] {
@@ -319,7 +324,7 @@ fn larger(c: &Context, raw: &RawRolling, hollow: Option<usize>, sizes: [f64; 2],
     None
 }
 
-/// The distance of the centres, from the radii.
+/// Returns the distance of the centres from the radii.
 fn sum(c: &Context, a: &Given, b: &Given, hollow: Option<usize>) -> Option<Given> {
     let text = match hollow {
         None => format!("({})+({})", a.text, b.text),
@@ -329,7 +334,7 @@ fn sum(c: &Context, a: &Given, b: &Given, hollow: Option<usize>) -> Option<Given
     c.values.si(&RawQuantity { text, span: a.span, bare: false }, Wanted::Length, &mut Faults::default())
 }
 
-/// The distance of two centres on one link, where neither coordinates nor a length give it.
+/// Returns the distance of two centres on one link, if neither coordinates nor a length give it.
 fn distance(
     c: &Context,
     [p, q]: [PointId; 2],
@@ -346,10 +351,11 @@ fn distance(
     Some(Length { a: p, b: q, value: sum(c, a, b, hollow)? })
 }
 
-/// Pressure angles beyond this (rad) are mistyped: 20° is usual, 14.5° to 30° are made.
+/// Largest accepted pressure angle (rad): 20° is usual, 14.5° to 30° occur.
 const STEEPEST_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
-/// The flanks of two gears, or of a gear on its rack; `None` where something about them is wrong, `Some(None)` where nothing is known of them.
+/// Resolves the flanks of two gears, or of a gear on its rack; `None` if they have a fault,
+/// `Some(None)` if there are none.
 fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<Flanks>> {
     let RawFlanks { pressure_angle, shift, addendum, clearance } = &raw.flanks;
     let any = [pressure_angle, addendum, clearance].into_iter().flatten().chain(shift.iter().flatten()).next();
@@ -380,7 +386,7 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
         },
     };
     let number = |q: &RawQuantity| {
-        // A number has no dimension of its own in the table of units: it is read as so many metres.
+        // Plain numbers are not in the table of units, so the number is read in metres.
         let text = RawQuantity { text: format!("({})*(1 m)", q.text), span: q.span, bare: false };
         c.values.si(&text, Wanted::Length, &mut Faults::default()).map(|g| g.value).filter(|x| x.is_finite())
     };
@@ -417,7 +423,7 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
             },
         );
     }
-    // Faults of the numbers of teeth are told where the sizes are read.
+    // Faults of the numbers of teeth are reported where the sizes are read.
     let teeth: Vec<u32> = teeth.iter().filter_map(|z| whole(c, z, &mut Faults::default())).collect();
     let module = module.as_ref().and_then(|q| c.values.si(q, Wanted::Length, &mut Faults::default())).map(|g| g.value);
     let shifts = shifts.into_iter().collect::<Option<Vec<f64>>>()?;
@@ -431,7 +437,7 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
     (shifts.len() <= most).then_some(Some(Flanks { teeth, module, pressure_angle, shifts, addendum, clearance }))
 }
 
-/// A number of teeth.
+/// Reads a number of teeth.
 pub(super) fn whole(c: &Context, q: &RawQuantity, faults: &mut Faults) -> Option<u32> {
     let z = c.values.pure_number(q, faults)?;
     if z.fract() == 0.0 && (1.0..=f64::from(MOST_TEETH)).contains(&z) {

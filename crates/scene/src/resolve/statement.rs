@@ -1,7 +1,8 @@
-//! The section `statement`: words, mathematics between dollar signs, values of parameters in braces.
+//! The section `statement`: words, mathematics between dollar signs, values of parameters in
+//! braces.
 //!
-//! Decided here: what is a formula and what a dollar sign, and what a parameter's value looks like. Whether a formula can be read
-//! is the business of those who set it.
+//! This module separates formulas from dollar signs and writes the values of parameters. The
+//! typesetting modules check the formulas themselves.
 
 use super::*;
 use crate::book::Book;
@@ -27,10 +28,10 @@ pub(super) fn statement(
     }
 }
 
-/// Deeper braces are refused: those who set formulas recurse.
+/// Deepest nesting of braces: typesetting is recursive.
 const DEEPEST: usize = 24;
 
-/// Reads one text.
+/// Reader of one text.
 struct Reader<'a, 'f> {
     parameters: &'a [(String, Given)],
     values: &'a Values<'a>,
@@ -40,7 +41,7 @@ struct Reader<'a, 'f> {
 }
 
 impl<'a> Reader<'a, '_> {
-    /// Its paragraphs, one a line.
+    /// Returns its paragraphs, one per line.
     fn text(&mut self) -> Vec<Vec<Run>> {
         let text = &self.word.text;
         let mut from = 0;
@@ -53,7 +54,7 @@ impl<'a> Reader<'a, '_> {
         paragraphs
     }
 
-    /// The runs between two bytes of the text.
+    /// Returns the runs between two bytes of the text.
     fn line(&mut self, from: usize, to: usize) -> Vec<Run> {
         let line = &self.word.text[..to];
         let (mut runs, mut words) = (Vec::new(), String::new());
@@ -99,7 +100,7 @@ impl<'a> Reader<'a, '_> {
         trimmed(runs)
     }
 
-    /// The formula at a place, if its braces are not nested too deep.
+    /// Returns the formula at a place, if its braces are not nested too deeply.
     fn shallow(&mut self, place: (usize, usize)) -> Option<&'a str> {
         let word: &'a Word = self.word;
         let inner = &word.text[place.0..place.1];
@@ -119,7 +120,8 @@ impl<'a> Reader<'a, '_> {
         Some(inner)
     }
 
-    /// A formula, which begins at a byte of the text, with the values of the parameters that stand in it in braces of their own.
+    /// Returns a formula that begins at byte `from` of the text, with each parameter in braces
+    /// replaced by its value.
     fn with_values(&mut self, formula: &str, from: usize) -> String {
         let mut out = String::new();
         let mut at = 0;
@@ -142,7 +144,7 @@ impl<'a> Reader<'a, '_> {
         out
     }
 
-    /// The value of a parameter as it is written, in the label language: `120 mm`, `60\degree`.
+    /// Returns the value of a parameter as written, in the label language: `120 mm`, `60\degree`.
     fn value(&self, name: &str) -> Option<String> {
         let (_, given) = self.parameters.iter().rev().find(|p| p.0 == name)?;
         let dim = self.values.dim(name)?;
@@ -156,7 +158,7 @@ impl<'a> Reader<'a, '_> {
                 (false, false) => format!("\\text{{{}}}", text.replace(['{', '}'], "")),
             });
         };
-        // As written, whatever unit the answers have.
+        // As written, independent of the units of the answers.
         Some(match as_written(self.parameters, kind, text, given.value) {
             Told::AsWritten(digits, unit) => unit.label(&hodograph_base::digits::inked(&digits.replace('E', "e"))),
             Told::Computed(value, unit) => unit.label(&number(value)),
@@ -168,7 +170,7 @@ impl<'a> Reader<'a, '_> {
     }
 
     fn unknown(&mut self, name: &str, place: (usize, usize)) {
-        // A parameter with a fault of its own has been told of.
+        // A parameter with a fault has already been reported.
         if self.values.has_name(name) {
             return;
         }
@@ -190,7 +192,8 @@ impl<'a> Reader<'a, '_> {
         )));
     }
 
-    /// A place in the text as a place in the file; where escapes keep the two from running in step, the whole text.
+    /// Converts a place in the text to a place in the file; for a string with escapes, the place of
+    /// the whole text.
     fn place(&self, (from, to): (usize, usize)) -> Span {
         let Span { start, end } = self.word.span;
         let in_step = self.source.get(start + 1..end.saturating_sub(1)) == Some(self.word.text.as_str());
@@ -198,14 +201,16 @@ impl<'a> Reader<'a, '_> {
     }
 }
 
-/// Whether braces behind this part of a formula are no argument of a script or a command.
+/// Returns true if braces after this part of a formula are not the argument of a script or a
+/// command.
 fn stands_alone(before: &str) -> bool {
     let before = before.trim_end();
     !before.ends_with(['_', '^']) && !before.trim_end_matches(|c: char| c.is_ascii_alphabetic()).ends_with('\\')
 }
 
-/// Where the formula that begins here ends: before the next dollar sign in the line, if that follows no space and precedes no digit. `None`: the
-/// dollar sign before it is one. Those are the rules of Pandoc's Markdown, under which prices stay prices.
+/// Returns the end of the formula that begins here: the next dollar sign in the line, provided that
+/// it follows no space and precedes no digit. `None`: the opening dollar sign is an ordinary
+/// character. These are the rules of Pandoc's Markdown, under which prices remain text.
 fn closing(text: &str) -> Option<usize> {
     if text.starts_with(|c: char| c.is_whitespace() || c == '$') {
         return None;
@@ -218,7 +223,7 @@ fn closing(text: &str) -> Option<usize> {
     text.find('$').filter(ends)
 }
 
-/// The name in the braces with which a text begins.
+/// Returns the name in braces at the beginning of a text.
 fn braced(text: &str) -> Option<&str> {
     let inner = text.strip_prefix('{')?;
     let name = &inner[..inner.find('}')?];
@@ -230,7 +235,7 @@ fn push_words(runs: &mut Vec<Run>, words: &mut String) {
     if text.is_empty() {
         return;
     }
-    // Spaces in a row are one.
+    // A run of spaces counts as one.
     let mut one = String::with_capacity(text.len());
     for c in text.chars() {
         match (c.is_whitespace(), one.ends_with(' ')) {
@@ -242,7 +247,7 @@ fn push_words(runs: &mut Vec<Run>, words: &mut String) {
     runs.push(Run::Words(one));
 }
 
-/// A paragraph without spaces at its ends.
+/// Returns a paragraph without spaces at its ends.
 fn trimmed(mut runs: Vec<Run>) -> Vec<Run> {
     if let Some(Run::Words(first)) = runs.first_mut() {
         *first = first.trim_start().to_owned();

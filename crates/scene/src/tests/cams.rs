@@ -1,4 +1,4 @@
-//! Cams with faults: what the reader says of them.
+//! Messages of the reader for cams with faults.
 
 use super::with;
 

@@ -1,10 +1,10 @@
-//! What a scene means where it says a thing in another way than usual, says it twice, or does not quite say it.
+//! Unusual, repeated and incomplete statements in a scene, and their meaning.
 
 use super::{faults, good, read, with, written};
 use crate::quantity::Of;
 use crate::{Angle, DriverKind, GuideId, LinkId, OnLink, PointId};
 
-/// A disc that is nothing but its pivot and its slot, in which a pin runs that a rod guides.
+/// A disc with only its pivot and its slot, in which a pin runs that a rod guides.
 fn slotted(angle: &str, driver: &str) -> String {
     format!(
         r#"{{"links": {{"1": ["O"], "2": ["B", "C"], "4": ["O", "C"]}}, "ground": "4",
@@ -41,7 +41,7 @@ fn radians_are_pure_numbers_beside_a_time() {
     let scene = good(&driver("-vA/R1"));
     assert_eq!((scene.drivers[0].rate.value, scene.drivers[0].acceleration.as_ref().unwrap().value), (-5.0, 25.0));
     assert_eq!(good(&driver("vA/R1 - 60 rpm")).drivers[0].rate.value, 5.0 - std::f64::consts::TAU);
-    // A scale is no rate of turning, nor is a length of time.
+    // A dimensionless quotient is not an angular velocity, and an angular velocity is not a scale.
     assert!(faults(&driver("1 s*vA/R1")).contains("an angular velocity is wanted here"));
     assert!(faults(&with("paper", r#"{"mu_v": "10 rad/s"}"#)).contains("a scale of velocities is wanted here"));
 }
@@ -89,7 +89,8 @@ fn a_runner_of_two_guides_is_told_with_what_runs_in_one() {
     good(&text.replace(r#""slide": "B""#, r#""slide": "2""#));
 }
 
-/// What touches also runs in the pair that stands for the contact, of which the author has written nothing: its own guide is meant.
+/// A point of contact also runs in the guide that replaces the contact, which the author has not
+/// written: a driver refers to the point's own guide.
 #[test]
 fn a_driver_of_what_touches_means_its_guide() {
     let disc = r#"{"links": {"1": ["C"], "2": ["K"], "3": ["C", "F"]}, "ground": "1",
@@ -117,7 +118,7 @@ fn a_unit_in_the_divisor_is_told() {
     assert!(said.contains("`1/(2 mm)` is a quantity in 1/m (write it in mm)"), "{said}");
 }
 
-/// Behind whatever gives a number a unit makes it a quantity, as a product with one of the unit does.
+/// A unit after any numeric expression makes it a quantity, as a product with one unit does.
 #[test]
 fn a_unit_stands_behind_any_expression() {
     let numbers = [
@@ -203,7 +204,8 @@ fn a_loose_pin_in_two_slots_and_a_height_called_h() {
     assert_eq!(written(&scene.find[1].what), ("vr", Of::Points(on(None), on(Some(0)))));
 }
 
-/// A position by a law of time tells rate and acceleration, of drivers as of motions; a rate that is written counts.
+/// A position by a law of time determines rate and acceleration, for drivers and motions; a written
+/// rate has priority.
 #[test]
 fn drivers_by_laws_of_time() {
     let text = |time: &str, driver: &str| {

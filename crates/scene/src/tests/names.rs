@@ -1,10 +1,11 @@
-//! Names run together in questions, taken apart by the names that the scene declares.
+//! Joined names in questions, separated with the names that the scene declares.
 
 use super::*;
 
 #[test]
 fn names_that_overlap() {
-    // With O and O2 declared, O2 is the point; the point of link 2 at O has to be written with its partner or a comma.
+    // With O and O2 declared, O2 is the point; the point of link 2 at O needs its partner or a
+    // comma.
     let scene = |find: &str| {
         format!(
             r#"{{"links": {{"1": ["O", "O2"], "2": ["O2", "AB", "A"], "4": ["O", "B", "BB"]}}, "ground": "4",
@@ -26,7 +27,8 @@ mod any_input {
     use crate::templates;
     use proptest::prelude::*;
 
-    /// Reads, and prints what is said: neither may panic, and every place lies in the text.
+    /// Reads and prints the result or the faults: neither may panic, and every place must be within
+    /// the text.
     fn survives(source: &[u8]) {
         if let Err(faults) = read(source) {
             assert!(faults.has_errors() && !faults.to_string().is_empty());
@@ -38,7 +40,7 @@ mod any_input {
         }
     }
 
-    /// Pieces of which scenes and expressions are made, for mutations that get past the first check.
+    /// Pieces of scenes and expressions, for mutations that pass the first checks.
     const PIECES: &[&str] = &[
         "{}",
         "[]",

@@ -21,7 +21,7 @@ const WHEEL: &str = r#"{
  "driver": {"link": "2", "omega": "2 rad/s"},
  "find": ["omega_4"]}"#;
 
-/// A pair with other values of some keys: `null` leaves one out.
+/// Returns a pair with other values of some keys: `null` omits one.
 fn pair(of: &str, other: &str) -> String {
     let mut pair: serde_json::Map<String, serde_json::Value> = serde_json::from_str(of).unwrap();
     let other: serde_json::Map<String, serde_json::Value> = serde_json::from_str(&format!("{{{other}}}")).unwrap();
@@ -138,7 +138,7 @@ pub(super) fn bad() -> Vec<(&'static str, String)> {
     ]
 }
 
-/// What is told of a train by its teeth alone, and when.
+/// The note on a train given by its numbers of teeth, and the conditions for it.
 #[test]
 fn free_centres_are_told() {
     let train = r#"{"links": {"1": ["O"], "2": ["O", "P"], "3": ["P"], "4": ["O"]}, "ground": "1",
@@ -153,10 +153,12 @@ fn free_centres_are_told() {
     assert_eq!((place("O"), place("P")), ([0.0, 0.0], [0.0205, 0.0]));
     let code = |source: &str| read(source).map_or_else(|f| f.list, |s| s.notes).iter().map(|d| d.code).collect::<Vec<_>>();
     assert_eq!(code(train), ["free-centre"]);
-    // Of what depends on the place nothing is made up; an arm that has its place keeps it.
+    // A question that depends on the place gets no assumed place; an arm with a given place keeps
+    // it.
     assert_eq!(code(&train.replace("\"omega_2\"", "\"omega_2\", \"v_P\"")), [""; 0]);
     assert_eq!(code(&train.replace("\"parameters\"", "\"points\": {\"O\": [0, 0], \"P\": [\"30 mm\", 0]}, \"parameters\"")), [""; 0]);
-    // A planet that moves something else, or an arm with a further point, has a place that matters.
+    // The place of a planet that moves another link, or of an arm with a further point, has an
+    // effect.
     assert_eq!(code(&train.replace("\"3\": [\"P\"]", "\"3\": [\"P\", \"M\"]")), [""; 0]);
     assert_eq!(code(&train.replace("\"2\": [\"O\", \"P\"]", "\"2\": [\"O\", \"P\", \"M\"]")), [""; 0]);
     // The angle of a driven arm is kept; its length is free.
