@@ -1,7 +1,7 @@
 //! The command `curvature`: pole, inflection circle and centres of curvature of a link's paths, by drawing and by analysis.
 
 use super::draw::points_named;
-use super::{Failure, Input, Run, Told, args, choices, files};
+use super::{Failure, Input, Run, Told, args, choices, files, pencil};
 use crate::curvature::{Asked, centrodes, couplers, curvature};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::report::{curvature as report, curvature_json};
@@ -15,8 +15,12 @@ pub fn run(a: args::Curvature) -> Run {
     let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let asked = asked(&input.scene, &a)?;
+    if let Some(mm) = pencil(a.drafting.as_deref())? {
+        input.scene.paper.pencil_mm = Some(mm);
+    }
     let Warned { value, notes } = curvature(&input.scene, &asked).map_err(|f| input.failed(f))?;
     input.file.notes.extend(notes);
+    let value = if a.drafting.is_some() { value.with_drafting() } else { value };
     if a.json {
         let mut paths = Vec::new();
         for of in value.list.iter().filter(|_| a.centrodes) {

@@ -300,6 +300,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("curvature", "against", "相对哪个构件（默认：机架）"),
     ("curvature", "point", "求哪些点的轨迹（默认：构件上所有的点）"),
     ("curvature", "steps", "逐步给出尺规作图"),
+    ("curvature", "drafting", "手工作图时各位置和长度的误差，给出作图误差，如 0.1mm（默认：机构文件的值，否则 0.1 mm）"),
     ("curvature", "json", "结果为 JSON，国际单位制"),
     ("curvature", "centrodes", "连同瞬心在两平面中的轨迹（瞬心线）"),
     ("composite", "", "点的合成运动：哪些动点和动系可用、为何不可用，以及运动的各分量"),

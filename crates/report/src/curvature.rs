@@ -39,6 +39,7 @@ pub fn text(found: &Curvature, steps: bool, lang: Lang) -> String {
         lines.extend(w.remarks(of).iter().map(|r| format!("  {}", r.plain())));
         lines.extend(columns(&w.values(of), usize::MAX).into_iter().map(|r| format!("  {r}")));
         lines.extend(columns(&w.points(of), usize::MAX).into_iter().map(|r| format!("  {r}")));
+        lines.extend(w.by_hand(of).map(|told| format!("  {told}")));
         if let Some(apart) = of.apart() {
             let told = tr(lang, "drawing and analysis are apart by", "作图与解析相差");
             lines.push(format!("  {told} {apart:.1e}"));
@@ -160,14 +161,46 @@ impl Words<'_> {
         format!("{}_{{{digits},0}}", name_label(&name[..name.len() - digits.len()]))
     }
 
-    fn length(&self, m: f64) -> String {
+    /// Returns the unit of length, and how many there are in a metre.
+    fn unit(&self) -> (String, f64) {
         let scene = self.scene();
-        let (name, per_metre) = match scene.book.chosen(Kind::Length) {
+        match scene.book.chosen(Kind::Length) {
             Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
             None => (scene.length_unit.name.to_owned(), scene.length_unit.denominator / scene.length_unit.numerator),
-        };
+        }
+    }
+
+    fn length(&self, m: f64) -> String {
+        let (name, per_metre) = self.unit();
         let m = if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
         format!("{} {name}", significant(m * per_metre, DIGITS))
+    }
+
+    /// Returns the bound of a reading by hand: `± 12 mm`, `–` if there is none.
+    fn tolerance(&self, bound: Option<f64>) -> String {
+        let (unit, per_metre) = self.unit();
+        bound.map_or_else(|| "–".to_owned(), |m| format!("± {} {unit}", significant(m * per_metre, 2)))
+    }
+
+    /// Returns the meaning of the tolerances, if there are any.
+    fn by_hand(&self, of: &OfLink) -> Option<String> {
+        let (pencil, mu) = (of.by_hand.as_ref()?.pencil_mm, self.mu_l());
+        Some(match self.lang {
+            Lang::En => format!(
+                "by hand: 95 of 100 drawings to μ_l = {mu} m/mm with a pencil error of {pencil} mm fall within ±"
+            ),
+            Lang::Zh => format!("手工误差：按 μ_l = {mu} m/mm、作图误差 {pencil} mm 作图，100 次中有 95 次在 ± 之内"),
+        })
+    }
+
+    /// Returns the scale of the mechanism's drawing (m/mm).
+    pub(super) fn mu_l(&self) -> f64 {
+        self.found.worked.construction.diagram.mu
+    }
+
+    /// Returns a length as read off the drawing: `25.23 mm`.
+    pub(super) fn on_paper(&self, m: f64) -> String {
+        format!("{} mm", significant(m / self.mu_l(), 4))
     }
 
     fn place(&self, p: Point) -> String {
@@ -265,8 +298,20 @@ impl Words<'_> {
         let none = || "–".to_owned();
         let place = |p: Option<Point>| p.map_or_else(none, |p| self.place(p));
         let mut rows = vec![vec![String::new(), String::new(), tr(lang, "drawing", "作图").into(), tr(lang, "analysis", "解析").into()]];
+        rows[0].extend(of.by_hand.as_ref().map(|_| tr(lang, "by hand", "手工误差").to_owned()));
         let mut row = |symbol: String, name: [&'static str; 2], by_drawing: String, by_analysis: String| {
-            rows.push(vec![Phrase::new(&format!("${symbol}$")).plain(), tr(lang, name[0], name[1]).to_owned(), by_drawing, by_analysis]);
+            let mut cells =
+                vec![Phrase::new(&format!("${symbol}$")).plain(), tr(lang, name[0], name[1]).to_owned(), by_drawing, by_analysis];
+            // Velocities and the poles of acceleration rest on the polygons, whose tolerances `solve` gives.
+            let bound = of.by_hand.as_ref().and_then(|t| match name[0] {
+                "pole" => t.pole,
+                "inflection pole" => t.inflection_pole,
+                "inflection circle" => t.diameter,
+                "Ball's point" => t.ball,
+                _ => None,
+            });
+            cells.extend(of.by_hand.as_ref().map(|_| self.tolerance(bound)));
+            rows.push(cells);
         };
         row(self.pole(of), ["pole", "速度瞬心"], place(drawn.map(|d| d.pole)), self.place(pole.pole));
         if pole.stands() {
@@ -305,7 +350,8 @@ impl Words<'_> {
     fn points(&self, of: &OfLink) -> Vec<Vec<String>> {
         of.points
             .iter()
-            .map(|p| {
+            .enumerate()
+            .map(|(k, p)| {
                 let (name, drawn) = (self.scene().point_name(p.point).to_owned(), p.drawn.map(|d| d.centre));
                 let (radius, centre) = self.bend(p);
                 let drawn = match drawn {
@@ -313,12 +359,14 @@ impl Words<'_> {
                     Some(End::Infinity(_)) => tr(self.lang, "∞", "∞").to_owned(),
                     None => "–".to_owned(),
                 };
-                vec![
+                let mut row = vec![
                     format!("ρ_{name}"),
                     tr(self.lang, "radius, centre", "曲率半径、中心").to_owned(),
                     drawn,
                     format!("{radius}  {centre}"),
-                ]
+                ];
+                row.extend(of.by_hand.as_ref().map(|t| self.tolerance(t.radii[k])));
+                row
             })
             .collect()
     }

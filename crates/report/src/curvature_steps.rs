@@ -26,11 +26,12 @@ impl Words<'_> {
         if of.drawn().is_some_and(|d| d.normal == Vec2::ZERO) {
             return out.into_iter().map(|s| Phrase::new(&sentence(s, lang))).collect();
         }
+        let measured = of.drawn().map_or_else(String::new, |d| self.on_paper(d.normal.norm()));
         out.push(match lang {
-            Lang::En => {
-                format!("draw the circle on the diameter ${pole}{j}$, the inflection circle; the pole tangent $t$ is perpendicular to it at ${pole}$")
-            }
-            Lang::Zh => format!("以 ${pole}{j}$ 为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"),
+            Lang::En => format!(
+                "draw the circle on the diameter ${pole}{j}$ ({measured} on paper), the inflection circle; the pole tangent $t$ is perpendicular to it at ${pole}$"
+            ),
+            Lang::Zh => format!("以 ${pole}{j}$（图上 {measured}）为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"),
         });
         out.extend(of.points.iter().filter_map(|p| self.of_point(of, p)));
         if of.read.is_some() {
@@ -211,14 +212,15 @@ impl Words<'_> {
         if given {
             return None;
         }
+        let radius = drawn.centre.at().map_or_else(String::new, |c| self.on_paper(c.distance(p.at)));
         Some(match (drawn.centre, lang) {
             (End::Infinity(_), Lang::En) => format!("${e}$ lies on the inflection circle: its path is straight"),
             (End::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
             (End::At(_), Lang::En) => format!(
-                "draw the perpendicular to ${pole}{e}$ at ${pole}$: it meets ${e}{j}$ at ${h}$; the parallel to ${pole}{j}$ through ${h}$ meets ${pole}{e}$ at ${centre}$, the centre of the path of ${e}$"
+                "draw the perpendicular to ${pole}{e}$ at ${pole}$: it meets ${e}{j}$ at ${h}$; the parallel to ${pole}{j}$ through ${h}$ meets ${pole}{e}$ at ${centre}$, the centre of the path of ${e}$: ${e}{centre}$ = {radius} on paper"
             ),
             (End::At(_), Lang::Zh) => format!(
-                "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 ${h}$；过 ${h}$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心"
+                "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 ${h}$；过 ${h}$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心，图上 ${e}{centre}$ = {radius}"
             ),
         })
     }

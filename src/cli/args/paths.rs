@@ -20,6 +20,9 @@ pub struct Curvature {
     /// The construction with the ruler, step by step
     #[arg(long)]
     pub steps: bool,
+    /// The tolerance of each place and length when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
+    #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = crate::cli::values::length)]
+    pub drafting: Option<String>,
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,

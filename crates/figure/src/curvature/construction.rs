@@ -12,7 +12,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
 use hodograph_methods::curvature::drawing::{Drawing as Ruler, How, Rays};
 use hodograph_methods::curvature::known::Known;
-use hodograph_methods::curvature::motion::{Bend, State};
+use hodograph_methods::curvature::motion::Bend;
 use hodograph_methods::curvature::plane::End;
 use hodograph_methods::curvature::{Curvature, OfLink};
 use hodograph_paper::paper::drawing::{Drawing, Part};
