@@ -88,7 +88,7 @@ impl<N: Real> Assembly<'_, N> {
         self.coupled_aside(group, meant, None)
     }
 
-    /// Returns the group like [`Assembly::coupled`], with a driver moved from the instant, whose
+    /// Returns the group like [`Self::coupled_trial`], with a driver moved from the instant, whose
     /// configuration the assembly must know.
     pub(super) fn coupled_aside(&self, group: &Group, meant: &Configuration, aside: Option<Aside>) -> Result<Trial<N>, Diagnostic> {
         let unproven = |why| self.unproven(&group.links, why);
