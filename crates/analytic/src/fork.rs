@@ -2,12 +2,13 @@
 //!
 //! 1. The scene decides: a `side` that the pose just after the change point determines (at the pose
 //!    itself the points are in line), then the sketch.
-//! 2. Otherwise the assembly keeps its kind. A motion with joints at rest (two links fold onto each
-//!    other and turn as one) is taken last. Of the others, the one is taken with the angular velocities
-//!    of the links, ground included, that differ least from their mean. A parallelogram stays a
-//!    parallelogram: with crank rate 1 and the coupler rate u of the other motion, its rates 0, 1, 0, 1
-//!    have squares about the mean of 1, those of the antiparallelogram (0, 1, u, u − 1) have
-//!    1 + (u − 1)²; if u = 1 (a folded rhombus), the criterion of joints at rest decides.
+//! 2. Otherwise the assembly keeps its kind. A motion with joints at rest (two links fold onto
+//!    each other and turn as one) is taken last. Of the other motions, that one is taken in which
+//!    the angular velocities of the links, ground included, differ least from their mean. A
+//!    parallelogram stays a parallelogram: with crank rate 1 and the coupler rate u of the other
+//!    motion, its rates 0, 1, 0, 1 have squares about the mean of 1, those of the
+//!    antiparallelogram (0, 1, u, u − 1) have 1 + (u − 1)²; if u = 1 (a folded rhombus), the
+//!    criterion of joints at rest decides.
 //! 3. If the motions differ by the sense of time only (a driver that turns back at its limit): the
 //!    motion in which the first link that turns does so counter-clockwise.
 

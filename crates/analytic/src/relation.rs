@@ -58,7 +58,7 @@ pub(super) enum Relation {
     Turn { a: Handle, b: Handle, drive: [f64; 2] },
     /// k·(P − Q) is prescribed, k fixed in the body of Q; `arm` is the present P − Q.
     Along { p: Handle, q: Handle, k: Vec2, arm: Vec2, drive: [f64; 2] },
-    /// P − Q| is prescribed; `d` is the present P − Q.
+    /// |P − Q| is prescribed; `d` is the present P − Q.
     Distance { p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
     /// The angle of P − Q, measured from `body`, is prescribed; `d` is the present P − Q.
     Line { body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },

@@ -4,9 +4,10 @@
 //! null vector l and a right null vector z leaves one number open in every order, q̇ = p + y z, and
 //! its equations must satisfy a condition before they can be solved:
 //! - first order: l·Φ_t = 0, otherwise no velocity is finite: a *dead point*;
-//! - second order: A y² + B y + C = 0: a *change point* if it has two roots (two motions go through the
-//!   pose), no motion if it has none;
-//! - each further order is linear with the slope 2 A y + B and gives the acceleration, the jerk etc.
+//! - second order: A y² + B y + C = 0: a *change point* if it has two roots (two motions go
+//!   through the pose), no motion if it has none;
+//! - each further order is linear with the slope 2 A y + B and gives the acceleration, the jerk
+//!   etc.
 //!
 //! The same equation applies to a driver that is momentarily at rest at its own limit and turns
 //! back (B = 0, C its acceleration), and to one that stays at rest (C = 0: all links rest).

@@ -253,8 +253,8 @@ pub fn unit_balance<N: Real>(scene: &Scene, at: &Configuration<N>) -> Option<Loa
 const PRESSURE_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;
 
 /// Returns the forces by which teeth press gears apart, from the forces along the common tangent:
-/// F_t| tan α along the normal, so that the total force of the teeth is on the line of action. They do
-/// no work.
+/// |F_t| tan α along the normal, so that the total force of the teeth is on the line of action.
+/// They do no work.
 pub fn between_teeth<N: Real>(scene: &Scene, at: &Configuration<N>, tangential: &[(RollingId, Vec2<N>)]) -> Vec<Load<N>> {
     let mut out = Vec::new();
     for (r, force) in tangential {

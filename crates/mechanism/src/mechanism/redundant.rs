@@ -49,8 +49,8 @@ pub struct Redundant {
 pub(super) struct Opening {
     pub passive: Vec<Option<Passive>>,
     pub redundant: Vec<Redundant>,
-    /// The guide between gears that is the first to hold their distance, if it is another than the
-    /// default.
+    /// The guide between gears that comes first in the selection of those that hold a distance;
+    /// `None` for the order of the scene.
     pub touches: Option<GuideId>,
 }
 
