@@ -93,7 +93,7 @@ pub(super) fn angles(legs: &[TriadLeg; 3], scale: f64) -> Vec<f64> {
 
 /// Returns Σ a_k cos kφ + b_k sin kφ times (1 + t²)ⁿ, as coefficients of 1, t, t², ...
 ///
-/// With w = (1 + it)², whose angle is φ: cos kφ + i sin kφ = wᵏ/(1 + t²)ᵏ.
+/// With w = (1 + it)², of angle φ: cos kφ + i sin kφ = wᵏ/(1 + t²)ᵏ.
 fn in_half_tangents(series: &[(f64, f64)]) -> Vec<f64> {
     let times = |a: &[f64], b: &[f64]| {
         let mut out = vec![0.0; a.len() + b.len() - 1];

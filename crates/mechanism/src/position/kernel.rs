@@ -92,8 +92,8 @@ fn misses<N: Real>(radicand: N, size: N) -> bool {
 }
 
 /// Returns a radicand, set to zero in plain numbers if it is zero within rounding: the loci touch,
-/// and their intersection does not move by the square root of the rounding (1e-8 of the size, a
-/// dead centre missed by a hair's breadth).
+/// and their intersection does not move by the square root of the rounding (1e-8 of the size:
+/// a dead centre would be missed by as much).
 fn touching<N: Real>(radicand: N, size: N) -> N {
     if !N::refines() && radicand.approx().abs() <= 0.25 * TOUCH * size.approx() { N::from_f64(0.0) } else { radicand }
 }

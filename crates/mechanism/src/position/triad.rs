@@ -14,27 +14,27 @@ use hodograph_base::number::Real;
 pub enum TriadLeg<N = f64> {
     /// Local point `near` at `radius` from `far`.
     Circle {
-        /// In the link.
+        /// The point, in the frame of the link.
         near: Point<N>,
-        /// In the plane.
+        /// The centre, in the plane.
         far: Point<N>,
-        /// Distance, in m.
+        /// The distance (m).
         radius: N,
     },
     /// Local point `near` on a line of the plane.
     Line {
-        /// In the link.
+        /// The point, in the frame of the link.
         near: Point<N>,
         /// A point of the line, in the plane.
         through: Point<N>,
-        /// The line's, in the plane.
+        /// Direction of the line, in the plane.
         direction: Vec2<N>,
     },
     /// A line of the link passes a point of the plane.
     Slot {
-        /// A point of the line, in the link.
+        /// A point of the line, in the frame of the link.
         through: Point<N>,
-        /// The line's, in the link.
+        /// Direction of the line, in the frame of the link.
         direction: Vec2<N>,
         /// The point, in the plane.
         pin: Point<N>,

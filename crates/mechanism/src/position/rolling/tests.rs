@@ -19,8 +19,8 @@ fn whole_turns_are_those_of_what_is_known_roughly() {
     }
 }
 
-/// The centres of curvature are at Q − ρ₁n and Q + ρ₂n, if either wheel is the larger one, or
-/// hollow, or straight.
+/// The centres of curvature are at Q − ρ₁n and Q + ρ₂n for any ratio of sizes, and for hollow
+/// and straight contours.
 #[test]
 fn normals_point_from_the_first_contour_to_the_second() {
     let pair = |links: &str, centres: &str, more: &str| {
