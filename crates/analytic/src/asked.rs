@@ -1,9 +1,13 @@
-//! What the analysis answers to a question: vectors and rates are unknowns of the solution; the parts of a relative motion are derivatives of
-//! position equations.
+//! The answers of the analytic solution to the quantities that a scene requests: vectors and rates
+//! are unknowns of the solution; the parts of a relative motion are derivatives of position
+//! equations.
 //!
-//! Each part has its own coordinate: how far a point lies along and across a line of the carrying link ([`Along`](super::relation::Relation::Along)),
-//! how long the line of two points is ([`Distance`](super::relation::Relation::Distance)), how it turns ([`Line`](super::relation::Relation::Line)).
-//! The first and second derivatives of these coordinates at the solution are v_r, aʳ, aⁿ and aᵗ; the Coriolis part is the whole less these.
+//! Each part has its own coordinate: the position of a point along and across a line of the
+//! carrying link ([`Along`](super::relation::Relation::Along)), the length of the line between two
+//! points ([`Distance`](super::relation::Relation::Distance)), the rotation of that line
+//! ([`Line`](super::relation::Relation::Line)). The first and second derivatives of these
+//! coordinates at the solution are v_r, aʳ, aⁿ and aᵗ; the Coriolis part is the total less these
+//! parts.
 
 use super::Solution;
 use super::relation::{Handle, Pair, Row, along_line, distance, projection};
@@ -15,23 +19,24 @@ use hodograph_scene::quantity::{Frame, Meaning, Seen, Split, heading, ratio, spl
 use hodograph_scene::{Asked, GuideId, LinkId, OnLink, PointId, Scene};
 use nalgebra::DVector;
 
-/// Unknowns of a small system of its own: three of a body that turns, two of a point, two of another.
+/// Unknowns of a small separate system: three of a body that turns, two of a point, two of another
+/// point.
 type Unknowns = [f64; 7];
 const BODY: Handle = Handle { first: Some(0), turns: true, r: Vec2::ZERO };
 const POINT: Handle = Handle { first: Some(3), turns: false, r: Vec2::ZERO };
 const OTHER: Handle = Handle { first: Some(5), turns: false, r: Vec2::ZERO };
 
-/// The first derivative of the coordinate that a row is of, where nothing is given for it.
+/// Returns the first derivative of the coordinate of a row, with no value prescribed for it.
 fn first(row: &Row, x: &Unknowns) -> f64 {
     row.coefficients.iter().map(|(k, c)| c * x[*k]).sum()
 }
 
-/// Its second derivative.
+/// Returns the second derivative of the coordinate of a row.
 fn second(row: &Row, x: &Unknowns, xx: &Unknowns) -> f64 {
     first(row, xx) - row.acceleration(&DVector::from_column_slice(x))
 }
 
-/// The parts of the motion of one end of a line against the other.
+/// The parts of the motion of one end of a line relative to the other.
 struct Parts {
     normal: Vec2,
     tangential: Vec2,
@@ -40,7 +45,7 @@ struct Parts {
 }
 
 impl Solution {
-    /// What the loop equations answer to a question; `None` where they have no answer.
+    /// Returns the answer of the loop equations to a requested quantity; `None` if they have none.
     pub fn answer(&self, scene: &Scene, at: &Configuration, what: &Asked) -> Option<Value> {
         let level = what.level();
         let vector = |p: &OnLink| self.vector(level, p.point, p.link);
@@ -69,12 +74,13 @@ impl Solution {
                 let fastest = if at.extent() > 0.0 { turning.max(moving / at.extent()) } else { turning };
                 ratio([of(links[0])?, of(links[1])?], arm, fastest).map(Value::Scalar)
             }
-            // No row is of it: its own formula, with the places of the pose and the vectors and rates of the rows.
+            // No row determines this quantity: its own formula applies, with the positions of the
+            // pose and the vectors and rates of the solution.
             Some(Meaning::Place(_)) | None => evaluate(scene, at, self, what),
         }
     }
 
-    /// v_r alone, which asks for no acceleration.
+    /// Returns v_r alone, which needs no acceleration.
     fn sliding_velocity(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink) -> Option<Vec2> {
         match joined(scene, a, b)? {
             Joined::Guide(g) => Some(self.seen_from_guide(scene, at, g, a, b, Level::Velocity)?[0]),
@@ -94,8 +100,8 @@ impl Solution {
         }
     }
 
-    /// Velocity and acceleration of one coincident point against the other as the link that carries the guide sees them: from the
-    /// derivatives of two coordinates in that link.
+    /// Returns velocity and acceleration of one coincident point relative to the other, in the
+    /// frame of the link that carries the guide: the derivatives of two coordinates in that link.
     fn seen_from_guide(&self, scene: &Scene, at: &Configuration, g: GuideId, a: &OnLink, b: &OnLink, level: Level) -> Option<[Vec2; 2]> {
         let carrier = scene.guides[g.0].on;
         let (through, along) = match at.guides[g.0]? {
@@ -108,8 +114,9 @@ impl Solution {
         Some(seen.map(|v| v * sign))
     }
 
-    /// Velocity and acceleration of a point as a link sees it: from the derivatives of two coordinates in that link, counted from one of
-    /// its places along a direction and square to it.
+    /// Returns velocity and acceleration of a point relative to a link: the derivatives of two
+    /// coordinates in that link, measured from one of its points along a direction and square to
+    /// it.
     fn seen_from(
         &self,
         at: &Configuration,
@@ -119,7 +126,7 @@ impl Solution {
         level: Level,
     ) -> Option<[Vec2; 2]> {
         let place = at.points[runner.point.0]?;
-        // The origin of the carrier lies in `through`, so that its arm is none.
+        // The origin of the carrier is at `through`, so its arm is zero.
         let unknowns = |level| -> Option<Unknowns> {
             let (q, turning) = (self.at_place(level, carrier, through)?, self.turning(level, carrier)?);
             let p = self.vector(level, runner.point, runner.link)?;
@@ -136,7 +143,7 @@ impl Solution {
         Some(seen)
     }
 
-    /// An acceleration along a guide, parted along it and square to it.
+    /// Splits an acceleration at a guide into the part along the guide and the part square to it.
     fn along_guide(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink, whole: Vec2) -> Option<[Vec2; 2]> {
         let Joined::Guide(g) = joined(scene, a, b)? else { return None };
         Some(match at.guides[g.0]? {
@@ -145,7 +152,7 @@ impl Solution {
         })
     }
 
-    /// A part of the motion of a point seen from a frame.
+    /// Returns a part of the motion of a point relative to a frame.
     fn seen(&self, at: &Configuration, part: Seen, of: &OnLink, frame: Frame, about: Option<PointId>) -> Option<Vec2> {
         use Level::{Acceleration, Velocity};
         let seat = frame.transport_point(*of);
@@ -172,8 +179,8 @@ impl Solution {
         })
     }
 
-    /// The motion of one end of a line against the other, taken apart along and across the line: its length and its direction are the
-    /// coordinates.
+    /// Returns the motion of one end of a line relative to the other, split along and across the
+    /// line: its length and its direction are the coordinates.
     fn along_line(&self, at: &Configuration, a: &OnLink, b: &OnLink, level: Level) -> Option<Parts> {
         let d = at.points[a.point.0]? - at.points[b.point.0]?;
         let u = d.unit()?;
@@ -184,7 +191,8 @@ impl Solution {
         let mut x = unknowns(Level::Velocity)?;
         let xx = if level == Level::Acceleration { unknowns(level)? } else { Unknowns::default() };
         let pair = Pair::Pin(a.point);
-        // A body that turns with the line, so that the line keeps its angle against it; and a length that changes as it does.
+        // A body that turns with the line, so that the line keeps its angle to the body; and a
+        // length with the same rate of change as the line.
         let turning = along_line(BODY, POINT, OTHER, d, [0.0; 2], pair);
         x[2] = first(&turning, &x);
         let stretch = first(&distance(POINT, OTHER, d, [0.0; 2], pair), &x);
@@ -195,7 +203,7 @@ impl Solution {
         Some(Parts { normal, tangential, sliding, coriolis: whole - sliding[1] - normal - tangential })
     }
 
-    /// The vector of a link's point that lies at a place.
+    /// Returns the vector of the point of a link at a position.
     fn at_place(&self, level: Level, link: LinkId, place: Point) -> Option<Vec2> {
         if link == self.ground {
             return Some(Vec2::ZERO);

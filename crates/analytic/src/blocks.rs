@@ -1,15 +1,16 @@
-//! The square blocks into which a system falls, in the order in which they can be solved.
+//! Decomposition of a system into square blocks, in an order in which they can be solved.
 //!
-//! Each equation is matched with one of its unknowns; an unknown then rests on the others of its equation. What rests on
-//! each other is one block. Where the numbers stand plays no part, only which unknown occurs in which equation.
+//! Each equation is matched with one of its unknowns; an unknown then depends on the other unknowns
+//! of its equation. Unknowns that depend on each other form one block. The values of the
+//! coefficients have no influence, only the occurrence of unknowns in equations.
 //!
 //! # Source
-//! The fine decomposition of A. L. Dulmage and N. S. Mendelsohn; strong components by R. E. Tarjan, *Depth-first search and
-//! linear graph algorithms*, SIAM J. Comput. 1 (1972).
+//! The fine decomposition of A. L. Dulmage and N. S. Mendelsohn; strong components by R. E. Tarjan,
+//! *Depth-first search and linear graph algorithms*, SIAM J. Comput. 1 (1972).
 
 use super::relation::Row;
 
-/// Some equations and as many unknowns.
+/// A set of equations with as many unknowns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Block {
     /// Indices of the equations, ascending.
@@ -18,7 +19,8 @@ pub(super) struct Block {
     pub unknowns: Vec<usize>,
 }
 
-/// The blocks of a square system of `n` unknowns; the whole as one block where the unknowns do not allow a matching.
+/// Returns the blocks of a square system of `n` unknowns; the whole system as one block if the
+/// unknowns allow no matching.
 pub(super) fn blocks(rows: &[Row], n: usize) -> Vec<Block> {
     let lists: Vec<Vec<usize>> = rows
         .iter()
@@ -63,7 +65,7 @@ pub(super) fn of_lists(lists: &[Vec<usize>], n: usize) -> Vec<Block> {
     search.out.into_iter().map(block).collect()
 }
 
-/// Finds an unknown for row `r`, moving earlier rows to others of theirs where that helps.
+/// Finds an unknown for row `r`, and moves earlier rows to other unknowns of theirs if necessary.
 fn matched(r: usize, lists: &[Vec<usize>], row_of: &mut [Option<usize>], seen: &mut [bool]) -> bool {
     for &u in &lists[r] {
         if seen[u] {
@@ -82,10 +84,10 @@ fn matched(r: usize, lists: &[Vec<usize>], row_of: &mut [Option<usize>], seen: &
     false
 }
 
-/// Tarjan's search; components come out after those that they rest on.
+/// Tarjan's search; it returns components after those on which they depend.
 struct Search<'a> {
     rests_on: &'a [&'a [usize]],
-    /// 1 + the number of unknowns found before; 0 where not yet found.
+    /// 1 + the number of unknowns found before; 0 if not yet found.
     found: Vec<usize>,
     low: Vec<usize>,
     open: Vec<bool>,
@@ -126,7 +128,7 @@ mod tests {
 
     #[test]
     fn what_rests_on_each_other_is_one_block() {
-        // 0 and 1 together, 2 on 1, 3 alone.
+        // 0 and 1 together, 2 depends on 1, 3 alone.
         let blocks = of_lists(&[vec![0, 1], vec![1, 2], vec![0, 1], vec![3]], 4);
         let unknowns: Vec<&[usize]> = blocks.iter().map(|b| &b.unknowns[..]).collect();
         assert_eq!(unknowns, [&[0, 1][..], &[2], &[3]]);

@@ -1,4 +1,5 @@
-//! Followers of cams by a law: their motion is differentiated from the law, not taken from the arc that stands for the profile on paper.
+//! Followers of cams with a motion law: their motion is differentiated from the law, not taken from
+//! the arc that replaces the profile in the drawing.
 
 use super::relation::{Pair, Row};
 use super::rows::Layout;
@@ -7,27 +8,28 @@ use hodograph_mechanism::mechanism::Runner;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{Cam, GuideId, Scene, Turning};
 
-/// The cam whose contact a guide stands for, where its profile follows a law.
+/// Returns the cam with its law for a guide that represents the contact of a cam with a law.
 fn law_of(scene: &Scene, g: GuideId) -> Option<(&Cam, &Turning)> {
     let cam = scene.cams.iter().find(|c| c.contact == Some(g))?;
     let turning = cam.disc.as_ref()?;
     matches!(turning.disc.motion, Motion::Law { .. }).then_some((cam, turning))
 }
 
-/// True for a guide that stands for the contact of a cam by a law.
+/// True if a guide represents the contact of a cam with a law.
 pub(super) fn is_of_law(scene: &Scene, g: GuideId) -> bool {
     law_of(scene, g).is_some()
 }
 
 impl Layout {
-    /// The rows of all followers by laws.
+    /// Adds the rows of all followers of cams with a law.
     pub(super) fn by_laws(&self, scene: &Scene, at: &Configuration, rows: &mut Vec<Row>) {
         for g in (0..scene.guides.len()).map(GuideId) {
             rows.extend(law_of(scene, g).and_then(|(cam, turning)| self.by_law(scene, at, (cam, turning), Pair::Guide(g))));
         }
     }
 
-    /// The third derivative by the time, s⃛ = s‴φ̇³ + 3s″φ̇φ̈ in the units of its row, that a law gives its follower; 0 of other pairs.
+    /// Returns the third time derivative that a law prescribes for its follower, s⃛ = s‴φ̇³ +
+    /// 3s″φ̇φ̈ in the units of its row; 0 for other pairs.
     pub(super) fn third_by_law(&self, scene: &Scene, of: Pair) -> f64 {
         let Pair::Guide(g) = of else { return 0.0 };
         let Some((cam, t)) = law_of(scene, g) else { return 0.0 };
@@ -38,7 +40,8 @@ impl Layout {
         t.outward * (third * rate * rate * rate + 3.0 * second * rate * acceleration) * unit
     }
 
-    /// The motion that a law gives its follower: along its guide ṡ = s′φ̇, s̈ = s″φ̇² + s′φ̈, or the same of its angle.
+    /// Returns the row of the motion that a law prescribes for its follower: along its guide ṡ =
+    /// s′φ̇, s̈ = s″φ̇² + s′φ̈, and correspondingly for its angle.
     fn by_law(&self, scene: &Scene, at: &Configuration, (cam, t): (&Cam, &Turning), of: Pair) -> Option<Row> {
         let [_, first, second, _] = t.disc.coordinate(t.phi, t.side)?.0;
         let [rate, acceleration] = t.rates(scene);

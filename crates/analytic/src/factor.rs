@@ -1,28 +1,30 @@
-//! A square block factored so that it shows its rank: QR with column pivoting.
+//! Rank-revealing factorization of a square block: QR with column pivoting.
 //!
-//! Columns are scaled by powers of two first: the turning of a short link has small coefficients in every pose.
+//! Columns are first scaled by powers of two: the rotation of a short link has small coefficients
+//! in every pose.
 //!
 //! # Source
-//! P. Businger, G. H. Golub, *Linear least squares solutions by Householder transformations*, Numer. Math. 7 (1965).
+//! P. Businger, G. H. Golub, *Linear least squares solutions by Householder transformations*,
+//! Numer. Math. 7 (1965).
 
 use hodograph_mechanism::position::kernel::power_of_two_scale;
 use nalgebra::{ColPivQR, DMatrix, DVector, Dyn};
 
-/// A D P = Q R.
+/// The factorization A D P = Q R.
 pub(super) struct Factor {
     qr: ColPivQR<f64, Dyn, Dyn>,
     /// D.
     scale: Vec<f64>,
-    /// By how much scaling may have magnified the rounding of the coefficients.
+    /// Greatest factor by which scaling may magnify the rounding of the coefficients.
     pub magnified: f64,
-    /// The last pivot, relative to the first or to what the first would be in a good pose: near 0 where the block is near
-    /// singular.
+    /// The last pivot, relative to the first pivot or to its value in a good pose: near 0 if the
+    /// block is nearly singular.
     pub ratio: f64,
 }
 
 impl Factor {
-    /// Factors a square matrix of at least one column; `reach` is the size that the coefficients of each column have in the
-    /// poses in which they are largest.
+    /// Factors a square matrix of at least one column; `reach` is the size of the coefficients of
+    /// each column in the poses in which they are largest.
     pub fn new(mut a: DMatrix<f64>, reach: &[f64]) -> Factor {
         let scale: Vec<f64> = reach.iter().map(|r| power_of_two_scale(*r)).collect();
         for (mut column, k) in a.column_iter_mut().zip(&scale) {
@@ -35,7 +37,8 @@ impl Factor {
         Factor { qr, scale, magnified, ratio }
     }
 
-    /// How many pivots are no larger than `bound`, relative as in [`Factor::ratio`].
+    /// Returns the number of pivots that are no larger than `bound`, relative as in
+    /// [`Factor::ratio`].
     pub fn deficiency(&self, bound: f64) -> usize {
         let pivots = self.qr.r().diagonal().abs();
         pivots.iter().filter(|d| **d <= bound * pivots[0].max(1.0)).count()
@@ -49,7 +52,8 @@ impl Factor {
         y
     }
 
-    /// x with A x = b; where `deficient`, as far as the independent equations go, one unknown held at zero.
+    /// Returns x with A x = b. If `deficient`, the solution satisfies the independent equations
+    /// only, with one unknown held at zero.
     pub fn solve(&self, b: &DVector<f64>, deficient: bool) -> Option<DVector<f64>> {
         let mut y = b.clone();
         self.qr.q_tr_mul(&mut y);
@@ -62,7 +66,7 @@ impl Factor {
         x.iter().all(|v| v.is_finite()).then_some(x)
     }
 
-    /// The unit vector z with A z = 0 (nearly so, where the last pivot is not quite zero).
+    /// Returns the unit vector z with A z = 0 (approximately, if the last pivot is not quite zero).
     pub fn right(&self) -> Option<DVector<f64>> {
         let r = self.qr.r();
         let k = r.ncols() - 1;
@@ -75,7 +79,7 @@ impl Factor {
         (norm > 0.0 && norm.is_finite()).then(|| z / norm)
     }
 
-    /// The unit vector l with lᵀ A = 0: how much of each equation the others contain.
+    /// Returns the unit vector l with lᵀ A = 0: the linear dependence of the equations.
     pub fn left(&self) -> DVector<f64> {
         let q = self.qr.q();
         q.column(q.ncols() - 1).into_owned()

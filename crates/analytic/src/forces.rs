@@ -1,10 +1,7 @@
 //! Reactions and balancing moments from all constraint rows at once.
 //!
-//! Without friction a pair does no work: the reactions are λ times the coefficients of its rows, and equilibrium of all links is Jᵀ λ = −Q. Each
-//! reaction is read off the rows of its pair.
-//!
-//! # Source
-//! E. J. Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*, ch. 6: Lagrange multipliers.
+//! Without friction a pair does no work: the reactions are λ times the coefficients of its rows,
+//! and the equilibrium of all links is Jᵀ λ = −Q. Each reaction is read from the rows of its pair.
 
 use super::relation::{Handle, Pair, Relation, Row};
 use super::rows::Layout;
@@ -19,7 +16,7 @@ use hodograph_scene::quantity::{Forces, Wrench};
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene, Touch};
 use nalgebra::DVector;
 
-/// From this condition number on `f64` tells no digit of a reaction.
+/// From this condition number on, `f64` leaves no correct digit of a reaction.
 const UNBOUNDED: f64 = 1e13;
 
 /// All rows of a pose with the multipliers of its loads.
@@ -39,12 +36,13 @@ struct Whole<'a> {
     power: f64,
 }
 
-/// The forces of an instant, with the accelerations of `solution`.
+/// Returns the forces at an instant, with the accelerations of `solution`.
 ///
-/// `None` where the reactions are unbounded or not determined, and where a motion that a load needs is not known.
+/// `None` if the reactions are unbounded or not determined, or if a motion that a load needs is not
+/// known.
 pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, solution: &Solution) -> Option<Forces> {
     let loads = loads(scene, at, solution)?;
-    // Equilibrium of all that is placed, however far its motion is asked for.
+    // Equilibrium of all placed links, whatever level of motion is requested.
     let still = Demand { groups: demand.groups.iter().map(|g| g.map(|_| Level::Velocity)).collect(), ..demand.clone() };
     let layout = Layout::new(scene, m, at, &still, Level::Velocity);
     let rows = layout.rows_of_contacts(scene, at);
@@ -92,7 +90,7 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
     let (smooth, Whole { loads, teeth, found, balance, power }) = if scene.loads.friction.is_empty() {
         (None, smooth)
     } else {
-        // Friction rests on reactions, which are not determined there.
+        // Friction depends on reactions, which are not determined in this case.
         if !is_determined(scene, m) {
             return None;
         }
@@ -117,7 +115,8 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
 }
 
 impl Handle {
-    /// Adds a load at the point to the loads of the unknowns: a force over the scale of lengths, a couple as it is.
+    /// Adds a load at the point to the loads of the unknowns: a force divided by the scale of
+    /// lengths, a couple unchanged.
     fn loaded(&self, q: &mut DVector<f64>, wrench: Wrench, scale: f64) {
         let Some(i) = self.first else { return };
         let force = wrench.force * (1.0 / scale);
@@ -129,7 +128,8 @@ impl Handle {
     }
 }
 
-/// Force of a row on the first point of its relation, for λ = 1 in a mechanism of size one.
+/// Returns the force of a row on the first point of its relation, for λ = 1 in a mechanism of size
+/// one.
 fn on_first(relation: &Relation) -> Vec2 {
     match *relation {
         Relation::Meet { k, .. } | Relation::Along { k, .. } | Relation::Track { k, .. } => k,
@@ -141,7 +141,7 @@ fn on_first(relation: &Relation) -> Vec2 {
 }
 
 impl Balanced<'_> {
-    /// The force (N) of a row on the first point of its relation.
+    /// Returns the force (N) of a row on the first point of its relation.
     fn force(&self, k: usize) -> Vec2 {
         on_first(&self.rows[k].relation) * (self.lambda[k] * self.layout.scale)
     }
@@ -150,14 +150,15 @@ impl Balanced<'_> {
         self.rows.iter().enumerate().filter(move |(_, row)| row.of == of)
     }
 
-    /// Balancing moment or force of each driver.
+    /// Returns the balancing moment or force of each driver.
     fn drivers(&self) -> Vec<f64> {
         let of = |d: usize| {
             let kind = &self.scene.drivers[d].kind;
             let (slides, stretches) = (kind.guide().is_some(), kind.ends().is_some());
             let driven = |(k, row): (usize, &Row)| {
                 let scale = self.layout.scale;
-                // A turning driver has rows of angles; along an arc s = ρψ, and the moment is over the radius.
+                // A rotary driver has rows of angles; along an arc s = ρψ, and the moment is
+                // divided by the radius.
                 let unit = match (row.relation, kind.turns()) {
                     (Relation::Turn { .. }, true) => 1.0,
                     (Relation::Along { .. }, false) if slides => scale,
@@ -172,7 +173,7 @@ impl Balanced<'_> {
         (0..self.scene.drivers.len()).map(of).collect()
     }
 
-    /// The force on what runs in a guide, and the couple on its slider.
+    /// Returns the force on the runner of a guide, and the couple on its slider.
     fn guide(&self, g: GuideId) -> Option<Wrench> {
         let slider = self.scene.guides[g.0].slider.and_then(|s| self.layout.first_of(s));
         let mut rows = self.rows_of(Pair::Guide(g)).peekable();
@@ -193,20 +194,23 @@ impl Balanced<'_> {
         }))
     }
 
-    /// The force of the first link of a rolling pair on the second along their common tangent.
+    /// Returns the force of the first link of a rolling pair on the second along their common
+    /// tangent.
     fn tangential(&self, r: RollingId) -> Option<Vec2> {
         let (k, _) = self.rows_of(Pair::Rolling(r)).next()?;
         matches!(self.scene.rolling[r.0].touch(), Touch::Point(_)).then(|| self.force(k))
     }
 
-    /// All of it; a guide that holds the two in touch carries a part, teeth press them apart.
+    /// Returns the complete force of a rolling pair: the guide that holds the two in contact
+    /// carries a part, and teeth press them apart.
     fn rolling(&self, r: RollingId, guides: &[(GuideId, Wrench)], teeth: &[Load]) -> Option<Vec2> {
         let pair = &self.scene.rolling[r.0];
         let held = pair.guide().and_then(|g| guides.iter().find(|(own, _)| *own == g)).map_or(Vec2::ZERO, |(_, w)| w.force);
         Some(self.tangential(r)? + held + pressed_apart(self.scene, teeth, r))
     }
 
-    /// Forces that rows put on pins, each with the link on which they act in truth; a row puts them on the first link that carries the pin.
+    /// Returns the forces of rows on pins, each with the link on which it acts; a row itself
+    /// assigns its force to the first link that carries the pin.
     fn attached(&self) -> Vec<(PointId, Option<LinkId>, Vec2)> {
         let mut out = Vec::new();
         for (k, row) in self.rows.iter().enumerate() {
@@ -233,7 +237,7 @@ impl Balanced<'_> {
         out
     }
 
-    /// The force of each pin on each of its links.
+    /// Returns the force of each pin on each of its links.
     fn pins(&self, at: &Configuration) -> Vec<(PointId, LinkId, Vec2)> {
         let attached = self.attached();
         let mut out = Vec::new();
@@ -244,7 +248,7 @@ impl Balanced<'_> {
             if carriers.len() + here.len() < 2 {
                 continue;
             }
-            // The ground has no unknowns: what the others do not give to it is seen from the sum of all.
+            // The ground has no unknowns: its force is what the sum of all forces leaves.
             let mut sum = Vec2::ZERO;
             for l in carriers.iter().filter(|l| **l != self.scene.ground) {
                 let first = self.layout.first_of(*l);

@@ -1,14 +1,16 @@
-//! Which of the two motions through a change point is meant.
+//! Selection between the two motions through a change point.
 //!
-//! 1. What the scene says: a `side` that is told by the pose just after (at the pose itself the points lie in line), then
-//!    the sketch.
-//! 2. Else the assembly keeps its kind. A way on which joints stand still (two links fold onto each other and turn as one) is
-//!    taken last; among the others the one on which the angular velocities of the links, ground included, differ least from
-//!    their mean. A parallelogram stays a parallelogram: with crank rate 1 and u the other way's coupler rate, its rates
-//!    0, 1, 0, 1 have squares about the mean of 1, those of the antiparallelogram (0, 1, u, u − 1) have 1 + (u − 1)²; where
-//!    u = 1 (a rhombus folded) the first rule decides.
-//! 3. Where the ways differ by the sense of time only (a driver that turns back at its limit): the one on which the first
-//!    link that turns does so counter-clockwise.
+//! 1. The scene decides: a `side` that the pose just after the change point determines (at the pose
+//!    itself the points are in line), then the sketch.
+//! 2. Otherwise the assembly keeps its kind. A motion with joints at rest (two links fold onto
+//!    each other and turn as one) is taken last. Of the other motions, that one is taken in which
+//!    the angular velocities of the links, ground included, differ least from their mean. A
+//!    parallelogram stays a parallelogram: with crank rate 1 and the coupler rate u of the other
+//!    motion, its rates 0, 1, 0, 1 have squares about the mean of 1, those of the
+//!    antiparallelogram (0, 1, u, u − 1) have 1 + (u − 1)²; if u = 1 (a folded rhombus), the
+//!    criterion of joints at rest decides.
+//! 3. If the motions differ by the sense of time only (a driver that turns back at its limit): the
+//!    motion in which the first link that turns does so counter-clockwise.
 
 use super::Solution;
 use hodograph_base::geom::Vec2;
@@ -17,7 +19,7 @@ use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{LinkId, PointId, Scene};
 
-/// What decided.
+/// The criterion that decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Decided {
     /// A `side` of the scene.
@@ -26,15 +28,16 @@ pub enum Decided {
     Sketch,
     /// The assembly keeps its kind.
     Kind,
-    /// The sense of turning.
+    /// The sense of rotation.
     Sense,
 }
 
-/// Values of velocities whose difference is less than this part of them are the same: rates at a pose that is given by
-/// lengths are true to the root of its rounding.
+/// Relative difference below which velocities count as equal: rates at a pose given by lengths are
+/// accurate to the square root of its rounding.
 const SAME: f64 = 1e-6;
 
-/// The index of the way that is meant, of two solutions of the same velocities; `of` are the links of the singular block.
+/// Returns the index of the selected motion, of two solutions of the same velocities, and the
+/// criterion; `of` are the links of the singular block.
 pub(super) fn choose(scene: &Scene, at: &Configuration, ways: &[Solution; 2], of: &[LinkId], turning: bool) -> (usize, Decided) {
     if let Some(i) = by_side(scene, at, ways) {
         return (i, Decided::Side);
@@ -55,7 +58,7 @@ fn velocity(way: &Solution, p: PointId) -> Option<Vec2> {
     way.vector(Level::Velocity, p, None)
 }
 
-/// By the first side that is undecided at the pose and that one of the ways only keeps.
+/// Selects by the first side that is undecided at the pose and that only one of the motions keeps.
 fn by_side(scene: &Scene, at: &Configuration, ways: &[Solution; 2]) -> Option<usize> {
     scene.sides.iter().find_map(|side| {
         let place = |p: PointId| at.points[p.0];
@@ -79,7 +82,8 @@ fn by_side(scene: &Scene, at: &Configuration, ways: &[Solution; 2]) -> Option<us
     })
 }
 
-/// By the sum of (sketch − place)·v over the sketched points: the way that leads toward the sketch.
+/// Selects by the sum of (sketch − position)·v over the sketched points: the motion that leads
+/// toward the sketch.
 fn by_sketch(scene: &Scene, at: &Configuration, ways: &[Solution; 2]) -> Option<usize> {
     let mut sums = [0.0; 2];
     let mut size = 0.0f64;
@@ -100,13 +104,14 @@ fn turning(way: &Solution, l: LinkId) -> f64 {
     way.turning(Level::Velocity, l).unwrap_or(0.0)
 }
 
-/// ω of the first link that turns, as the first way has it.
+/// Returns ω of the first link that turns, in the first motion.
 fn first_turning(ways: &[Solution; 2], of: &[LinkId]) -> f64 {
     let largest = of.iter().map(|l| turning(&ways[0], *l).abs()).fold(0.0, f64::max);
     of.iter().map(|l| turning(&ways[0], *l)).find(|w| w.abs() > SAME * largest).unwrap_or(0.0)
 }
 
-/// The links joined to one of the block, the block's own included, in the order of the scene.
+/// Returns the links joined to one of the block, including the block's own, in the order of the
+/// scene.
 fn joined(scene: &Scene, at: &Configuration, way: &Solution, of: &[LinkId]) -> Vec<LinkId> {
     let known = |l: LinkId| way.links[l.0].is_some();
     let near = |l: LinkId| {
@@ -117,19 +122,20 @@ fn joined(scene: &Scene, at: &Configuration, way: &Solution, of: &[LinkId]) -> V
     (0..scene.links.len()).map(LinkId).filter(|l| known(*l) && near(*l)).collect()
 }
 
-/// The links that run in a guide: its slider, and those that carry its pin.
+/// Returns the links that run in a guide: its slider, and the links that carry its pin.
 fn scene_runner<'a>(scene: &'a Scene, g: &'a hodograph_scene::Guide) -> impl Iterator<Item = LinkId> + 'a {
     g.slider.into_iter().chain(g.pin.into_iter().flat_map(|p| scene.carriers(p)))
 }
 
-/// At how many joints a link of the block neither turns nor slides against any other.
+/// Returns the number of joints at which a link of the block neither turns nor slides relative to
+/// any other link.
 fn resting_joints(scene: &Scene, at: &Configuration, way: &Solution, of: &[LinkId]) -> usize {
     let links = joined(scene, at, way, of);
     let fastest = links.iter().map(|l| turning(way, *l).abs()).fold(0.0, f64::max);
     let mut rest = 0;
     for link in of {
         for p in &scene.links[link.0].points {
-            // Where several links meet, one of them may well turn like another.
+            // If several links meet, one of them may turn with the same rate as another.
             let mut there = scene.carriers(*p).filter(|k| k != link && links.contains(k)).peekable();
             let same = |k: LinkId| (turning(way, k) - turning(way, *link)).abs() <= SAME * fastest;
             rest += usize::from(there.peek().is_some() && there.all(same));
@@ -145,7 +151,7 @@ fn resting_joints(scene: &Scene, at: &Configuration, way: &Solution, of: &[LinkI
     rest
 }
 
-/// Σ (ω − mean)² over the block's links and those joined to them.
+/// Returns Σ (ω − mean)² over the links of the block and those joined to them.
 fn spread(scene: &Scene, at: &Configuration, way: &Solution, of: &[LinkId]) -> f64 {
     let rates: Vec<f64> = joined(scene, at, way, of).into_iter().map(|l| turning(way, l)).collect();
     let mean = rates.iter().sum::<f64>() / rates.len().max(1) as f64;

@@ -1,18 +1,19 @@
-//! Truncated power series in time: the numbers in which an equation between positions gives its derivatives of any order.
+//! Truncated power series in time: the number type in which a position equation gives its
+//! derivatives of any order.
 
-/// c₀ + c₁ t + c₂ t² + … up to the order with which it was made; the n-th derivative is n! c_n.
+/// The series c₀ + c₁ t + c₂ t² + … up to its order; the n-th derivative is n! c_n.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Jet(Vec<f64>);
 
 impl Jet {
-    /// The constant `c` as a series up to t^`order`.
+    /// Returns the constant `c` as a series up to t^`order`.
     pub fn constant(c: f64, order: usize) -> Jet {
         let mut all = vec![0.0; order + 1];
         all[0] = c;
         Jet(all)
     }
 
-    /// c₁ t + c₂ t² + …; missing terms are zero.
+    /// Returns c₁ t + c₂ t² + …; missing terms are zero.
     pub fn from_rest(terms: impl Iterator<Item = f64>, order: usize) -> Jet {
         let mut jet = Jet::constant(0.0, order);
         for (c, term) in jet.0.iter_mut().skip(1).zip(terms) {
@@ -21,7 +22,7 @@ impl Jet {
         jet
     }
 
-    /// The factor of t^n.
+    /// Returns the coefficient of t^n.
     pub fn term(&self, n: usize) -> f64 {
         self.0[n]
     }
@@ -43,7 +44,8 @@ impl Jet {
         Jet(self.0.iter().map(|c| c * k).collect())
     }
 
-    /// (cos, sin) of an angle that is zero at t = 0: (cos φ)˙ = −φ̇ sin φ, (sin φ)˙ = φ̇ cos φ, term by term.
+    /// Returns (cos, sin) of an angle that is zero at t = 0: (cos φ)˙ = −φ̇ sin φ, (sin φ)˙ = φ̇
+    /// cos φ, term by term.
     pub fn cos_sin(&self) -> (Jet, Jet) {
         let order = self.0.len() - 1;
         let (mut c, mut s) = (Jet::constant(1.0, order), Jet::constant(0.0, order));

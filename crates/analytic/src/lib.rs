@@ -1,20 +1,24 @@
 //! The independent check: all constraint equations and their Jacobian at once.
 //!
-//! Unknown are the velocities (and accelerations) of every moving link, three numbers each, and of every pin that sits on
-//! no link. The rows come from differentiating the constraint equations once and twice ([`rows`]); groups, legs, plan and
-//! paper are not known here, and no formula of a relative-motion term (normal, Coriolis) is ever written down: where one is asked for, [`asked`]
-//! takes it from rows of the same kinds.
+//! The unknowns are the velocities (and accelerations) of every moving link, three numbers each,
+//! and of every pin that is on no link. The rows come from differentiating the constraint equations
+//! once and twice ([`rows`]). This crate does not use groups, legs, the construction plan or the
+//! paper, and contains no formula of a relative-motion term (normal, Coriolis): [`asked`] derives
+//! requested terms from rows of the same kinds.
 //!
 //! # Source
-//! Φ_q q̇ = −Φ_t, Φ_q q̈ = γ: E. J. Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*, ch. 3.
+//! Φ_q q̇ = −Φ_t, Φ_q q̈ = γ: E. J. Haug, *Computer Aided Kinematics and Dynamics of Mechanical
+//! Systems*, ch. 3.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// A kind that is added shows the compiler every match that it concerns.
+// The compiler then reports every match that an added kind affects.
 #![warn(clippy::wildcard_enum_match_arm)]
-// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+// clippy.toml lists the functions of f64 whose last bit depends on the platform; tests may use
+// them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
-// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+// The module overviews name private modules too; `cargo doc --document-private-items` follows those
+// links.
 #![allow(rustdoc::private_intra_doc_links)]
 
 mod asked;
@@ -51,31 +55,33 @@ use pose::Pose;
 use singular::Blocks;
 use staged::{LARGE, Staged};
 
-/// Velocities and accelerations of all links that the demand reaches, each as far as it is wanted.
+/// Velocities and accelerations of all links that the demand covers, each up to its requested
+/// level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     links: Vec<Option<LinkMotion>>,
-    /// Velocities and accelerations of pins that sit on no link.
+    /// Velocities and accelerations of pins that are on no link.
     bare: [Vec<(PointId, Vec2)>; 2],
     /// For velocities and for accelerations, the first solved link that carries each point.
     home: [Vec<Option<LinkId>>; 2],
-    /// Places, for the vectors of further points.
+    /// Positions, for the vectors of further points.
     points: Vec<Option<Point>>,
     origins: Vec<Option<Point>>,
     ground: LinkId,
-    /// Estimated condition number of the scaled Jacobian (1-norm); infinite where it is singular.
+    /// Estimated condition number of the scaled Jacobian (1-norm); infinite if it is singular.
     pub condition: f64,
-    /// The parts that are singular in this pose and were answered by the next order of the equations, in solving order.
+    /// The parts that are singular in this pose and are solved by the next order of the equations,
+    /// in solving order.
     pub singular: Vec<Singularity>,
-    /// The parts that have no motion in this pose (dead centres and the like), in solving order.
+    /// The parts without a motion in this pose (dead centres and the like), in solving order.
     pub refused: Vec<Refused>,
-    /// The parts that are nearly singular, the worst first; those that are singular are not among them.
+    /// The parts that are nearly singular, the worst first; singular parts are not included.
     pub near: Vec<Near>,
-    /// What the reader should know of the pose.
+    /// Notes on the pose for the reader.
     pub notes: Vec<Diagnostic>,
-    /// Number of unknowns solved for, at velocity and at acceleration level.
+    /// Number of unknowns, at velocity and at acceleration level.
     pub size: [usize; 2],
-    /// Reactions and balancing moments, where they are asked for and determined.
+    /// Reactions and balancing moments, if requested and determined.
     forces: Option<Forces>,
 }
 
@@ -86,18 +92,21 @@ struct LinkMotion {
     v: Vec2,
     /// ω (rad/s).
     omega: f64,
-    /// Acceleration of the origin (m/s²) and α (rad/s²), where they are wanted.
+    /// Acceleration of the origin (m/s²) and α (rad/s²), if requested.
     second: Option<(Vec2, f64)>,
 }
 
-/// Solves the loop equations of everything the demand reaches: accelerations only of what is wanted so far.
+/// Solves the loop equations of everything that the demand covers; accelerations only where
+/// requested.
 ///
-/// Where the Jacobian is singular the equations are carried to the next order ([`Singularity`]): a change point is answered
-/// on the way that is meant, a driver at its limit by the way back. A part that has no motion, and what rests on it, is left
-/// without one and told in [`Solution::refused`], with a note of one of these codes:
+/// If the Jacobian is singular, the equations are continued to the next order ([`Singularity`]): a
+/// change point is passed on the selected motion, a driver at its limit turns back. A part without
+/// a motion, and everything that depends on it, stays unsolved and is listed in
+/// [`Solution::refused`], with a note of one of these codes:
 /// - `dead-centre`: the drivers cannot move the links through the pose, velocities are unbounded;
-/// - `locked`: the pose can be assembled but not left as asked;
-/// - `undetermined`: links can move while the drivers stand; `singular`: more than one freedom is open;
+/// - `locked`: the pose can be assembled but not left in the requested sense;
+/// - `undetermined`: links can move while the drivers rest;
+/// - `singular`: more than one freedom is open;
 /// - `acceleration-undetermined`: velocities are finite, accelerations are not.
 ///
 /// # Errors
@@ -110,7 +119,7 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
     Ok(solution)
 }
 
-/// Velocities and accelerations.
+/// Solves velocities and accelerations.
 fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
     spend();
     let mut solution = Solution {
@@ -155,7 +164,7 @@ fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> 
             layout.unpack_accelerations(&gamma.ok_or_else(|| overflow(scene, &layout))?, &mut solution);
             solution.size[1] = layout.unknowns;
         } else if demand.level >= Level::Acceleration {
-            // What only its velocity is wanted of takes no part in the second system.
+            // Parts for which only the velocity is requested are not in the second system.
             let part = rows::Layout::new(scene, m, at, demand, Level::Acceleration);
             if part.unknowns > 0 {
                 let system = System::new(scene, at, &part)?;
@@ -169,8 +178,8 @@ fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> 
     Ok(solution)
 }
 
-/// Above this condition number the blocks are looked at one by one: below it, double precision leaves eleven digits, which is what
-/// two ways that agree promise.
+/// Above this condition number the blocks are examined one by one: below it, double precision
+/// leaves eleven digits, the accuracy promised if both methods agree.
 const SUSPECT: f64 = 1e3;
 
 /// The rows of a layout and its decomposed Jacobian.
@@ -187,16 +196,18 @@ enum Factors {
 }
 
 impl System {
+    /// Creates the system of a layout.
+    ///
     /// # Errors
-    /// Not as many rows as unknowns.
+    /// The number of rows differs from the number of unknowns.
     fn new(scene: &Scene, at: &Configuration, layout: &rows::Layout) -> Result<System, Faults> {
         System::of_rows(layout.rows(scene, at), layout.unknowns)
     }
 
-    /// The system of some rows in `n` unknowns.
+    /// Creates the system of some rows in `n` unknowns.
     ///
     /// # Errors
-    /// Not as many rows as unknowns.
+    /// The number of rows differs from the number of unknowns.
     fn of_rows(rows: Vec<relation::Row>, n: usize) -> Result<System, Faults> {
         if rows.len() != n {
             return Err(
@@ -220,7 +231,8 @@ impl System {
         Ok(System { rows, factors: Factors::Whole { jacobian, lu }, condition })
     }
 
-    /// Solves and refines once, which makes the result as good as the data where the matrix is badly scaled.
+    /// Solves and refines once; the result is then as accurate as the data even if the matrix is
+    /// badly scaled.
     fn solve(&self, b: &DVector<f64>) -> Option<DVector<f64>> {
         let x = match &self.factors {
             Factors::Whole { jacobian, lu } => {
@@ -251,13 +263,13 @@ impl System {
         y.iter().all(|v| v.is_finite()).then_some(y)
     }
 
-    /// The right-hand side of the accelerations at the given rates.
+    /// Returns the right-hand side of the accelerations at the given rates.
     fn gamma(&self, rates: &DVector<f64>) -> DVector<f64> {
         DVector::from_iterator(self.rows.len(), self.rows.iter().map(|r| r.acceleration(rates)))
     }
 }
 
-/// y with Jᵀ y = b, from a decomposed J.
+/// Returns a function that solves Jᵀ y = b, from a decomposed J.
 fn transposed(lu: &LU<f64, Dyn, Dyn>) -> impl Fn(&DVector<f64>) -> Option<DVector<f64>> + use<> {
     let (l, u, p) = (lu.l(), lu.u(), lu.p().clone());
     move |b| {
@@ -271,13 +283,14 @@ fn one_norm(m: &DMatrix<f64>) -> f64 {
     m.column_iter().map(|c| c.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max)
 }
 
-/// x with J x = b, or with Jᵀ x = b.
+/// A function that solves J x = b or Jᵀ x = b.
 type Solve<'a> = &'a dyn Fn(&DVector<f64>) -> Option<DVector<f64>>;
 
-/// ‖J⁻¹‖₁ by Hager's estimate.
+/// Returns ‖J⁻¹‖₁ by Hager's estimate.
 ///
 /// # Source
-/// W. W. Hager, *Condition estimates*, SIAM J. Sci. Stat. Comput. 5 (1984); N. J. Higham, *Accuracy and Stability*, §15.
+/// W. W. Hager, *Condition estimates*, SIAM J. Sci. Stat. Comput. 5 (1984); N. J. Higham, *Accuracy
+/// and Stability*, §15.
 fn inverse_one_norm(solve: Solve, solve_transposed: Solve, n: usize) -> f64 {
     let mut x = DVector::from_element(n, 1.0 / n as f64);
     let mut estimate = 0.0f64;
@@ -308,14 +321,15 @@ fn overflow(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
 }
 
 impl Solution {
-    /// Remembers where the links' vectors are counted from, and by which link each point is looked up.
+    /// Stores the origins of the links' vectors, and the link used for each point.
     fn settle(&mut self, scene: &Scene, layout: &rows::Layout) {
         self.origins.clone_from(&layout.origins);
         self.home = [false, true].map(|second| self.homes(scene, second));
     }
 
-    /// The largest vector (m/s, m/s²) or the largest turning (rad/s, rad/s²) of a level among all links, for accelerations
-    /// the normal ones included: what a small answer is judged by where nothing was drawn.
+    /// Returns the largest vector (m/s, m/s²) or the largest angular velocity or acceleration
+    /// (rad/s, rad/s²) among all links; for accelerations the normal ones are included. Small
+    /// answers without a drawing are judged by this value.
     pub fn largest(&self, level: Level, turning: bool) -> f64 {
         let moving = || self.links.iter().flatten();
         let acceleration = level == Level::Acceleration;
@@ -328,8 +342,8 @@ impl Solution {
         of_points.chain(of_links).fold(0.0, f64::max)
     }
 
-    /// Takes back that parts are singular, where longer numbers told that they are not, and says instead what `note` makes of
-    /// the links in words.
+    /// Removes the singular and refused parts, if longer numbers show that they are not singular,
+    /// and replaces the notes by those that `note` returns for the links in words.
     pub fn taken_for_singular(&mut self, note: impl Fn(&Both) -> Diagnostic) {
         let words = self.singular.drain(..).map(|s| s.words).chain(self.refused.drain(..).map(|r| r.words));
         self.notes = words.map(|w| note(&w)).collect();
@@ -337,7 +351,7 @@ impl Solution {
 
     fn homes(&self, scene: &Scene, second: bool) -> Vec<Option<LinkId>> {
         let mut home = vec![None; scene.points.len()];
-        // What the ground holds stands still to the last digit.
+        // Points of the ground are exactly at rest.
         if self.links[scene.ground.0].is_some() {
             scene.links[scene.ground.0].points.iter().for_each(|p| home[p.0] = Some(scene.ground));
         }
@@ -351,20 +365,20 @@ impl Solution {
         home
     }
 
-    /// Whether the motion of a pin was solved for, up to a level.
+    /// Returns true if the motion of a pin is solved up to a level.
     pub fn reaches_pin(&self, level: Level, p: PointId) -> bool {
         let slot = usize::from(level == Level::Acceleration);
         self.bare[slot].iter().any(|b| b.0 == p) || self.home[slot].get(p.0).is_some_and(|l| l.is_some())
     }
 
-    /// Whether the motion of a link was solved for, up to a level.
+    /// Returns true if the motion of a link is solved up to a level.
     pub fn reaches(&self, level: Level, link: LinkId) -> bool {
         self.links[link.0].is_some_and(|m| level < Level::Acceleration || m.second.is_some())
     }
 }
 
 impl Solution {
-    /// The vector of a moving link's point that lies at a place.
+    /// Returns the vector of the point of a moving link at a position.
     fn of_place(&self, level: Level, link: LinkId, place: Point) -> Option<Vec2> {
         let motion = self.links[link.0]?;
         let r = place - self.origins[link.0]?;
@@ -406,7 +420,8 @@ impl Source for Solution {
     }
 }
 
-/// Which links take part at a level: those of groups wanted so far, and the numbered ones that follow them.
+/// Returns the links that take part at a level: those of groups requested so far, and the passive
+/// links that follow them.
 fn taking_part(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, level: Level) -> Vec<LinkId> {
     let reached = |l: LinkId| m.group_of_link[l.0].is_some_and(|g| demand.wants(g, level));
     (0..scene.links.len())

@@ -1,4 +1,4 @@
-//! The classification of singular and nearly singular poses, and the messages about them.
+//! Classification of singular and nearly singular poses, and the messages about them.
 
 use super::fork::{self, Decided};
 use super::relation::Row;
@@ -11,53 +11,56 @@ use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{LinkId, Place, PointId, Scene};
 use nalgebra::DVector;
 
-/// A part of a mechanism that is singular in the pose and was answered all the same.
+/// A part of a mechanism that is singular in the pose but has a solution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Singularity {
-    /// What it is.
+    /// The kind of singular pose.
     pub kind: SingularKind,
-    /// The links whose velocities do not follow from the pose's directions alone: no line of theirs can be crossed on paper.
+    /// The links whose velocities do not follow from the directions of the pose alone: none of
+    /// their lines can be intersected on paper.
     pub links: Vec<LinkId>,
-    /// Pins of that part that sit on no link.
+    /// Pins of the part that are on no link.
     pub pins: Vec<PointId>,
-    /// The links that lie in line, or leave the freedom open together with guides.
+    /// The links that are in line, or leave the freedom open together with guides.
     pub named: Vec<LinkId>,
-    /// The same in words, with the joints: `link 1 (AB) and link 2 (BC) lie in line at B`.
+    /// Description in words, with the joints: `link 1 (AB) and link 2 (BC) lie in line at B`.
     pub words: Both,
-    /// How far the pose is from one that is singular to the last digit (radians, or parts of the mechanism's size): the
-    /// answers are as far from those there, relative to the largest of them.
+    /// Distance of the pose from one that is exactly singular (radians, or parts of the mechanism's
+    /// size): the answers differ by as much from those of the singular pose, relative to the
+    /// largest of them.
     pub off: f64,
-    /// What decided between two ways on; `None` where there is but one.
+    /// The criterion that decides between two motions; `None` if there is only one.
     pub decided: Option<Decided>,
-    /// The motion of the whole mechanism on the way that was not taken.
+    /// The motion of the whole mechanism on the branch that is not selected.
     pub other: Option<Box<Solution>>,
 }
 
-/// A part of a mechanism that has no motion in the pose, or none that is determined; what rests on it has none either.
+/// A part of a mechanism without a determined motion in the pose; everything that depends on it has
+/// none either.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refused {
-    /// Why.
+    /// The reason.
     pub why: Why,
-    /// The links without a motion (but for those that rest on them).
+    /// The links without a motion (except those that depend on them).
     pub links: Vec<LinkId>,
-    /// Pins of that part that sit on no link.
+    /// Pins of the part that are on no link.
     pub pins: Vec<PointId>,
-    /// The links that lie in line, or leave the freedom open together with guides.
+    /// The links that are in line, or leave the freedom open together with guides.
     pub named: Vec<LinkId>,
-    /// The same in words, with the joints: `link 1 (AB) and link 2 (BC) lie in line at B`.
+    /// Description in words, with the joints: `link 1 (AB) and link 2 (BC) lie in line at B`.
     pub words: Both,
-    /// The whole of it for the reader, with its place in the scene and what to do.
+    /// The diagnostic for the reader, with its position in the scene and the remedy.
     pub diagnostic: Diagnostic,
 }
 
-/// The kinds of singular pose that have an answer.
+/// The kinds of singular pose that have a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SingularKind {
     /// Two motions lead through the pose: a change point.
     ChangePoint,
-    /// The driver stands at the limit of its range and turns back.
+    /// The driver is at the limit of its range and turns back.
     Limit,
-    /// A dead centre or change point with all drivers at rest for good: nothing moves.
+    /// A dead centre or change point with all drivers permanently at rest: nothing moves.
     Rest,
 }
 
@@ -71,22 +74,25 @@ pub(super) struct Pose<'a> {
 /// A part of a mechanism whose equations are nearly singular in the pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Near {
-    /// Its links.
+    /// The links of the part.
     pub links: Vec<LinkId>,
-    /// Pins of it that sit on no link.
+    /// Pins of the part that are on no link.
     pub pins: Vec<PointId>,
-    /// The links that nearly lie in line, in words: `link 1 (AB) and link 2 (BC) lie in line at B`.
+    /// The links that are nearly in line, in words: `link 1 (AB) and link 2 (BC) lie in line at B`.
     pub words: Both,
-    /// What the rounding of the coordinates may come to in its velocities, relative to the largest.
+    /// Possible error of its velocities from the rounding of the coordinates, relative to the
+    /// largest velocity.
     pub loss: f64,
 }
 
-/// A part that may lose more than this is near to being singular: some hundred roundings in its velocities, ten thousand in its
-/// accelerations, and a thousand times that where these are small against the largest.
+/// A part with a greater possible loss is nearly singular: some hundred rounding errors in its
+/// velocities, ten thousand in its accelerations, and a thousand times that if these are small
+/// compared with the largest.
 const SLIGHT: f64 = 2e-14;
 
 impl Pose<'_> {
-    /// Whether a block's places come out of lengths: then its pose near a limit is known to the root of their rounding only.
+    /// Returns true if positions of a block follow from lengths: its pose near a limit is then
+    /// accurate only to the square root of their rounding.
     fn by_lengths(&self, block: &Block) -> bool {
         let point = |p: PointId| matches!(self.scene.points[p.0].place, Place::At(_));
         block.unknowns.iter().any(|u| match (self.layout.link_of(*u), self.layout.bare_of(*u)) {
@@ -96,12 +102,12 @@ impl Pose<'_> {
         })
     }
 
-    /// The pivot up to which a block may be singular within what is known of its pose.
+    /// Returns the pivot up to which a block may be singular within the accuracy of its pose.
     pub fn blur(&self, block: &Block, rounding: f64) -> f64 {
         if self.by_lengths(block) { (8.0 * rounding).sqrt() } else { 0.0 }
     }
 
-    /// The blocks that are near to being singular, but not taken for it, the worst first.
+    /// Returns the blocks that are nearly singular but not treated as singular, the worst first.
     pub fn near(&self, system: &[Row], blocks: &Blocks, rounding: f64) -> Vec<Near> {
         let loss = |p: &Part| rounding * p.factor.magnified / p.factor.ratio;
         let mut near: Vec<&Part> = blocks.list.iter().filter(|p| p.deficiency == 0 && loss(p) > SLIGHT).collect();
@@ -115,11 +121,12 @@ impl Pose<'_> {
         near.into_iter().map(told).collect()
     }
 
-    /// The motion through a singular pose, as far as there is one.
+    /// Returns the motion through a singular pose, as far as it exists.
     pub fn singular(&self, system: &[Row], blocks: &Blocks, mut empty: Solution) -> Solution {
         empty.condition = f64::INFINITY;
-        // Drivers that start from rest, or stay there: in t² instead of t their accelerations are what their rates are elsewhere. Only
-        // where that is a dead point (a driver at its own limit) velocities come into being at once.
+        // Drivers that start from rest, or stay at rest: with t² for t their accelerations take the
+        // part of the rates elsewhere. Only if that gives a dead point (a driver at its own limit),
+        // velocities arise immediately.
         let starts = system.iter().all(|r| r.relation.drive()[0] == 0.0);
         if starts {
             let slow: Vec<Row> = system.iter().map(Row::started).collect();
@@ -131,7 +138,7 @@ impl Pose<'_> {
         self.with_notes(self.ways(system, blocks, &empty, false))
     }
 
-    /// The motion that is meant, with the other one beside each change point.
+    /// Returns the selected motion, with the other motion at each change point.
     fn ways(&self, rows: &[Row], blocks: &Blocks, empty: &Solution, from_rest: bool) -> Solution {
         let terms = if self.demand.level >= Level::Acceleration && !from_rest { 2 } else { 1 };
         let choose = |fork: &Fork| {
@@ -153,7 +160,8 @@ impl Pose<'_> {
         let mut solution = self.solution(empty, &taken, from_rest);
         for passed in &taken.passed {
             let by = decided.iter().find(|d| d.0 == passed.block).map(|d| d.1);
-            // The other way through this block; what lies behind it is chosen by the same rules.
+            // The other motion through this block; the same rules select the motion of later
+            // blocks.
             let other = by.and_then(|_| {
                 let turned = blocks.carry(rows, terms, |fork| {
                     let way = choose(fork).0;
@@ -181,7 +189,7 @@ impl Pose<'_> {
         }
     }
 
-    /// Pins of a block that sit on no link.
+    /// Returns the pins of a block that are on no link.
     fn bare_pins(&self, part: &Part) -> Vec<PointId> {
         let mut pins: Vec<PointId> = part.block.unknowns.iter().filter_map(|u| self.layout.bare_of(*u)).collect();
         pins.dedup();
@@ -208,7 +216,7 @@ impl Pose<'_> {
         Singularity { kind, links, pins, named: held.links, words: held.text, off: passed.off, decided, other }
     }
 
-    /// A solution of the rates, and of the accelerations where they are known.
+    /// Returns a solution from the rates, and from the accelerations if known.
     fn unpacked(&self, empty: &Solution, rates: &DVector<f64>, accelerations: Option<&DVector<f64>>) -> Solution {
         let mut out = empty.clone();
         self.layout.unpack_rates(rates, &mut out);

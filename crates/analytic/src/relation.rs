@@ -1,6 +1,8 @@
-//! One equation between positions, and what its derivatives are: the row, γ, and (in [`super::series`]) any further order.
+//! A position equation and its derivatives: the row, γ, and (in [`super::series`]) any higher
+//! order.
 //!
-//! Each row: Σ c_k q̇_k = rate, and Σ c_k q̈_k = γ(q̇), where γ collects what the second derivative leaves besides q̈.
+//! Each row: Σ c_k q̇_k = rate, and Σ c_k q̈_k = γ(q̇), where γ collects the terms of the second
+//! derivative without q̈.
 
 use hodograph_base::geom::Vec2;
 use hodograph_scene::{GuideId, PointId, RollingId};
@@ -12,9 +14,9 @@ pub(super) struct Row {
     pub coefficients: Vec<(usize, f64)>,
     /// Right-hand side of the velocity equation.
     pub rate: f64,
-    /// The equation between positions.
+    /// The position equation.
     pub relation: Relation,
-    /// What it is an equation of.
+    /// The pair or driver to which the equation belongs.
     pub of: Pair,
 }
 
@@ -23,7 +25,7 @@ impl Row {
         self.relation.gamma(rates)
     }
 
-    /// The same with t² for t, for drivers that start from rest: what they do is ½ s̈ t².
+    /// Returns the row with t² for t, for drivers that start from rest: they move by ½ s̈ t².
     pub fn started(&self) -> Row {
         let mut relation = self.relation;
         if let Some(drive) = relation.drive_mut() {
@@ -46,22 +48,25 @@ pub(super) enum Pair {
     Rolling(RollingId),
 }
 
-/// An equation between positions. Lengths are scaled; `drive` is the first and second derivative of what a driver adds.
+/// A position equation. Lengths are scaled; `drive` is the first and second derivative of the
+/// driver's contribution.
 #[derive(Clone, Copy)]
 pub(super) enum Relation {
     /// k·(P − Q) = 0 with k fixed in the plane.
     Meet { p: Handle, q: Handle, k: Vec2 },
-    /// φ_a − φ_b is given.
+    /// φ_a − φ_b is prescribed.
     Turn { a: Handle, b: Handle, drive: [f64; 2] },
-    /// k·(P − Q) is given, k fixed in the body of Q; P − Q is `arm` now.
+    /// k·(P − Q) is prescribed, k fixed in the body of Q; `arm` is the present P − Q.
     Along { p: Handle, q: Handle, k: Vec2, arm: Vec2, drive: [f64; 2] },
-    /// |P − Q| is given; P − Q is `d` now.
+    /// |P − Q| is prescribed; `d` is the present P − Q.
     Distance { p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
-    /// The angle of P − Q, counted from `body`, is given; P − Q is `d` now.
+    /// The angle of P − Q, measured from `body`, is prescribed; `d` is the present P − Q.
     Line { body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
-    /// w₁(φ_a − β) + w₂(φ_b − β) is kept, β the angle of P − Q, which is `d` now: two circles roll.
+    /// w₁(φ_a − β) + w₂(φ_b − β) is constant, β the angle of P − Q, and `d` the present P − Q: two
+    /// circles roll.
     Roll { bodies: [Handle; 2], weights: [f64; 2], p: Handle, q: Handle, d: Vec2 },
-    /// k·(P − Q) + ρ(φ_b − φ_q) is kept, k fixed in the body of Q; P − Q is `arm` now: a wheel rolls on a straight track.
+    /// k·(P − Q) + ρ(φ_b − φ_q) is constant, k fixed in the body of Q, and `arm` the present P − Q:
+    /// a wheel rolls on a straight track.
     Track { body: Handle, rho: f64, p: Handle, q: Handle, k: Vec2, arm: Vec2 },
 }
 
@@ -76,13 +81,13 @@ impl Relation {
         }
     }
 
-    /// First and second derivative of what a driver adds.
+    /// Returns the first and second derivative of the driver's contribution.
     pub fn drive(mut self) -> [f64; 2] {
         self.drive_mut().copied().unwrap_or_default()
     }
 
-    /// How large the coefficient of an unknown is in the poses in which it is largest: by how much a pose may turn it to
-    /// zero. 0 for an unknown that the equation does not have.
+    /// Returns the size of the coefficient of an unknown in the poses in which it is largest; a
+    /// pose may reduce it to zero. 0 for an unknown that does not occur in the equation.
     pub fn reach(&self, unknown: usize) -> f64 {
         let of = |h: Handle, arm: f64| match h.first {
             Some(i) if i == unknown || i + 1 == unknown => 1.0,
@@ -108,7 +113,8 @@ impl Relation {
         }
     }
 
-    /// What the second derivative leaves besides the second derivatives of the unknowns, taken to the right-hand side.
+    /// Returns the terms of the second derivative without the second derivatives of the unknowns,
+    /// moved to the right-hand side.
     fn gamma(&self, x: &DVector<f64>) -> f64 {
         match *self {
             Relation::Meet { p, q, k } => k.dot(q.bias(x) - p.bias(x)),
@@ -125,7 +131,7 @@ impl Relation {
                 let v = p.velocity(x) - q.velocity(x);
                 drive[1] - u.dot(p.bias(x) - q.bias(x)) + (drive[0] * drive[0] - v.norm2()) / l
             }
-            // As of a line that turns with θ = (w₁φ_a + w₂φ_b)/(w₁ + w₂).
+            // The formula of a line that turns with θ = (w₁φ_a + w₂φ_b)/(w₁ + w₂).
             Relation::Roll { bodies: [a, b], weights: [u, w], p, q, d } => {
                 let l2 = d.norm2();
                 let v = p.velocity(x) - q.velocity(x);
@@ -150,7 +156,7 @@ pub(super) struct Handle {
     /// First unknown of the body (vx, vy, ω), or of a bare pin (vx, vy); `None` for ground.
     pub first: Option<usize>,
     pub turns: bool,
-    /// From the body's origin.
+    /// Vector from the origin of the body.
     pub r: Vec2,
 }
 
@@ -177,7 +183,7 @@ impl Handle {
         Vec2::new(q[i], q[i + 1]) + self.r.perp() * self.omega(q)
     }
 
-    /// The part of the acceleration that is not linear in q̈: −ω² r.
+    /// Returns the part of the acceleration that is not linear in q̈: −ω² r.
     fn bias(&self, q: &DVector<f64>) -> Vec2 {
         let w = self.omega(q);
         self.r * -(w * w)
@@ -204,8 +210,8 @@ pub(super) fn distance(p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair)
     Row { coefficients: c, rate: drive[0], relation: Relation::Distance { p, q, d, drive }, of }
 }
 
-/// Turning of the line Q→P against which a body is held, or from which its turning differs by what is given:
-/// (ω_body + ψ̇) l² = d × (v_P − v_Q).
+/// Rotation of the line Q→P relative to a body, constant or with a prescribed rate ψ̇: (ω_body +
+/// ψ̇) l² = d × (v_P − v_Q).
 pub(super) fn along_line(body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
     let k = d.perp() * (1.0 / d.norm2());
     let mut c = Vec::new();
@@ -221,7 +227,7 @@ pub(super) fn along_line(body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f6
 mod tests {
     use super::*;
 
-    /// Three bodies; the third takes part in no equation.
+    /// Three bodies; the third occurs in no equation.
     const UNKNOWNS: usize = 9;
     const STEP: f64 = 1e-5;
 
@@ -229,7 +235,8 @@ mod tests {
         v.rotate_by(Vec2::from_angle(by))
     }
 
-    /// What an equation keeps or is given, as a function of small motions of the bodies: by the definitions of [`Relation`].
+    /// The constant or prescribed quantity of an equation as a function of small motions of the
+    /// bodies: by the definitions of [`Relation`].
     fn kept(relation: &Relation, x: &[f64; UNKNOWNS]) -> f64 {
         let turn = |h: &Handle| h.first.filter(|_| h.turns).map_or(0.0, |i| x[i + 2]);
         let moved = |h: &Handle| {
@@ -237,7 +244,7 @@ mod tests {
             Vec2::new(x[i], x[i + 1]) + turned(h.r, turn(h)) - h.r
         };
         let between = |p: &Handle, q: &Handle, d: Vec2| d + moved(p) - moved(q);
-        // How far a line has turned.
+        // The angle through which a line has turned.
         let swung = |d: Vec2, now: Vec2| d.cross(now).atan2(d.dot(now));
         match relation {
             Relation::Meet { p, q, k } => k.dot(moved(p) - moved(q)),
@@ -253,7 +260,7 @@ mod tests {
         }
     }
 
-    /// A relation of each kind, its bodies and lines turned to a pose of their own, and its unknowns.
+    /// A relation of each kind, with its bodies and lines turned to a given pose, and its unknowns.
     fn in_pose(pose: usize, size: f64) -> Vec<(Relation, &'static [usize])> {
         let at = |k: f64| Vec2::from_angle(pose as f64 * k);
         let p = Handle { first: Some(0), turns: true, r: at(2.4) * (0.7 * size) };
@@ -275,7 +282,8 @@ mod tests {
         all
     }
 
-    /// The largest coefficient in all poses, from finite differences, is what is said of it, but for the sum of its up to four parts.
+    /// [`Relation::reach`] equals the largest coefficient in all poses, from finite differences,
+    /// except for the sum of its up to four parts.
     #[test]
     fn coefficients_reach_as_far_as_is_said() {
         for size in [0.2, 1.0, 6.0] {

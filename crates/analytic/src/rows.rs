@@ -1,7 +1,7 @@
 //! The rows of the Jacobian and of its right-hand sides.
 //!
-//! Lengths are divided by a power of two near the size of the mechanism, so that rows of lengths and of angles compare,
-//! and so that scaling the scene by 2^k changes no digit.
+//! Lengths are divided by a power of two near the size of the mechanism: rows of lengths and of
+//! angles are then comparable, and scaling the scene by 2^k changes no digit.
 
 use super::cams::is_of_law;
 use super::relation::{Handle, Pair, Relation, Row, along_line, distance, projection};
@@ -13,48 +13,51 @@ use hodograph_scene::quantity::met_at;
 use hodograph_scene::{GuideId, LinkId, PointId, Relation as Linear, RollingId, Scene};
 use nalgebra::DVector;
 
-/// How a point of a link is held by the other links there.
+/// The way in which the other links at a point constrain a link there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Held {
-    /// As every pin.
+    /// Completely, as at every pin.
     Whole,
-    /// As every pin, after all others there: the link only repeats what they fix.
+    /// Completely, but after all others there: the link only repeats their constraints.
     Last,
-    /// The second pin of such a link: square to the line from the first.
+    /// At the second pin of such a link: square to the line from the first.
     Across(PointId),
-    /// A further pin of such a link: not at all.
+    /// At a further pin of such a link: not at all.
     Not,
 }
 
-/// The unknowns of one level: the links and pins that the demand reaches there.
+/// The unknowns of one level: the links and pins that the demand covers there.
 pub(super) struct Layout {
     pub links: Vec<LinkId>,
     pub bare: Vec<PointId>,
     pub unknowns: usize,
-    /// For each link of the scene its place among the unknown ones.
+    /// For each link of the scene its index among the unknown ones.
     index: Vec<Option<usize>>,
-    /// Whether everything here is wanted up to its acceleration.
+    /// True if everything here is requested up to its acceleration.
     pub second: bool,
     pub origins: Vec<Option<Point>>,
     /// 1 / (power of two near the mechanism's size).
     pub scale: f64,
-    /// What is opened because it only repeats what the others fix; of a link with the two pins by which it is known.
+    /// The opened items, which only repeat other constraints; for a link with the two pins at which
+    /// it is held.
     opened: Vec<(Opened, Option<(PointId, PointId)>)>,
-    /// For each guide whether it holds: one between gears may only say what other pairs say.
+    /// For each guide true if it constrains: a guide between gears may only repeat other pairs.
     holds: Vec<bool>,
-    /// Links that turn together because a block that takes no part runs in guides of both, with one of the guides.
+    /// Links that turn together because a block that takes no part runs in guides of both, with one
+    /// of the guides.
     together: Vec<(LinkId, LinkId, GuideId)>,
 }
 
 impl Layout {
-    /// What the demand wants at `level` (velocity or acceleration) and what that rests on.
+    /// Creates the layout of everything that the demand requests at `level` (velocity or
+    /// acceleration), with its prerequisites.
     pub fn new(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, level: Level) -> Layout {
         let links = super::taking_part(scene, m, at, demand, level);
         let mut index = vec![None; scene.links.len()];
         for (i, l) in links.iter().enumerate() {
             index[l.0] = Some(i);
         }
-        // A pin may be called for without the links that it carries, which only follow it.
+        // A pin may be requested without the links on it, which only follow it.
         let bare: Vec<PointId> = m
             .pins
             .iter()
@@ -62,8 +65,8 @@ impl Layout {
             .filter(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level)))
             .filter(|p| !scene.carriers(*p).any(|l| l == scene.ground || index[l.0].is_some()))
             .collect();
-        // The origin of a link's unknowns is one of its own points, so that arms are short and an offset of all
-        // coordinates takes no digits.
+        // The origin of a link's unknowns is one of its own points, so that arms are short and an
+        // offset of all coordinates costs no digits.
         let mut origins = vec![None; scene.links.len()];
         for &l in links.iter().chain([&scene.ground]) {
             origins[l.0] = met_at(scene, l).find_map(|p| at.points[p.0]).or_else(|| at.poses[l.0].map(|p| p.origin));
@@ -83,7 +86,7 @@ impl Layout {
         Layout { links, bare, unknowns, index, second, origins, scale, opened, holds, together }
     }
 
-    /// The rates of this layout's unknowns, from those of a layout that holds more.
+    /// Returns the rates of this layout's unknowns, from those of a larger layout.
     pub fn rates_from(&self, scene: &Scene, at: &Configuration, whole: &Layout, rates: &DVector<f64>) -> Option<DVector<f64>> {
         let mut out = Vec::with_capacity(self.unknowns);
         for l in &self.links {
@@ -91,19 +94,19 @@ impl Layout {
             out.extend([rates[i], rates[i + 1], rates[i + 2]]);
         }
         for &p in &self.bare {
-            // A pin that is bare here may sit on a link there.
+            // A pin without a link here may be on a link there.
             let v = whole.pin(scene, p, at.points[p.0]?)?.velocity(rates);
             out.extend([v.x, v.y]);
         }
         Some(DVector::from_vec(out))
     }
 
-    /// The first unknown of a link.
+    /// Returns the first unknown of a link.
     pub fn first_of(&self, l: LinkId) -> Option<usize> {
         self.index[l.0].map(|i| 3 * i)
     }
 
-    /// The link by which rows take hold of a pin; `None` of a bare pin.
+    /// Returns the link whose unknowns represent a pin in the rows; `None` for a bare pin.
     pub fn handle_of(&self, scene: &Scene, p: PointId) -> Option<LinkId> {
         let bare = self.bare.contains(&p);
         scene.carriers(p).find(|l| !bare && (*l == scene.ground || self.index[l.0].is_some()))
@@ -117,23 +120,24 @@ impl Layout {
         Some(Handle { first: Some(3 * i), turns: true, r: (p - self.origins[l.0]?) * self.scale })
     }
 
-    /// The link of an unknown; `None` for one of a bare pin.
+    /// Returns the link of an unknown; `None` for an unknown of a bare pin.
     pub fn link_of(&self, unknown: usize) -> Option<LinkId> {
         self.links.get(unknown / 3).copied()
     }
 
-    /// The bare pin of an unknown.
+    /// Returns the bare pin of an unknown.
     pub fn bare_of(&self, unknown: usize) -> Option<PointId> {
         self.bare.get(unknown.checked_sub(3 * self.links.len())? / 2).copied()
     }
 
-    /// The relative rounding of the coefficients: arms are differences of places, which are rounded where they are.
+    /// Returns the relative rounding of the coefficients: arms are differences of positions, which
+    /// are rounded at their own size.
     pub fn rounding(&self, at: &Configuration) -> f64 {
         let far = at.points.iter().flatten().map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
         f64::EPSILON * (far * self.scale).max(1.0)
     }
 
-    /// The moving thing at a pin: a link that carries it, or the bare pin.
+    /// Returns the moving body at a pin: a link that carries it, or the bare pin.
     fn pin(&self, scene: &Scene, p: PointId, at: Point) -> Option<Handle> {
         if let Some(i) = self.bare.iter().position(|q| *q == p) {
             return Some(Handle { first: Some(3 * self.links.len() + 2 * i), turns: false, r: Vec2::ZERO });
@@ -147,7 +151,8 @@ impl Layout {
         self.of_pairs(scene, at, |g| !is_of_law(scene, g), rows)
     }
 
-    /// The rows by which links press on each other: a cam that follows a law touches its follower, which the law alone would not say.
+    /// Returns the rows with which links press on each other: a cam with a law touches its
+    /// follower, which the row of the law does not express.
     pub fn rows_of_contacts(&self, scene: &Scene, at: &Configuration) -> Vec<Row> {
         self.of_pairs(scene, at, |_| true, Vec::new())
     }
@@ -175,9 +180,9 @@ impl Layout {
         rows
     }
 
-    /// The rows of a form.
+    /// Adds the rows of a form.
     fn demand(&self, scene: &Scene, at: &Configuration, form: Form, of: Pair, rows: &mut Vec<Row>) {
-        // Rate and rate of the rate that a driver gives, of which a length counts in the layout's unit.
+        // First and second derivative prescribed by a driver; lengths are in the layout's unit.
         let drive = |unit: f64| match form.driver().map(|d| &scene.drivers[d]) {
             Some(driver) => [driver.rate.value * unit, driver.acceleration.as_ref().map_or(0.0, |a| a.value) * unit],
             None => [0.0; 2],
@@ -203,12 +208,12 @@ impl Layout {
         }
     }
 
-    /// Whether a pair is not opened.
+    /// Returns true if a pair is not opened.
     fn keeps(&self, what: &Opened) -> bool {
         self.opened.iter().all(|(o, _)| o != what)
     }
 
-    /// How a point of a link is held by the other links there.
+    /// Returns the way in which the other links at a point constrain a link there.
     fn held_at(&self, l: LinkId, p: PointId) -> Held {
         match self.opened.iter().find(|(o, _)| *o == Opened::Link(l)).and_then(|(_, pins)| *pins) {
             None => Held::Whole,
@@ -218,10 +223,11 @@ impl Layout {
         }
     }
 
-    /// All links at a pin have its velocity. Of a link that only repeats what others fix the first pin is held and the second square to
-    /// the line of both: along it the others hold it, which is left to be checked.
+    /// All links at a pin have its velocity. A link that only repeats other constraints is held at
+    /// its first pin, and at its second pin square to the line of both: along the line the other
+    /// links hold it, which remains to be checked.
     fn revolutes(&self, scene: &Scene, at: &Configuration, rows: &mut Vec<Row>) {
-        // Links in the order of the scene under each point, without looking at those that take no part.
+        // Links in the order of the scene at each point, without those that take no part.
         let taking_part = |l: &LinkId| *l == scene.ground || self.index[l.0].is_some();
         let mut carried: Vec<(PointId, LinkId)> = (0..scene.links.len())
             .map(LinkId)
@@ -229,7 +235,7 @@ impl Layout {
             .flat_map(|l| scene.links[l.0].points.iter().map(move |p| (*p, l)))
             .filter(|(p, l)| self.keeps(&Opened::Pin(*p, *l)) && self.held_at(*l, *p) != Held::Not)
             .collect();
-        // What only follows comes last under each point, so that all others stay joined without it.
+        // Passive links come last at each point, so that all others stay joined without them.
         carried.sort_by_key(|(p, l)| (p.0, self.held_at(*l, *p) != Held::Whole));
         for pair in carried.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
             let [(p, a), (_, b)] = [pair[0], pair[1]];
@@ -261,7 +267,7 @@ impl Layout {
         Some(Row { coefficients: c, rate: drive[0], relation: Relation::Turn { a: ha, b: hb, drive }, of })
     }
 
-    /// What runs in a guide, and where it is.
+    /// Returns the runner of a guide, and its position.
     fn runner(&self, scene: &Scene, at: &Configuration, runner: Runner, on: LinkId) -> Option<(Handle, Point)> {
         match runner {
             Runner::Pin(p) => at.points[p.0].and_then(|x| Some((self.pin(scene, p, x)?, x))),
@@ -361,7 +367,7 @@ impl Layout {
         Some(Row { coefficients: c, rate: 0.0, relation, of: Pair::Rolling(r) })
     }
 
-    /// Barrel and rod of a cylinder: each sits on its end and turns with the line.
+    /// Barrel and rod of a cylinder: each is on its end and turns with the line.
     fn parts(&self, scene: &Scene, at: &Configuration, d: usize, rows: &mut Vec<Row>) {
         let Some([a, b]) = scene.drivers[d].kind.ends() else { return };
         let (Some(pa), Some(pb)) = (at.points[a.0], at.points[b.0]) else { return };
@@ -385,8 +391,8 @@ impl Layout {
         }
     }
 
-    /// Takes out of a solution what is not solved: `order` tells of an unknown whether nothing (0), its rate (1) or its
-    /// acceleration too (2) is known.
+    /// Removes unsolved values from a solution: `order` returns for an unknown 0 if nothing, 1 if
+    /// its rate, or 2 if also its acceleration is known.
     pub fn keep(&self, order: impl Fn(usize) -> usize, out: &mut Solution) {
         let least = |first: usize, many: usize| (first..first + many).map(&order).min().unwrap_or(0);
         for (i, l) in self.links.iter().enumerate() {
@@ -402,7 +408,7 @@ impl Layout {
         }
     }
 
-    /// Velocities of the layout's links and pins.
+    /// Stores the velocities of the layout's links and pins.
     pub fn unpack_rates(&self, x: &DVector<f64>, out: &mut Solution) {
         for (i, l) in self.links.iter().enumerate() {
             out.links[l.0] = Some(LinkMotion { v: self.vector(x, 3 * i), omega: x[3 * i + 2], second: None });
@@ -412,7 +418,8 @@ impl Layout {
         }
     }
 
-    /// Accelerations of the layout's links and pins, whose velocities are there.
+    /// Stores the accelerations of the layout's links and pins; their velocities are already
+    /// stored.
     pub fn unpack_accelerations(&self, x: &DVector<f64>, out: &mut Solution) {
         for (i, l) in self.links.iter().enumerate() {
             if let Some(motion) = &mut out.links[l.0] {
@@ -429,7 +436,7 @@ impl Layout {
     }
 }
 
-/// Whether a group is wanted up to its acceleration, or not in motion at all.
+/// Returns true if a group is requested up to its acceleration, or not in motion at all.
 fn deepest(demand: &Demand, group: usize) -> bool {
     demand.wants(group, Level::Acceleration) || !demand.wants(group, Level::Velocity)
 }

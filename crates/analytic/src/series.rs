@@ -1,13 +1,13 @@
 //! The motion as a power series in time, and the residual of each position equation for it, order by order.
 //!
-//! With c₁ = q̇ and c₂ = q̈/2, the orders t and t² repeat the equation's row and its γ. The higher orders determine the motion where the Jacobian is
-//! singular.
+//! With c₁ = q̇ and c₂ = q̈/2, the orders t and t² repeat the equation's row and its γ. The higher
+//! orders determine the motion if the Jacobian is singular.
 
 use super::jet::Jet;
 use super::relation::{Handle, Relation};
 use hodograph_base::geom::Vec2;
 
-/// For each unknown the factors of t, t², … that are known.
+/// For each unknown the known coefficients of t, t², …
 pub(super) struct Motion {
     terms: Vec<Vec<f64>>,
 }
@@ -23,7 +23,7 @@ impl Moving {
         Moving { x: Jet::constant(v.x, order), y: Jet::constant(v.y, order) }
     }
 
-    /// A vector turned by the angle (cos, sin).
+    /// Returns a vector turned by the angle (cos, sin).
     fn turned(v: Vec2, (c, s): &(Jet, Jet)) -> Moving {
         Moving { x: c.scaled(v.x).minus(&s.scaled(v.y)), y: s.scaled(v.x).plus(&c.scaled(v.y)) }
     }
@@ -46,28 +46,28 @@ impl Moving {
 }
 
 impl Motion {
-    /// Nothing known of `unknowns` unknowns.
+    /// Returns a motion of `unknowns` unknowns with no known terms.
     pub fn new(unknowns: usize) -> Motion {
         Motion { terms: vec![Vec::new(); unknowns] }
     }
 
-    /// How many terms of an unknown are known.
+    /// Returns the number of known terms of an unknown.
     pub fn order(&self, unknown: usize) -> usize {
         self.terms[unknown].len()
     }
 
-    /// The factor of t^n, n from 1 on; zero where it is not known.
+    /// Returns the coefficient of t^n, n from 1 on; zero if it is not known.
     pub fn term(&self, unknown: usize, n: usize) -> f64 {
         self.terms[unknown].get(n - 1).copied().unwrap_or(0.0)
     }
 
-    /// Sets the factor of t^n; all lower ones are set already.
+    /// Sets the coefficient of t^n; all lower ones are already set.
     pub fn set(&mut self, unknown: usize, n: usize, value: f64) {
         self.terms[unknown].truncate(n - 1);
         self.terms[unknown].push(value);
     }
 
-    /// Takes all terms of an unknown back.
+    /// Removes all terms of an unknown.
     pub fn forget(&mut self, unknown: usize) {
         self.terms[unknown].clear();
     }
@@ -76,7 +76,7 @@ impl Motion {
         Jet::from_rest(self.terms[i].iter().copied(), order)
     }
 
-    /// The angle through which a body has turned.
+    /// Returns the angle through which a body has turned.
     fn angle(&self, h: Handle, order: usize) -> Jet {
         match h.first {
             Some(i) if h.turns => self.unknown(i + 2, order),
@@ -84,7 +84,7 @@ impl Motion {
         }
     }
 
-    /// The way that a point of a body has gone.
+    /// Returns the displacement of a point of a body.
     fn way(&self, h: Handle, order: usize) -> Moving {
         let Some(i) = h.first else { return Moving::constant(Vec2::ZERO, order) };
         let origin = Moving { x: self.unknown(i, order), y: self.unknown(i + 1, order) };
@@ -95,8 +95,8 @@ impl Motion {
         origin.plus(&arm.minus(&Moving::constant(h.r, order)))
     }
 
-    /// What an equation leaves in t^n, n from 1 on: the row times the terms c_n, plus what the lower terms and the drivers
-    /// make.
+    /// Returns the residual of an equation in t^n, n from 1 on: the row times the terms c_n, plus
+    /// the contributions of the lower terms and the drivers.
     pub fn residual(&self, relation: &Relation, n: usize) -> f64 {
         let driven = |drive: [f64; 2]| Jet::from_rest([drive[0], 0.5 * drive[1]].into_iter(), n);
         let from = |d: Vec2, p: Handle, q: Handle| Moving::constant(d, n).plus(&self.way(p, n).minus(&self.way(q, n)));
@@ -139,7 +139,7 @@ mod tests {
     use hodograph_scene::{read, templates};
     use nalgebra::DVector;
 
-    /// The terms of t and t² say what the rows and their γ say, which were differentiated by hand.
+    /// The terms of t and t² equal the rows and their γ, which are differentiated by hand.
     #[test]
     fn the_first_two_terms_are_the_rows() {
         let mut kinds = [0; 7];
@@ -150,7 +150,7 @@ mod tests {
             let at = hodograph_mechanism::position::configure(&scene, &m, &demand).unwrap().value;
             let layout = Layout::new(&scene, &m, &at, &demand, Level::Velocity);
             let mut motion = Motion::new(layout.unknowns);
-            // Any rates and accelerations will do; these repeat after a prime number.
+            // Any rates and accelerations are suitable; these repeat after a prime number.
             let rate = |u: usize| ((7 * u + 3) % 13) as f64 / 13.0 - 0.5;
             let acceleration = |u: usize| ((5 * u + 1) % 11) as f64 / 11.0 - 0.4;
             for u in 0..layout.unknowns {
@@ -164,7 +164,7 @@ mod tests {
                 let second = 0.5 * (sum(&acceleration) - row.acceleration(&rates));
                 let [one, two] = [1, 2].map(|n| motion.residual(&row.relation, n));
                 let size = 1.0 + first.abs() + second.abs() + row.rate.abs() + row.acceleration(&rates).abs();
-                // Along a driven arc the hand-written γ leaves out d·v, which another row makes zero.
+                // Along a driven arc the hand-written γ omits d·v, which another row makes zero.
                 let slides = matches!(row.relation, Relation::Line { drive, .. } if drive != [0.0; 2]);
                 assert!((one - first).abs() < 1e-13 * size, "{}: {one} {first}", t.name);
                 assert!(slides || (two - second).abs() < 1e-13 * size, "{}: {two} {second}", t.name);

@@ -1,18 +1,21 @@
-//! The motion through a pose whose Jacobian is singular: dead point, change point, limit of a driver.
+//! The motion through a pose with a singular Jacobian: dead point, change point, limit of a driver.
 //!
-//! The unknown motion is a power series in time ([`Motion`]); a block whose Jacobian has a left null vector l and a right
-//! one z leaves one number open in every order, q̇ = p + y z, and its equations must agree before they can be solved:
-//! - first order: l·Φ_t = 0, else no velocity is finite: a *dead point*;
-//! - second order: A y² + B y + C = 0, a *change point* where it has two roots (two motions go through the pose), no motion
-//!   at all where it has none;
-//! - each further order is linear with the slope 2 A y + B and gives the acceleration, the jerk and so on.
+//! The unknown motion is a power series in time ([`Motion`]). A block whose Jacobian has a left
+//! null vector l and a right null vector z leaves one number open in every order, q̇ = p + y z, and
+//! its equations must satisfy a condition before they can be solved:
+//! - first order: l·Φ_t = 0, otherwise no velocity is finite: a *dead point*;
+//! - second order: A y² + B y + C = 0: a *change point* if it has two roots (two motions go
+//!   through the pose), no motion if it has none;
+//! - each further order is linear with the slope 2 A y + B and gives the acceleration, the jerk
+//!   etc.
 //!
-//! The same equation answers a driver that stands still at its own limit and turns back (B = 0, C its acceleration), and one
-//! that is at rest (C = 0: all rest).
+//! The same equation applies to a driver that is momentarily at rest at its own limit and turns
+//! back (B = 0, C its acceleration), and to one that stays at rest (C = 0: all links rest).
 //!
 //! # Source
-//! K. Wohlhart, *Degrees of shakiness*, Mech. Mach. Theory 34 (1999); A. Müller, *Higher-order analysis of kinematic
-//! singularities of lower pair linkages and serial manipulators*, J. Mech. Robotics 10 (2018).
+//! K. Wohlhart, *Degrees of shakiness*, Mech. Mach. Theory 34 (1999); A. Müller, *Higher-order
+//! analysis of kinematic singularities of lower pair linkages and serial manipulators*, J. Mech.
+//! Robotics 10 (2018).
 
 use super::blocks::{Block, blocks};
 use super::factor::Factor;
@@ -26,62 +29,63 @@ pub(super) struct Blocks {
     pub list: Vec<Part>,
 }
 
-/// A block and what it shows of its rank.
+/// A block with its factors and its rank.
 pub(super) struct Part {
     pub block: Block,
     pub factor: Factor,
-    /// How many of its equations follow from the others, as far as the numbers can tell.
+    /// Number of its equations that follow from the others, within rounding.
     pub deficiency: usize,
-    /// What the rounding of the coefficients adds up to.
+    /// The accumulated rounding of the coefficients.
     data: f64,
 }
 
-/// Why a pose has no finite motion, or not one.
+/// The reason why a pose has no finite motion, or no unique one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Why {
-    /// The drivers' motion contradicts the pose: velocities grow beyond bounds.
+    /// The motion of the drivers contradicts the pose: velocities grow without bound.
     DeadPoint,
     /// The pose can be assembled, but not left in the given sense.
     Locked,
-    /// The links can move though the drivers stand.
+    /// The links can move while the drivers rest.
     Loose,
     /// More than one freedom is open at once.
     Several,
-    /// There are velocities, but accelerations do not follow from the next order.
+    /// Velocities exist, but accelerations do not follow from the next order.
     NoAcceleration,
 }
 
-/// A block that has no motion, and so has nothing that rests on it.
+/// A block without a motion; blocks that depend on it have none either.
 #[derive(Clone, Debug)]
 pub(super) struct Refusal {
     pub block: usize,
     pub why: Why,
 }
 
-/// Two ways on from a block.
+/// Two possible motions of a block.
 pub(super) struct Fork<'a> {
     pub block: usize,
     /// Rates of all unknowns on each; zero for those that are not solved yet.
     pub ways: [DVector<f64>; 2],
-    /// What is solved so far, the block included.
+    /// The motion solved so far, including the block.
     pub motion: &'a Motion,
-    /// Whether the drivers stand still, so that the ways differ by the sense of time only.
+    /// True if the drivers are at rest, so that the motions differ by the sense of time only.
     pub turning: bool,
 }
 
-/// A block through which the motion was carried on.
+/// A singular block through which the motion is continued.
 #[derive(Clone, Debug)]
 pub(super) struct Passed {
     pub block: usize,
-    /// Whether everything in the block is at rest.
+    /// True if everything in the block is at rest.
     pub rest: bool,
-    /// Whether the drivers stand still, so that the ways differ by the sense of time only.
+    /// True if the drivers are at rest, so that the motions differ by the sense of time only.
     pub turning: bool,
-    /// How far the pose is from one that is singular to the last digit (radians, or parts of the mechanism's size).
+    /// Distance of the pose from one that is exactly singular (radians, or parts of the mechanism's
+    /// size).
     pub off: f64,
 }
 
-/// The motion and the singular blocks on its way.
+/// The motion and the singular blocks that it passes.
 pub(super) struct Carried {
     pub motion: Motion,
     pub passed: Vec<Passed>,
@@ -89,8 +93,8 @@ pub(super) struct Carried {
 }
 
 impl Blocks {
-    /// Splits and factors. `data` is the relative rounding of the coefficients; `bound_of` may name a larger bound for a
-    /// block whose pose is itself less well known.
+    /// Decomposes and factors a system. `data` is the relative rounding of the coefficients;
+    /// `bound_of` may return a larger bound for a block with a less accurate pose.
     pub fn new(rows: &[Row], n: usize, data: f64, bound_of: impl Fn(&Block) -> f64) -> Blocks {
         let list = blocks(rows, n)
             .into_iter()
@@ -107,7 +111,7 @@ impl Blocks {
                 let reach = |u: usize| block.rows.iter().map(|r| rows[*r].relation.reach(u)).fold(0.0, f64::max);
                 let reach: Vec<f64> = block.unknowns.iter().map(|u| reach(*u)).collect();
                 let factor = Factor::new(a, &reach);
-                // A few units of each coefficient's rounding add up over the unknowns.
+                // A few rounding units of each coefficient add up over the unknowns.
                 let data = 4.0 * size as f64 * data * factor.magnified;
                 let deficiency = factor.deficiency(data.max(bound_of(&block)));
                 Part { block, factor, deficiency, data }
@@ -116,15 +120,17 @@ impl Blocks {
         Blocks { n, list }
     }
 
-    /// Whether any block is singular.
+    /// Returns true if any block is singular.
     pub fn singular(&self) -> bool {
         self.list.iter().any(|p| p.deficiency > 0)
     }
 
-    /// Carries the motion through all blocks, `terms` terms far (1: velocities, 2: accelerations too). The equations may
-    /// drive otherwise than those that were factored. Where two ways lead on, `pick` says which is meant.
+    /// Continues the motion through all blocks, up to `terms` terms (1: velocities, 2:
+    /// accelerations too). The drives of the equations may differ from those of the factored
+    /// equations. If two motions are possible, `pick` returns the index of the selected one.
     ///
-    /// A block that has no motion is refused and left without terms, and so is all that rests on it; the others go on.
+    /// A block without a motion is refused and left without terms, as is everything that depends on
+    /// it; the other blocks continue.
     pub fn carry(&self, rows: &[Row], terms: usize, mut pick: impl FnMut(&Fork) -> usize) -> Carried {
         let singular = self.list.iter().filter(|p| p.deficiency > 0).count();
         let mut out = Carried { motion: Motion::new(self.n), passed: Vec::new(), refused: Vec::new() };
@@ -142,7 +148,7 @@ impl Blocks {
                 })
             };
             if let Err(why) = done {
-                // Velocities stand where only accelerations do not follow from them.
+                // Velocities remain valid if only the accelerations do not follow.
                 if why != Why::NoAcceleration {
                     part.block.unknowns.iter().for_each(|u| out.motion.forget(*u));
                 }
@@ -173,7 +179,8 @@ impl Blocks {
         let p = part.factor.solve(&-&first, true).ok_or(Why::Several)?;
         let still = first.amax() == 0.0;
 
-        // Rates of the order of what drives; where nothing moves yet, of what its acceleration makes.
+        // Rates of the size of the driving rates; if nothing moves yet, of the size that the
+        // acceleration produces.
         let at_p = second(rows, part, motion, &p);
         let unit = match p.amax().max(first.amax()) {
             0.0 if at_p.amax() == 0.0 => 1.0,
@@ -184,9 +191,11 @@ impl Blocks {
         let quadratic = (&up + &down - &at_p * 2.0) / (2.0 * unit * unit);
         let linear = (&up - &down) / (2.0 * unit);
         let (a, b, c) = (l.dot(&quadratic), l.dot(&linear), l.dot(&at_p));
-        // l and z are as true as the pose, and a pose that lengths give at a limit is true to the root of their rounding.
+        // l and z are as accurate as the pose, and a pose given by lengths is accurate at a limit
+        // to the square root of their rounding.
         let blur = 16.0 * part.data.sqrt();
-        // A form that is nothing but rounding has no size of its own: it is judged by the rates it was made of.
+        // A form that consists of rounding errors has no size of its own: it is judged by the rates
+        // from which it is computed.
         let zero = |value: f64, of: &DVector<f64>, made_of: f64| value.abs() <= (blur * of.amax()).max(part.data * made_of);
         let (no_a, no_b) = (zero(a, &quadratic, 1.0), zero(b, &linear, unit));
         let no_c = zero(c, &at_p, unit * unit);
@@ -200,8 +209,9 @@ impl Blocks {
             }
             return Ok(Passed { block: index, rest: true, turning: true, off: 0.0 });
         }
-        // F(Y, t) = g t + A Y² + B Y t + C t²: the nearest pose at which both derivatives vanish is at Y = −g B/D, where
-        // g² A/D is left, D = B² − 4 A C. Only if that is rounding, this is a change point.
+        // F(Y, t) = g t + A Y² + B Y t + C t²: the nearest pose at which both derivatives vanish is
+        // at Y = −g B/D with the remainder g² A/D, D = B² − 4 A C. The pose is a change point only
+        // if the remainder is rounding.
         let g = l.dot(&first);
         let d = b * b - 4.0 * a * c;
         let size = b * b + 4.0 * (a * c).abs();
@@ -246,7 +256,7 @@ impl Blocks {
     }
 }
 
-/// Carries the motion through a block that determines it.
+/// Continues the motion through a block that determines it.
 fn follow(rows: &[Row], part: &Part, known: usize, motion: &mut Motion) -> Result<(), Why> {
     for n in 1..=known {
         let c = part.factor.solve(&-residuals(rows, part, motion, n), false).ok_or(Why::Several)?;
@@ -261,18 +271,19 @@ fn set(part: &Part, motion: &mut Motion, n: usize, c: &DVector<f64>) {
     }
 }
 
-/// How many terms are known of what a block rests on; `None` where it rests on nothing.
+/// Returns the number of known terms of the unknowns on which a block depends; `None` if it depends
+/// on none.
 fn known_before(rows: &[Row], part: &Part, motion: &Motion) -> Option<usize> {
     let of = part.block.rows.iter().flat_map(|r| &rows[*r].coefficients).map(|c| c.0);
     of.filter(|u| part.block.unknowns.binary_search(u).is_err()).map(|u| motion.order(u)).min()
 }
 
-/// What the block's equations leave in t^n.
+/// Returns the residuals of the block's equations in t^n.
 fn residuals(rows: &[Row], part: &Part, motion: &Motion, n: usize) -> DVector<f64> {
     DVector::from_iterator(part.block.rows.len(), part.block.rows.iter().map(|r| motion.residual(&rows[*r].relation, n)))
 }
 
-/// What the block leaves in t² with the rates `c` and no acceleration of its own.
+/// Returns the residuals of the block in t² with the rates `c` and no acceleration of its own.
 fn second(rows: &[Row], part: &Part, motion: &mut Motion, c: &DVector<f64>) -> DVector<f64> {
     set(part, motion, 1, c);
     let left = residuals(rows, part, motion, 2);
@@ -291,7 +302,8 @@ mod tests {
     use hodograph_mechanism::position::configure;
     use hodograph_scene as scene;
 
-    /// What comes of a four-bar in line, whose C lies `off` beside the line, where poses are known to 1e-6.
+    /// Returns the result for a four-bar in line whose pin C is offset by `off` from the line, with
+    /// poses known to 1e-6.
     fn carried(link: u8, d: f64, off: f64) -> Carried {
         carried_in(&format!(
             r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "0": ["A", "D"]}}, "ground": "0", "units": {{"length": "m"}},
@@ -309,7 +321,8 @@ mod tests {
         Blocks::new(&system.rows, layout.unknowns, 1e-15, |_| 1e-6).carry(&system.rows, 2, |_| 0)
     }
 
-    /// A change point is one for a pose that is off by what is not known of it; a dead point is not.
+    /// A change point is still recognized in a pose that deviates within its uncertainty; a dead
+    /// point is refused.
     #[test]
     fn a_pose_that_is_known_roughly_is_passed_where_both_ways_lead_on() {
         for off in [0.0, 1e-14, -1e-11, 1e-9, -1e-9, 4e-9] {
@@ -317,13 +330,14 @@ mod tests {
             let through = carried(1, 0.0, off);
             assert!(through.refused.is_empty() && through.passed.len() == 1, "{off}: {:?}", through.refused.first().map(|r| r.why));
             assert!(off == 0.0 || through.passed[0].off > 0.0, "{off}");
-            // The rocker's drive at its limit: only A, B and C in line.
+            // The rocker's drive at its limit: only A, B and C are in line.
             let dead = carried(3, -2.0, off);
             assert_eq!(dead.refused.iter().map(|r| r.why).collect::<Vec<_>>(), [Why::DeadPoint], "{off}");
         }
     }
 
-    /// Two sliders on parallel guides, joined by a rod that is square to them: both ways are one, and accelerations do not follow.
+    /// Two sliders on parallel guides, joined by a rod square to them: both motions coincide, and
+    /// accelerations do not follow.
     #[test]
     fn two_ways_that_are_one_within_what_is_known() {
         for off in [0.0, 1e-13, -1e-11, 1e-10, -1e-10, 1e-9] {

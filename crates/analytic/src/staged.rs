@@ -1,12 +1,14 @@
-//! A large system solved block by block (block triangular form), each block after those that it rests on.
+//! Solution of a large system block by block (block triangular form), each block after those on
+//! which it depends.
 //!
-//! The cost of factoring grows with the number of blocks, not with the cube of the number of unknowns.
+//! The cost of factoring grows with the number of blocks, not with the cube of the number of
+//! unknowns.
 
 use super::blocks::{Block, blocks};
 use super::relation::Row;
 use nalgebra::{DMatrix, DVector, Dyn, LU, PermutationSequence};
 
-/// From so many unknowns on (some fifty links) a system is solved in stages.
+/// Number of unknowns (some fifty links) from which a system is solved in stages.
 pub(super) const LARGE: usize = 150;
 
 /// The factors of a system's blocks.
@@ -46,18 +48,18 @@ impl Part {
 }
 
 impl Staged {
-    /// Factors the equations of `n` unknowns, as many as these.
+    /// Factors the equations of `n` unknowns, which must be `n` in number.
     pub fn new(rows: &[Row], n: usize) -> Staged {
         Staged::of(rows.iter().map(|r| r.coefficients.clone()).collect(), blocks(rows, n))
     }
 
-    /// The same of these blocks.
+    /// Factors the given blocks.
     fn of(coefficients: Vec<Vec<(usize, f64)>>, blocks: Vec<Block>) -> Staged {
         let parts = blocks.into_iter().map(|block| Part::new(block, &coefficients)).collect();
         Staged { coefficients, parts }
     }
 
-    /// The largest sum of a column's magnitudes.
+    /// Returns the largest column sum of magnitudes.
     pub fn one_norm(&self) -> f64 {
         let mut sums = vec![0.0; self.coefficients.len()];
         for (k, c) in self.coefficients.iter().flatten() {
@@ -70,7 +72,7 @@ impl Staged {
     pub fn solve(&self, b: &DVector<f64>) -> Option<DVector<f64>> {
         let mut x = DVector::zeros(b.len());
         for part in &self.parts {
-            // What stands outside the block has been found before it.
+            // Unknowns outside the block are solved before it.
             let known = |row: usize| self.coefficients[row].iter().filter(|(k, _)| !part.has(*k)).map(|(k, c)| c * x[*k]).sum::<f64>();
             let rhs = DVector::from_iterator(part.block.rows.len(), part.block.rows.iter().map(|row| b[*row] - known(*row)));
             let found = part.lu.solve(&rhs)?;
@@ -79,7 +81,7 @@ impl Staged {
         Some(x)
     }
 
-    /// y with Aᵀ y = c: the blocks in reverse.
+    /// Returns y with Aᵀ y = c: the blocks in reverse order.
     pub fn solve_transposed(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
         let (mut rest, mut y) = (c.clone(), DVector::zeros(c.len()));
         for part in self.parts.iter().rev() {
@@ -106,10 +108,10 @@ mod tests {
     use super::super::blocks::of_lists;
     use super::*;
 
-    /// Blocks of three, each resting on the one before it, their equations and unknowns shuffled.
+    /// Blocks of three, each dependent on the one before it, with shuffled equations and unknowns.
     fn chain(blocks: usize) -> Vec<Vec<(usize, f64)>> {
         let n = 3 * blocks;
-        // Strides that are prime to every number of unknowns here.
+        // Strides coprime to every number of unknowns here.
         let (unknown, row) = (|k: usize| (k * 7 + 5) % n, |i: usize| (i * 11 + 2) % n);
         let mut rows = vec![Vec::new(); n];
         for i in 0..n {
@@ -128,7 +130,7 @@ mod tests {
             let n = coefficients.len();
             let lists: Vec<Vec<usize>> = coefficients.iter().map(|row| row.iter().map(|c| c.0).collect()).collect();
             let staged = Staged::of(coefficients.clone(), of_lists(&lists, n));
-            // The work is that of so many small blocks.
+            // The work is that of this many small blocks.
             assert!(staged.parts.len() == count && staged.parts.iter().all(|p| p.block.rows.len() == 3));
             let mut whole = DMatrix::<f64>::zeros(n, n);
             for (i, row) in coefficients.iter().enumerate() {

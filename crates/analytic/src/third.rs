@@ -1,7 +1,9 @@
-//! The third derivative of the motion: one more order of the loop equations, with the Jacobian that velocities and accelerations have.
+//! The third derivative of the motion: one more order of the loop equations, with the same Jacobian
+//! as velocities and accelerations.
 //!
-//! With c₁ = q̇ and c₂ = q̈/2 known, the terms of t³ leave J c₃ = −r₃, where r₃ is what each equation makes of the lower terms
-//! ([`super::series`]). Drivers keep their accelerations, followers by laws have the third derivative of their law.
+//! With c₁ = q̇ and c₂ = q̈/2 known, the terms of t³ leave J c₃ = −r₃, where r₃ is the contribution
+//! of the lower terms to each equation ([`super::series`]). Drivers keep their accelerations
+//! constant; followers of cams with a law have the third derivative of the law.
 
 use super::rows::Layout;
 use super::series::Motion;
@@ -12,11 +14,12 @@ use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{LinkId, Scene};
 use nalgebra::DVector;
 
-/// The third derivatives of one link: that of a place of it (m/s³), and that of its angle (rad/s³).
+/// The third derivatives of a link: of the position of a point of it (m/s³), and of its angle
+/// (rad/s³).
 type Third = (Vec2, f64);
 
-/// The third derivatives of the places of all links that are wanted up to their accelerations, at the link's point of a place; `None` for the others,
-/// and for all in a singular pose.
+/// Returns the third derivatives of all links that are requested up to their accelerations, at the
+/// link's point at `place`; `None` for the other links, and for all links in a singular pose.
 pub fn third(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, solution: &Solution, place: Point) -> Vec<Option<Third>> {
     let mut out = vec![None; scene.links.len()];
     out[scene.ground.0] = Some((Vec2::ZERO, 0.0));
@@ -55,7 +58,8 @@ fn solved(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, sol
     )
 }
 
-/// The rates of a level of a layout's unknowns, from a solution; `None` where it does not hold them.
+/// Returns the rates of a level for the unknowns of a layout, from a solution; `None` if the
+/// solution does not contain them.
 fn packed(layout: &Layout, from: &Solution, level: Level) -> Option<Vec<f64>> {
     let mut x = Vec::with_capacity(layout.unknowns);
     let second = level == Level::Acceleration;
@@ -72,12 +76,13 @@ fn packed(layout: &Layout, from: &Solution, level: Level) -> Option<Vec<f64>> {
 }
 
 impl Solution {
-    /// The velocity or acceleration of the point of a link that lies at a place.
+    /// Returns the velocity or acceleration of the point of a link at a position.
     pub fn of_link(&self, level: Level, link: LinkId, place: Point) -> Option<Vec2> {
         if link == self.ground { Some(Vec2::ZERO) } else { self.of_place(level, link, place) }
     }
 
-    /// The third derivative at a place of a link, from that at its origin: (D³ e^{iθ}) r = (i θ⃛ − 3 ω α − i ω³) r.
+    /// Returns the third derivative at a point of a link, from that at its origin: (D³ e^{iθ}) r =
+    /// (i θ⃛ − 3 ω α − i ω³) r.
     fn moved_to(&self, link: LinkId, place: Point, (of_origin, turning): Third) -> Option<Third> {
         let motion = self.links[link.0]?;
         let (omega, (_, alpha)) = (motion.omega, motion.second?);

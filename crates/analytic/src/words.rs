@@ -1,8 +1,9 @@
-//! Which links hold each other where a block is singular, in words: what the left null vector loads.
+//! Description in words of the links that hold each other in a singular block: those that the left
+//! null vector loads.
 //!
-//! Where the velocities of a block do not follow from its joints, the joints can hold forces with nothing to balance: along
-//! links in line, from a bar into the guide that it meets squarely. The links and joints that those forces load are the
-//! ones to name.
+//! If the velocities of a block do not follow from its joints, the joints can carry forces without
+//! an external load: along links in line, or from a bar into a guide that it meets at a right
+//! angle. The description names the links and joints that these forces load.
 
 use super::relation::{Pair, Row};
 use super::rows::Layout;
@@ -16,18 +17,19 @@ use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 /// The loaded part of a singular block.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Held {
-    /// The loaded links, those that lead into the block included where all lie in one line.
+    /// The loaded links, including those that lead into the block if all are in one line.
     pub links: Vec<LinkId>,
-    /// A joint between two of them.
+    /// A joint between two of the links.
     pub joint: Option<PointId>,
     /// `link 1 (AB) and link 2 (BC) lie in line at B`.
     pub text: Both,
 }
 
-/// Loads smaller than this part of the largest are rounding (they are true to the root of the rounding of the lengths).
+/// Loads smaller than this part of the largest are rounding (they are accurate to the square root
+/// of the rounding of the lengths).
 const LOADED: f64 = 1e-6;
 
-/// What a block's left null vector loads.
+/// Returns the links and joints that a block's left null vector loads.
 pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[Row], part: &Part) -> Held {
     let loads = part.factor.left();
     let loaded = |i: usize| loads[i].abs() > LOADED * loads.amax();
@@ -40,7 +42,8 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
             Pair::Pin(_) | Pair::Guide(_) | Pair::Driver(_) | Pair::Rolling(_) => {}
         }
     }
-    // A runner that is driven along its guide is held like a pin; one that is not is held squarely to the guide.
+    // A runner that is driven along its guide is held like a pin; any other runner is held square
+    // to the guide.
     for d in &drivers {
         let kind = &scene.drivers[*d].kind;
         if let Some(guide) = kind.guide() {
@@ -74,7 +77,8 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
     let turned = drivers.iter().any(|d| scene.drivers[*d].kind.turns());
     let in_line = guides.is_empty() && !turned && collinear(&places, at.extent());
     if in_line {
-        // A link that leads into the block along the same line belongs to the picture: the crank of a parallelogram.
+        // A link that leads into the block along the same line is included: the crank of a
+        // parallelogram.
         let reaches = |l: LinkId| {
             let mine: Vec<_> = scene.links[l.0].points.iter().filter(|p| pins.contains(p)).collect();
             let all: Vec<_> = scene.links[l.0].points.iter().filter_map(|p| at.points[p.0]).chain(places.iter().copied()).collect();
@@ -82,12 +86,12 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
         };
         links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && (links.contains(l) || reaches(*l))).collect();
     }
-    // A bar is lettered by the joints that it is loaded in.
+    // A bar is lettered by the joints at which it is loaded.
     let letters = |l: LinkId| {
         let of = if block.contains(&l) { on(l) } else { scene.links[l.0].points.clone() };
         match of[..] {
             [a, b] => both!(" ({}{})", "（{}{}）", scene.point_name(a), scene.point_name(b)),
-            // The letters end with a mark of their own; a name alone stands apart from the word behind it.
+            // A closing bracket ends the letters; a name alone is followed by a space.
             _ => both!("", " "),
         }
     };
@@ -146,7 +150,7 @@ fn coincident(scene: &Scene, at: &Configuration, pins: &[PointId]) -> Both {
     Both::default()
 }
 
-/// The links whose unknowns a block holds, in the order of the scene.
+/// Returns the links with unknowns in a block, in the order of the scene.
 pub(super) fn links_of(layout: &Layout, part: &Part) -> Vec<LinkId> {
     let mut links: Vec<LinkId> = part.block.unknowns.iter().filter_map(|u| layout.link_of(*u)).collect();
     links.sort_unstable();
@@ -154,14 +158,14 @@ pub(super) fn links_of(layout: &Layout, part: &Part) -> Vec<LinkId> {
     links
 }
 
-/// The drivers that move, or are to move.
+/// Returns the drivers that move, or are intended to move.
 fn moving_drivers(scene: &Scene) -> Both {
     let moves = |d: &hodograph_scene::Driver| d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0);
     let all: Vec<Both> = (0..scene.drivers.len()).filter(|d| moves(&scene.drivers[*d])).map(|d| mover_words(scene, d)).collect();
     if all.is_empty() { both!("the driver", "原动件") } else { Both::listed(&all) }
 }
 
-/// What is said of a part that has no motion.
+/// Returns the diagnostic about a part without a motion.
 pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Refusal, held: &Held) -> Diagnostic {
     let drivers = moving_drivers(scene);
     let free = free_links(scene, layout, part);
@@ -233,7 +237,7 @@ pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Ref
     }
 }
 
-/// The links that the open freedom moves: `link 1 and link 2`.
+/// Returns the links that the open freedom moves: `link 1 and link 2`.
 fn free_links(scene: &Scene, layout: &Layout, part: &Part) -> Both {
     let z = part.factor.right();
     let moved = |u: usize| z.as_ref().is_none_or(|z| z[u].abs() > LOADED * z.amax());

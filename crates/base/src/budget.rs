@@ -1,8 +1,9 @@
 //! A limit on the time of a computation, and a way to stop it from another thread.
 //!
-//! [`Budget::run`] runs a computation. All long loops of the library call [`spend`]; when the budget is spent, [`spend`] unwinds to
-//! [`Budget::run`], which returns a diagnostic. A computation without a budget is never stopped. Where a program is built with `panic = "abort"`
-//! nothing can be stopped this way.
+//! [`Budget::run`] runs a computation. All long loops of the library call [`spend`]; when the
+//! budget is spent, [`spend`] unwinds to [`Budget::run`], which returns a diagnostic. A computation
+//! without a budget is never stopped. A program built with `panic = "abort"` cannot stop
+//! computations this way.
 
 use crate::diag::{Diagnostic, both};
 use std::cell::RefCell;
@@ -11,7 +12,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// When a computation has to end.
+/// A limit on a computation: a deadline, a flag that cancels it, or both.
 ///
 /// ```
 /// use hodograph_base::budget::{Budget, spend};
@@ -27,7 +28,8 @@ pub struct Budget {
     cancelled: Option<Arc<AtomicBool>>,
 }
 
-/// Why a computation was stopped: what unwinds from [`spend`] to [`Budget::run`].
+/// The reason why a computation is stopped; the payload that unwinds from [`spend`] to
+/// [`Budget::run`].
 #[derive(Clone, Copy)]
 enum Spent {
     Time,
@@ -35,11 +37,11 @@ enum Spent {
 }
 
 thread_local! {
-    /// The budget of what runs on this thread.
+    /// The budget of the computation that runs on this thread.
     static HERE: RefCell<Option<Budget>> = const { RefCell::new(None) };
 }
 
-/// Puts the outer budget back, also when the work unwinds.
+/// Restores the outer budget, also when the work unwinds.
 struct Outer(Option<Budget>);
 
 impl Drop for Outer {
@@ -49,22 +51,22 @@ impl Drop for Outer {
 }
 
 impl Budget {
-    /// The budget with a deadline.
+    /// Returns the budget with a deadline.
     pub fn until(self, deadline: Instant) -> Budget {
         Budget { deadline: Some(deadline), ..self }
     }
 
-    /// The budget with a flag: the computation stops soon after it is set.
+    /// Returns the budget with a flag: the computation stops soon after the flag is set.
     pub fn cancelled_by(self, flag: Arc<AtomicBool>) -> Budget {
         Budget { cancelled: Some(flag), ..self }
     }
 
-    /// The result of a computation that ends within the budget.
+    /// Runs a computation within the budget and returns its result.
     ///
-    /// A budget within another stands for itself.
+    /// Within a nested budget only the inner budget counts.
     ///
     /// # Errors
-    /// `stopped` where the deadline passes or the flag is set before the computation ends.
+    /// `stopped` if the deadline passes or the flag is set before the computation ends.
     pub fn run<T>(&self, work: impl FnOnce() -> T) -> Result<T, Diagnostic> {
         match catch_unwind(AssertUnwindSafe(|| Here(Some(self.clone())).enter(work))) {
             Ok(value) => Ok(value),
@@ -93,7 +95,7 @@ impl Spent {
     }
 }
 
-/// Stops the computation where its budget is spent; costs some nanoseconds.
+/// Stops the computation if its budget is spent. A call costs some nanoseconds.
 pub fn spend() {
     let spent = HERE.with_borrow(|budget| budget.as_ref().and_then(Budget::spent));
     if let Some(spent) = spent {
@@ -101,18 +103,19 @@ pub fn spend() {
     }
 }
 
-/// The budget of what runs on this thread, to be carried to others.
+/// Returns the budget of the computation on this thread, to be passed to other threads.
 pub fn here() -> Here {
     Here(HERE.with_borrow(Option::clone))
 }
 
-/// A budget on its way to another thread.
+/// The budget of one thread, passed to another thread.
 #[derive(Clone, Debug)]
 pub struct Here(Option<Budget>);
 
 impl Here {
-    /// Runs a part of the computation on the thread of the call. A thread that waits for another computation may take the part over, so that a
-    /// part without a budget puts that one's aside.
+    /// Runs a part of the computation on the calling thread under this budget. A thread that waits
+    /// for another computation may run the part, so a part without a budget suspends the budget of
+    /// that thread.
     pub fn enter<T>(&self, work: impl FnOnce() -> T) -> T {
         let _outer = Outer(HERE.replace(self.0.clone()));
         work()

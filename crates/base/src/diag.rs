@@ -1,10 +1,12 @@
-//! Diagnostics as values: every fault of an input, with its place, collected in one run.
+//! Diagnostics as values: every fault of an input, with its position, collected in one run.
 //!
-//! A stage that finds faults pushes them into a [`Faults`] and goes on as long as it can; only the command line
-//! prints them. A [`Diagnostic`] says what is wrong, where, what would be right (`help`), and how grave it is.
+//! A stage that finds faults pushes them into a [`Faults`] and continues as far as it can; only the
+//! command line prints them. A [`Diagnostic`] states the fault, its position, the remedy (`help`)
+//! and its severity.
 //!
-//! What it says is a [`Both`]: English and Chinese, made at once by `both!`; whoever shows it chooses. A plain text is none, so that
-//! the compiler finds a message without its Chinese.
+//! Every message is a [`Both`]: English and Chinese, created together by `both!`; the output code
+//! chooses the language. A plain string has another type, so the compiler finds a message without
+//! its Chinese text.
 
 pub mod json;
 mod place;
@@ -12,7 +14,7 @@ mod place;
 pub use place::LineColumn;
 use std::fmt;
 
-/// A place in the scene file: byte offsets, end exclusive.
+/// A position in the scene file: byte offsets, end exclusive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Span {
     /// First byte.
@@ -22,7 +24,7 @@ pub struct Span {
 }
 
 impl Span {
-    /// The bytes `start..end`.
+    /// Returns the span of the bytes `start..end`.
     pub const fn new(start: usize, end: usize) -> Self {
         Span { start, end }
     }
@@ -30,23 +32,23 @@ impl Span {
 
 /// A text in both languages.
 ///
-/// It has no `Display`: whoever shows it says in which language.
+/// There is no `Display`: the output code chooses the language.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Both {
-    /// English.
+    /// The English text.
     pub en: String,
-    /// Chinese.
+    /// The Chinese text.
     pub zh: String,
 }
 
 impl Both {
-    /// A text that is the same in both languages: a name, a number, a word of the input.
+    /// Returns a text that is the same in both languages: a name, a number, a word of the input.
     pub fn same(text: impl Into<String>) -> Both {
         let en = text.into();
         Both { zh: en.clone(), en }
     }
 
-    /// Whether it says nothing.
+    /// Returns true if the text is empty.
     pub fn is_empty(&self) -> bool {
         self.en.is_empty() && self.zh.is_empty()
     }
@@ -55,7 +57,7 @@ impl Both {
         Both { en: change(self.en), zh: change(self.zh) }
     }
 
-    /// Several, one after the other, with a mark between them in each language.
+    /// Joins several texts with a separator for each language.
     pub fn join<'a>(all: impl IntoIterator<Item = &'a Both>, en: &str, zh: &str) -> Both {
         let mut out = Both::default();
         for (i, one) in all.into_iter().enumerate() {
@@ -69,13 +71,13 @@ impl Both {
         out
     }
 
-    /// Names, numbers, words of the input one after the other: `a, b, c`, in Chinese `a、b、c`.
+    /// Joins names, numbers or words of the input: `a, b, c`, in Chinese `a、b、c`.
     pub fn names<T: AsRef<str>>(all: &[T]) -> Both {
         let joined = |mark: &str| all.iter().map(T::as_ref).collect::<Vec<_>>().join(mark);
         Both { en: joined(", "), zh: joined("、") }
     }
 
-    /// With the stop of its language at the end, where it has none.
+    /// Returns the text with the full stop of each language at its end, added if it is missing.
     pub fn sentence(self) -> Both {
         let stopped = |text: String, stop: &str| {
             if text.is_empty() || text.ends_with(['.', '。', ':', '：', '?', '？']) { text } else { text + stop }
@@ -83,7 +85,7 @@ impl Both {
         Both { en: stopped(self.en, "."), zh: stopped(self.zh, "。") }
     }
 
-    /// An enumeration: `a`, `a and b`, `a, b and c`.
+    /// Returns an enumeration: `a`, `a and b`, `a, b and c`.
     pub fn listed(all: &[Both]) -> Both {
         match all {
             [] => Both::default(),
@@ -96,7 +98,8 @@ impl Both {
     }
 }
 
-/// In tests of single stages the Chinese is not looked at; what the program itself says cannot be made of one language.
+/// Tests of single stages do not check the Chinese text; the program itself cannot create a message
+/// in one language only.
 #[cfg(test)]
 impl From<&str> for Both {
     fn from(text: &str) -> Both {
@@ -111,13 +114,14 @@ impl From<String> for Both {
     }
 }
 
-/// What `both!` writes into its sentences: a [`Both`] in the sentence's language, all else as it prints.
+/// A value that `both!` inserts into its sentences: a [`Both`] in the language of the sentence, any
+/// other value as it prints.
 pub trait Piece {
-    /// What is written.
+    /// The type that is inserted.
     type Shown: ?Sized;
-    /// It in an English sentence.
+    /// Returns the value for an English sentence.
     fn en(&self) -> &Self::Shown;
-    /// It in a Chinese sentence.
+    /// Returns the value for a Chinese sentence.
     fn zh(&self) -> &Self::Shown;
 }
 
@@ -151,10 +155,13 @@ impl Piece for &Both {
     }
 }
 
-/// A text in both languages, `both!("link {} is too long", "构件 {} 过长", name)`: two sentences of `format!` and the values of both.
+/// Creates a text in both languages, `both!("link {} is too long", "构件 {} 过长", name)`: two
+/// `format!` sentences and the values of both.
 ///
-/// The values may stand in another order in the second (`{1}`); a [`Both`] among them is written in the sentence's language. An ending
-/// that only English has (`link{}` with an `s`) is swallowed by `{1:.0}`. A value is taken once for each language: it must not be used up.
+/// The second sentence may use the values in another order (`{1}`); a [`Both`] among them is
+/// inserted in the language of the sentence. An ending that only English has (`link{}` with an `s`)
+/// is dropped with `{1:.0}`. Each value is evaluated once for each language, so it must not be
+/// consumed.
 #[macro_export]
 macro_rules! both {
     ($en:literal, $zh:literal $(, $value:expr)* $(,)?) => {
@@ -163,12 +170,12 @@ macro_rules! both {
 }
 pub use both;
 
-/// How grave a diagnostic is.
+/// The severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// The result stands; the reader should know.
+    /// The result is valid; the note informs the reader.
     Note,
-    /// The result stands, but something in the scene is doubtful.
+    /// The result is valid, but something in the scene is doubtful.
     Warning,
     /// There is no result.
     Error,
@@ -177,41 +184,41 @@ pub enum Severity {
 /// One fault or remark.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
-    /// How grave.
+    /// The severity.
     pub severity: Severity,
     /// A stable word for programs, such as `unknown-key`, `dead-centre`, `cannot-assemble`.
     pub code: &'static str,
-    /// What is wrong, in one sentence, with the value.
+    /// The fault in one sentence, with the value.
     pub message: Both,
-    /// Where in the file; `None` where the fault belongs to no single place.
+    /// The position in the file; `None` if the fault has no single position.
     pub span: Option<Span>,
-    /// What to do.
+    /// The remedy.
     pub help: Option<Both>,
 }
 
 impl Diagnostic {
-    /// An error.
+    /// Creates an error.
     pub fn error(code: &'static str, message: impl Into<Both>) -> Self {
         Diagnostic { severity: Severity::Error, code, message: message.into().each(bounded), span: None, help: None }
     }
 
-    /// A warning.
+    /// Creates a warning.
     pub fn warning(code: &'static str, message: impl Into<Both>) -> Self {
         Diagnostic { severity: Severity::Warning, ..Self::error(code, message) }
     }
 
-    /// A note.
+    /// Creates a note.
     pub fn note(code: &'static str, message: impl Into<Both>) -> Self {
         Diagnostic { severity: Severity::Note, ..Self::error(code, message) }
     }
 
-    /// The same, at a place.
+    /// Sets the position.
     pub fn at(mut self, span: Span) -> Self {
         self.span = Some(span);
         self
     }
 
-    /// The same, with advice.
+    /// Sets the remedy.
     pub fn help(mut self, help: impl Into<Both>) -> Self {
         self.help = Some(help.into().each(bounded));
         self
@@ -219,8 +226,9 @@ impl Diagnostic {
 }
 
 impl Diagnostic {
-    /// What is left of English in the Chinese of the message or of the help: two small words side by side or an English comma outside of
-    /// quotation marks and brackets, or a message without a Chinese character. What a user reads in Chinese has none; tests ask for it.
+    /// Returns English that remains in the Chinese text of the message or of the help: two
+    /// lower-case words side by side or an English comma outside quotation marks and brackets, or a
+    /// message without a Chinese character. Tests require `None` for every diagnostic.
     pub fn english_in_chinese(&self) -> Option<String> {
         let told = self.message.zh.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
         let all = [Some(&self.message), self.help.as_ref()];
@@ -229,7 +237,7 @@ impl Diagnostic {
     }
 }
 
-/// Two small words of Latin letters side by side, outside of what is quoted.
+/// Returns two lower-case words of Latin letters side by side, outside quotations.
 fn english(text: &str) -> Option<String> {
     let unquoted = |mark: char, text: &str| text.split(mark).step_by(2).collect::<Vec<_>>().join(" \u{b7} ");
     let text = unquoted('"', &unquoted('`', text));
@@ -239,7 +247,7 @@ fn english(text: &str) -> Option<String> {
     words.windows(2).find(|w| w.iter().all(|w| small(w))).map(|w| w.join(" ")).or_else(comma)
 }
 
-/// A text without what stands in brackets: coordinates, lists of JSON.
+/// Returns the text without bracketed parts: coordinates, lists of JSON.
 fn unbracketed(text: &str) -> String {
     let mut depth = 0_usize;
     let mut kept = String::new();
@@ -254,18 +262,20 @@ fn unbracketed(text: &str) -> String {
     kept
 }
 
-/// A sentence shorter than this is told as it is.
+/// A sentence of at most this length (bytes) is not shortened.
 const LONG: usize = 300;
-/// A longer word between backticks is told by its beginning, its end and its length.
+/// A longer word between backticks is shortened to its beginning, its end and its length
+/// (characters).
 const LONGEST_WORD: usize = 80;
-/// What remains of its beginning.
+/// Number of characters kept from the beginning.
 const HEAD: usize = 40;
-/// The same of its end.
+/// Number of characters kept from the end.
 const TAIL: usize = 20;
-/// Longest sentence, in characters.
+/// Greatest length of a sentence (characters).
 const LONGEST: usize = 1200;
 
-/// A sentence with the long names of the input cut short: a file of two megabytes may be one name, and thousands of faults may quote it.
+/// Returns a sentence with the long names of the input shortened: a file of two megabytes may
+/// consist of one name, and thousands of faults may quote it.
 fn bounded(text: String) -> String {
     if text.len() <= LONG {
         return text;
@@ -280,7 +290,7 @@ fn bounded(text: String) -> String {
     }
 }
 
-/// A text by its beginning, its end and its length, where it is long.
+/// Returns a long text shortened to its beginning, its end and its length.
 pub fn shortened(text: &str) -> String {
     let count = if text.len() > LONGEST_WORD { text.chars().count() } else { 0 };
     if count <= LONGEST_WORD {
@@ -291,7 +301,7 @@ pub fn shortened(text: &str) -> String {
     format!("{head}…{tail} ({count} characters)")
 }
 
-/// In English.
+/// Writes the English text.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.message.en)?;
@@ -307,17 +317,17 @@ impl std::error::Error for Diagnostic {}
 /// The diagnostics of one run, in the order in which they were found.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Faults {
-    /// All of them.
+    /// All diagnostics.
     pub list: Vec<Diagnostic>,
 }
 
 impl Faults {
-    /// Adds one.
+    /// Adds a diagnostic.
     pub fn push(&mut self, d: Diagnostic) {
         self.list.push(d);
     }
 
-    /// Whether any is an error.
+    /// Returns true if any diagnostic is an error.
     pub fn has_errors(&self) -> bool {
         self.list.iter().any(|d| d.severity == Severity::Error)
     }
@@ -343,7 +353,7 @@ impl fmt::Display for Faults {
 
 impl std::error::Error for Faults {}
 
-/// A value with the warnings and notes that travel with it.
+/// A value with the warnings and notes that belong to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Warned<T> {
     /// The value.
@@ -353,7 +363,7 @@ pub struct Warned<T> {
 }
 
 impl<T> Warned<T> {
-    /// Another value with the same notes.
+    /// Returns another value with the same notes.
     pub fn map<U>(self, change: impl FnOnce(T) -> U) -> Warned<U> {
         Warned { value: change(self.value), notes: self.notes }
     }
@@ -368,7 +378,7 @@ mod tests {
         let told = |all: Both| Diagnostic::error("x", both!("the points are {}", "点有 {}", all)).english_in_chinese();
         assert_eq!(told(Both::names(&["A", "B", "C"])), None);
         assert!(told(Both::same("A, B, C")).is_some());
-        // Coordinates and what is quoted of the file keep theirs.
+        // English commas in coordinates and in quotations of the file are allowed.
         assert_eq!(told(Both::same("(1, 2)、`[1, 2]`、\"A, B\"")), None);
     }
 
@@ -382,7 +392,7 @@ mod tests {
             d.message.en
         );
         assert!(d.help.is_some_and(|h| h.en.len() < 200));
-        // What has no backticks, or only one, is cut.
+        // Text without a pair of backticks is shortened too.
         for text in [name.clone(), format!("`{name}"), format!("é{name}`")] {
             assert!(Diagnostic::note("name", text).message.en.len() < 2 * LONGEST);
         }

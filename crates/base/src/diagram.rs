@@ -1,4 +1,5 @@
-//! Kinds of diagrams: the one list of what is drawn to a scale of its own, with all that differs from one to the next.
+//! Kinds of diagrams: the list of all drawings with their own scale, and the properties that differ
+//! between them.
 
 use crate::diag::{Both, both};
 use crate::kind::{Kind, Level};
@@ -7,8 +8,9 @@ use serde::{Deserialize, Serialize};
 
 /// A kind of diagram.
 ///
-/// A [`Level`] is the order of a derivative; a diagram kind names a drawing. A kind that is added is a line of [`DiagramKind::ALL`] and an entry of each
-/// function below, and the compiler shows every other place that it concerns.
+/// A [`Level`] is the order of a derivative; a diagram kind names a drawing. To add a kind, add an
+/// entry to [`DiagramKind::ALL`] and one to each function below; the compiler shows every other
+/// affected place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum DiagramKind {
@@ -23,19 +25,20 @@ pub enum DiagramKind {
 }
 
 impl DiagramKind {
-    /// All kinds, in the order of drawing.
+    /// All kinds, in drawing order.
     pub const ALL: [DiagramKind; 4] = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration, DiagramKind::Force];
 
-    /// Those of one construction, of the motion of an instant: the plane and the polygons with a pole.
+    /// The diagrams of one construction of the motion at an instant: the plane and the polygons
+    /// with a pole.
     pub const OF_MOTION: [DiagramKind; 3] = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration];
 
-    /// Those of vectors that are drawn from a pole, in the order of drawing.
+    /// The diagrams with vectors drawn from a pole, in drawing order.
     pub const POLYGONS: [DiagramKind; 2] = [DiagramKind::Velocity, DiagramKind::Acceleration];
 
-    /// The diagrams of vectors, in the order of drawing.
+    /// The diagrams of vectors, in drawing order.
     pub const VECTORS: [DiagramKind; 3] = [DiagramKind::Velocity, DiagramKind::Acceleration, DiagramKind::Force];
 
-    /// The polygon of the derivatives of an order; the plane for positions.
+    /// Returns the polygon of the derivatives of an order; the plane for positions.
     pub const fn of(level: Level) -> DiagramKind {
         match level {
             Level::Position => DiagramKind::Plane,
@@ -44,7 +47,8 @@ impl DiagramKind {
         }
     }
 
-    /// The order of derivative of what is drawn; the lowest for forces, which are none.
+    /// Returns the order of derivative of the drawn quantity; the lowest level for forces, which
+    /// are no derivatives.
     pub const fn level(self) -> Level {
         match self {
             DiagramKind::Plane | DiagramKind::Force => Level::Position,
@@ -53,7 +57,7 @@ impl DiagramKind {
         }
     }
 
-    /// The kind of quantity that a distance on it stands for.
+    /// Returns the kind of quantity that a distance on the diagram represents.
     pub const fn kind(self) -> Kind {
         match self {
             DiagramKind::Plane => Kind::Length,
@@ -63,7 +67,7 @@ impl DiagramKind {
         }
     }
 
-    /// The kind of quantity that the turning of a link is, which is measured on it.
+    /// Returns the kind of quantity of a link's rotation that is measured on the diagram.
     pub const fn turning(self) -> Kind {
         match self {
             DiagramKind::Plane => Kind::Angle,
@@ -73,7 +77,7 @@ impl DiagramKind {
         }
     }
 
-    /// The symbol of its vectors, which is the subscript of its scale: `l`, `v`, `a`.
+    /// Returns the symbol of its vectors, which is the subscript of its scale: `l`, `v`, `a`.
     pub const fn letter(self) -> &'static str {
         match self {
             DiagramKind::Plane => "l",
@@ -83,7 +87,7 @@ impl DiagramKind {
         }
     }
 
-    /// The symbol of the turning of a link, in the label language.
+    /// Returns the symbol of a link's rotation, in the label language.
     pub const fn turning_letter(self) -> &'static str {
         match self {
             DiagramKind::Plane => "\\varphi",
@@ -93,7 +97,7 @@ impl DiagramKind {
         }
     }
 
-    /// The mark behind the letters of its points: p, b; p′, b′.
+    /// Returns the mark after the letters of its points: p, b; p′, b′.
     pub const fn prime(self) -> &'static str {
         match self {
             DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => "",
@@ -101,7 +105,7 @@ impl DiagramKind {
         }
     }
 
-    /// Its word in files and arguments, and in classes of items of figures.
+    /// Returns the word for it in files, arguments and the classes of items of figures.
     pub const fn word(self) -> &'static str {
         match self {
             DiagramKind::Plane => "mechanism",
@@ -111,7 +115,7 @@ impl DiagramKind {
         }
     }
 
-    /// The word with which ids of its items begin.
+    /// Returns the prefix of the ids of its items.
     pub const fn prefix(self) -> &'static str {
         match self {
             DiagramKind::Plane => "mechanism",
@@ -121,7 +125,7 @@ impl DiagramKind {
         }
     }
 
-    /// The name of one of its vectors.
+    /// Returns the name of one of its vectors.
     pub fn vector(self) -> Both {
         match self {
             DiagramKind::Plane => both!("length", "长度"),
@@ -131,7 +135,7 @@ impl DiagramKind {
         }
     }
 
-    /// The name of several of its vectors.
+    /// Returns the name of several of its vectors.
     pub fn vectors(self) -> Both {
         match self {
             DiagramKind::Plane => both!("lengths", "长度"),
@@ -141,7 +145,7 @@ impl DiagramKind {
         }
     }
 
-    /// The name of the drawing, as a caption.
+    /// Returns the name of the drawing, as a caption.
     pub const fn caption(self, lang: Lang) -> &'static str {
         match (self, lang) {
             (DiagramKind::Plane, Lang::En) => "Kinematic diagram",
@@ -155,7 +159,7 @@ impl DiagramKind {
         }
     }
 
-    /// The name of the drawing within a sentence.
+    /// Returns the name of the drawing for use within a sentence.
     pub fn name(self, lang: Lang) -> String {
         self.caption(lang).to_lowercase()
     }

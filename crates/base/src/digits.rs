@@ -1,13 +1,15 @@
-//! Numbers with units for people: one writer for diagnostics, text answers and figures.
+//! Formatting of numbers with units, shared by diagnostics, text answers and figures.
 
-/// A length for a diagnostic: millimetres with four significant digits, or metres from 10 m on.
+/// Returns a length for a diagnostic: millimetres with four significant digits, or metres from 10 m
+/// on.
 pub fn metres(value_m: f64) -> String {
     if value_m.abs() >= 10.0 { format!("{} m", significant(value_m, 4)) } else { format!("{} mm", significant(value_m * 1e3, 4)) }
 }
 
-/// A number with `digits` significant digits, without an exponent between 1e-4 and 1e6.
+/// Returns a number with `digits` significant digits, without an exponent between 1e-4 and 1e6.
 ///
-/// Zero is `0`. Trailing zeros are kept: they are digits. What is beyond all bounds is `∞`, what has no value `—`.
+/// Zero is `0`. Trailing zeros are kept, since they are significant. An infinite value is `∞`, an
+/// undefined value `—`.
 pub fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return unbounded(value).into();
@@ -15,7 +17,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     plain(&format!("{:.*e}", digits.max(1) - 1, value))
 }
 
-/// What is written for a number that is not finite.
+/// Returns the text for a number that is not finite.
 fn unbounded(value: f64) -> &'static str {
     match value {
         _ if value.is_nan() => "—",
@@ -24,7 +26,7 @@ fn unbounded(value: f64) -> &'static str {
     }
 }
 
-/// A number in e notation as people write it: without an exponent between 1e-4 and 1e6, its digits kept.
+/// Converts a number from e notation: without an exponent between 1e-4 and 1e6, its digits kept.
 pub fn plain(scientific: &str) -> String {
     let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific.into() };
     if mantissa.bytes().all(|b| matches!(b, b'0' | b'.' | b'-')) {
@@ -34,7 +36,7 @@ pub fn plain(scientific: &str) -> String {
     if !(-4..6).contains(&e) {
         return format!("{mantissa}e{e}");
     }
-    // Rounded once, by whoever wrote the digits: the decimal point is only moved.
+    // The digits are already rounded: only the decimal point moves.
     let negative = mantissa.starts_with('-');
     let ciphers: String = mantissa.chars().filter(char::is_ascii_digit).collect();
     let decimals = (ciphers.len() as i32 - 1 - e).max(0);
@@ -48,19 +50,21 @@ pub fn plain(scientific: &str) -> String {
     if negative { format!("-{plain}") } else { plain }
 }
 
-/// A plain number in the label language: `1.5e9` as `1.5 \times 10^{9}`, a minus as long as a plus.
+/// Returns a plain number in the label language: `1.5e9` as `1.5 \times 10^{9}`, with a minus sign
+/// as long as a plus sign.
 pub fn inked(text: &str) -> String {
     let text = match text.split_once('e') {
-        // The power closes with a brace, and the unit after it begins with a space.
+        // The power ends with a brace, and the unit after it begins with a space.
         Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{exponent}}}"),
         None => text.to_owned(),
     };
     text.replace('-', "−")
 }
 
-/// The direction of a vector in degrees, in (−180, 180].
+/// Returns the direction of a vector in degrees, in (−180, 180].
 ///
-/// What lies within rounding of the axis is on it (0 or 180): the sign of a last bit is no direction.
+/// A direction within rounding of the x axis is set to 0 or 180: the sign of a last bit has no
+/// meaning.
 pub fn direction_degrees(angle_rad: f64) -> f64 {
     const ROUNDING: f64 = 1e-10;
     let degrees = angle_rad.to_degrees();
@@ -73,14 +77,15 @@ pub fn direction_degrees(angle_rad: f64) -> f64 {
     }
 }
 
-/// The direction of a line in degrees, in [0, 180): both of its senses are one, as both ends of a line are one point at infinity.
+/// Returns the direction of a line in degrees, in [0, 180): both senses of a line are equal, as
+/// both its ends are one point at infinity.
 pub fn line_degrees(angle_rad: f64) -> f64 {
     let degrees = direction_degrees(angle_rad).rem_euclid(180.0);
-    // What lies below zero by less than half a unit of 180 is rounded up to it.
+    // A value below zero by less than half a unit in the last place of 180 is rounded up to 180.
     if degrees >= 180.0 { 0.0 } else { degrees }
 }
 
-/// A number as short as it can be written, for scales and given values: `0.002`, `60`, `2.5`.
+/// Returns the shortest form of a number, for scales and given values: `0.002`, `60`, `2.5`.
 pub fn shortest(value: f64) -> String {
     if !value.is_finite() {
         return unbounded(value).into();

@@ -1,28 +1,28 @@
-//! Points and vectors of the plane, x to the right, y up, angles counter-clockwise plus.
+//! Points and vectors of the plane, x to the right, y up, angles counter-clockwise positive.
 //!
-//! A [`Point`] is a place, a [`Vec2`] a displacement (or a velocity, an acceleration): `Point − Point = Vec2`,
-//! there is no `Point + Point`. The unit is that of the caller (SI metres, or millimetres of paper) and is said in
-//! the names there. Nothing here knows of tolerances: parallel lines are judged by the sine that [`cross_lines`]
-//! hands back, not by a test inside.
+//! A [`Point`] is a position, a [`Vec2`] a displacement (or a velocity, an acceleration): `Point −
+//! Point = Vec2`, there is no `Point + Point`. The caller chooses the unit (SI metres, or
+//! millimetres of paper) and states it in its names. This module has no tolerances: the caller
+//! judges parallel lines by the sine that [`cross_lines`] returns.
 
 use crate::number::{Real, Ring};
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
-/// A place in the plane.
+/// A position in the plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Point<N = f64> {
-    /// To the right.
+    /// The coordinate to the right.
     pub x: N,
-    /// Up.
+    /// The coordinate upward.
     pub y: N,
 }
 
 /// A displacement, velocity or acceleration in the plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec2<N = f64> {
-    /// To the right.
+    /// The component to the right.
     pub x: N,
-    /// Up.
+    /// The component upward.
     pub y: N,
 }
 
@@ -32,34 +32,34 @@ impl Point {
 }
 
 impl<N: Copy> Point<N> {
-    /// The point (x, y).
+    /// Returns the point (x, y).
     pub const fn new(x: N, y: N) -> Self {
         Point { x, y }
     }
 
-    /// The vector from the origin to this point.
+    /// Returns the vector from the origin to this point.
     pub const fn to_vec2(self) -> Vec2<N> {
         Vec2::new(self.x, self.y)
     }
 }
 
 impl<N: Real> Point<N> {
-    /// The origin.
+    /// Returns the origin.
     pub fn origin() -> Self {
         Vec2::zero().to_point()
     }
 
-    /// Distance to another point.
+    /// Returns the distance to another point.
     pub fn distance(self, other: Point<N>) -> N {
         (other - self).norm()
     }
 
-    /// Whether both coordinates have a value.
+    /// Returns true if both coordinates have a value.
     pub fn is_finite(self) -> bool {
         self.x.is_decided() && self.y.is_decided()
     }
 
-    /// The nearest point of `f64` coordinates.
+    /// Returns the nearest point with `f64` coordinates.
     pub fn approx(self) -> Point {
         Point::new(self.x.approx(), self.y.approx())
     }
@@ -71,44 +71,46 @@ impl Vec2 {
 }
 
 impl<N: Copy> Vec2<N> {
-    /// The vector (x, y).
+    /// Returns the vector (x, y).
     pub const fn new(x: N, y: N) -> Self {
         Vec2 { x, y }
     }
 
-    /// The point that this vector leads to from the origin.
+    /// Returns the point with this vector as position vector.
     pub const fn to_point(self) -> Point<N> {
         Point::new(self.x, self.y)
     }
 }
 
-// Inlined always: the lanes of a sweep are kept in wide registers only within one function.
+// Always inlined: the lanes of a sweep stay in wide registers only within one function.
 impl<N: Ring> Vec2<N> {
-    /// Scalar product.
+    /// Returns the scalar product.
     #[inline(always)]
     pub fn dot(self, other: Vec2<N>) -> N {
         self.x * other.x + self.y * other.y
     }
 
-    /// Cross product's z component: positive when `other` lies counter-clockwise of `self`.
+    /// Returns the z component of the cross product: positive if `other` points counter-clockwise
+    /// of `self`.
     #[inline(always)]
     pub fn cross(self, other: Vec2<N>) -> N {
         self.x * other.y - self.y * other.x
     }
 
-    /// Square of the length.
+    /// Returns the square of the length.
     #[inline(always)]
     pub fn norm2(self) -> N {
         self.dot(self)
     }
 
-    /// Turned by +90° (counter-clockwise): ω k × r = ω · r.perp().
+    /// Returns the vector turned by +90° (counter-clockwise): ω k × r = ω · r.perp().
     #[inline(always)]
     pub fn perp(self) -> Vec2<N> {
         Vec2::new(-self.y, self.x)
     }
 
-    /// Turned by the angle of the unit vector `by`, scaled by its length (complex product).
+    /// Returns the vector turned by the angle of the unit vector `by` and scaled by its length
+    /// (complex product).
     #[inline(always)]
     pub fn rotate_by(self, by: Vec2<N>) -> Vec2<N> {
         Vec2::new(self.x * by.x - self.y * by.y, self.x * by.y + self.y * by.x)
@@ -116,64 +118,65 @@ impl<N: Ring> Vec2<N> {
 }
 
 impl<N: Real> Vec2<N> {
-    /// The zero vector.
+    /// Returns the zero vector.
     pub fn zero() -> Self {
         Vec2::new(N::from_f64(0.0), N::from_f64(0.0))
     }
 
-    /// The unit vector of the x axis.
+    /// Returns the unit vector of the x axis.
     pub fn unit_x() -> Self {
         Vec2::new(N::from_f64(1.0), N::from_f64(0.0))
     }
 
-    /// The unit vector at `angle` radians, counter-clockwise from the x axis.
+    /// Returns the unit vector at `angle_rad`, counter-clockwise from the x axis.
     pub fn from_angle(angle_rad: N) -> Self {
         let (s, c) = angle_rad.sin_cos();
         Vec2::new(c, s)
     }
 
-    /// Length, without overflow for large components.
+    /// Returns the length, without overflow for large components.
     pub fn norm(self) -> N {
         self.x.hypot(self.y)
     }
 
-    /// Angle from the x axis, in (−π, π].
+    /// Returns the angle from the x axis, in (−π, π].
     pub fn angle(self) -> N {
         self.y.atan2(self.x)
     }
 
-    /// The unit vector of the same direction; `None` for the zero vector, which has none.
+    /// Returns the unit vector of the same direction; `None` for the zero vector.
     pub fn unit(self) -> Option<Vec2<N>> {
         let n = self.norm();
         (n.approx() > 0.0 && n.is_decided()).then(|| Vec2::new(self.x / n, self.y / n))
     }
 
-    /// Complex quotient self / by: the turn and stretch that takes `by` to `self`.
+    /// Returns the complex quotient self / by: the rotation and stretch that turns `by` into
+    /// `self`.
     pub fn divide_by(self, by: Vec2<N>) -> Vec2<N> {
         let d = by.norm2();
         Vec2::new(self.dot(by) / d, by.cross(self) / d)
     }
 
-    /// Whether both components have a value.
+    /// Returns true if both components have a value.
     pub fn is_finite(self) -> bool {
         self.x.is_decided() && self.y.is_decided()
     }
 
-    /// The nearest vector of `f64` components.
+    /// Returns the nearest vector with `f64` components.
     pub fn approx(self) -> Vec2 {
         Vec2::new(self.x.approx(), self.y.approx())
     }
 }
 
 impl Vec2 {
-    /// The same in other numbers.
+    /// Converts the components to another number type.
     pub fn lift<N: Real>(self) -> Vec2<N> {
         Vec2::new(N::from_f64(self.x), N::from_f64(self.y))
     }
 }
 
 impl Point {
-    /// The same in other numbers.
+    /// Converts the coordinates to another number type.
     pub fn lift<N: Real>(self) -> Point<N> {
         self.to_vec2().lift().to_point()
     }
@@ -241,16 +244,17 @@ impl Mul<Vec2> for f64 {
     }
 }
 
-/// Where two lines cross.
+/// The intersection of two lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing<N = f64> {
-    /// The crossing point; not finite when the lines are parallel.
+    /// The point of intersection; not finite if the lines are parallel.
     pub at: Point<N>,
     /// Sine of the angle from the first line to the second, in [−1, 1]. The caller judges it.
     pub sine: N,
 }
 
-/// Crosses the line through `p` along `u` with the line through `q` along `w` (neither needs to be a unit vector).
+/// Intersects the line through `p` along `u` with the line through `q` along `w` (neither needs to
+/// be a unit vector).
 pub fn cross_lines<N: Real>(p: Point<N>, u: Vec2<N>, q: Point<N>, w: Vec2<N>) -> Crossing<N> {
     let det = u.cross(w);
     let sine = det / (u.norm() * w.norm());

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// A kind of quantity: what shares a unit.
+/// A kind of quantity; all quantities of a kind share a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// Lengths and coordinates.
@@ -29,7 +29,8 @@ pub enum Kind {
     Number,
 }
 
-/// A value, mostly a number, for each kind of quantity that has one: for each kind of diagram, by the quantity that it is drawn of.
+/// A value, mostly a number, for each kind of quantity that has one; for a kind of diagram, the
+/// value of its drawn quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByKind<T = f64>(BTreeMap<Kind, T>);
 
@@ -40,24 +41,24 @@ impl<T> Default for ByKind<T> {
 }
 
 impl<T: Copy> ByKind<T> {
-    /// The value of a kind.
+    /// Returns a copy of the value of a kind.
     pub fn get(&self, kind: Kind) -> Option<T> {
         self.of(kind).copied()
     }
 }
 
 impl<T> ByKind<T> {
-    /// The value of a kind, as it stands.
+    /// Returns a reference to the value of a kind.
     pub fn of(&self, kind: Kind) -> Option<&T> {
         self.0.get(&kind)
     }
 
-    /// The values of all kinds that have one, in the order of [`Kind`].
+    /// Returns the values of all kinds that have one, in the order of [`Kind`].
     pub fn values(&self) -> impl Iterator<Item = &T> {
         self.0.values()
     }
 
-    /// The value of a kind, to be changed; that of a kind without one begins with the default.
+    /// Returns the value of a kind for modification; a missing value starts with the default.
     pub fn entry(&mut self, kind: Kind) -> &mut T
     where
         T: Default,
@@ -65,7 +66,7 @@ impl<T> ByKind<T> {
         self.0.entry(kind).or_default()
     }
 
-    /// Sets the value of a kind, or takes it away.
+    /// Sets or removes the value of a kind.
     pub fn set(&mut self, kind: Kind, value: Option<T>) {
         match value {
             Some(value) => self.0.insert(kind, value),
@@ -73,13 +74,13 @@ impl<T> ByKind<T> {
         };
     }
 
-    /// All with another value for a kind, or without one.
+    /// Returns all values with another value for one kind, or without it.
     pub fn with(mut self, kind: Kind, value: Option<T>) -> Self {
         self.set(kind, value);
         self
     }
 
-    /// All values changed alike.
+    /// Returns all values changed by the same function.
     pub fn map<U>(&self, change: impl Fn(&T) -> U) -> ByKind<U> {
         ByKind(self.0.iter().map(|(kind, value)| (*kind, change(value))).collect())
     }
@@ -92,10 +93,10 @@ impl<T> FromIterator<(Kind, T)> for ByKind<T> {
 }
 
 impl Kind {
-    /// The kinds that are drawn to a scale of their own.
+    /// The kinds that are drawn with their own scale.
     pub const DRAWN: [Kind; 4] = [Kind::Length, Kind::Velocity, Kind::Acceleration, Kind::Force];
 
-    /// The key of the scale in files, such as `mu_v`; `None` of what is not drawn.
+    /// Returns the key of the scale in files, such as `mu_v`; `None` for kinds that are not drawn.
     pub const fn scale_key(self) -> Option<&'static str> {
         match self {
             Kind::Length => Some("mu_l"),
@@ -106,11 +107,11 @@ impl Kind {
         }
     }
 
-    /// All for whose answers a unit can be chosen.
+    /// All kinds with a selectable unit of the answers.
     pub const ALL: [Kind; 9] =
         [Kind::Length, Kind::Angle, Kind::Velocity, Kind::Acceleration, Kind::Omega, Kind::Alpha, Kind::Force, Kind::Moment, Kind::Power];
 
-    /// Its SI unit, for programs and tables.
+    /// Returns the SI unit, for programs and tables.
     pub const fn si(self) -> &'static str {
         match self {
             Kind::Length => "m",
@@ -127,7 +128,8 @@ impl Kind {
         }
     }
 
-    /// Which derivative of a place or an angle it is; the lowest level for what is none, such as a force.
+    /// Returns the order of the derivative of a position or an angle; the lowest level for other
+    /// quantities, such as forces.
     pub const fn level(self) -> Level {
         match self {
             Kind::Length | Kind::Angle | Kind::Force | Kind::Moment | Kind::Power | Kind::Time | Kind::Number => Level::Position,
@@ -136,33 +138,33 @@ impl Kind {
         }
     }
 
-    /// Whether it counts turning: its sign is a sense, told in words.
+    /// Returns true if the quantity describes rotation: answers give its sign as a sense, in words.
     pub const fn turns(self) -> bool {
         matches!(self, Kind::Omega | Kind::Alpha | Kind::Moment)
     }
 
-    /// True for a kind that belongs to the forces of a mechanism and not to its motion.
+    /// Returns true if the kind belongs to the forces of a mechanism and not to its motion.
     pub const fn is_of_forces(self) -> bool {
         matches!(self, Kind::Force | Kind::Moment | Kind::Power)
     }
 }
 
-/// How deep a thing is asked for. Each level needs the ones before it.
+/// The order of derivative that is requested. Each level needs the ones before it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Level {
-    /// Where it is.
+    /// Positions.
     #[default]
     Position,
-    /// How fast.
+    /// Velocities.
     Velocity,
-    /// With which acceleration.
+    /// Accelerations.
     Acceleration,
 }
 
 impl Level {
-    /// All of them, each after those that it needs.
+    /// All levels, each after those that it needs.
     pub const ALL: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
 
-    /// Those that have equations and a polygon.
+    /// The levels that have equations and a polygon.
     pub const RATES: [Level; 2] = [Level::Velocity, Level::Acceleration];
 }

@@ -1,4 +1,4 @@
-//! The languages that the program speaks.
+//! The languages of the program.
 
 use crate::diag::Both;
 
@@ -13,7 +13,7 @@ pub enum Lang {
 }
 
 impl Lang {
-    /// The language of a name of the format: `en`, `zh`.
+    /// Returns the language with a name of the format: `en`, `zh`.
     pub fn named(name: &str) -> Option<Lang> {
         match name {
             "en" => Some(Lang::En),
@@ -22,7 +22,7 @@ impl Lang {
         }
     }
 
-    /// A text in this language.
+    /// Returns a text in this language.
     pub fn of(self, text: &Both) -> &str {
         match self {
             Lang::En => &text.en,

@@ -3,11 +3,11 @@
 use crate::lang::Lang;
 use serde::Deserialize;
 
-/// A notation profile (method.md's table): read from `crates/base/src/notation/*.json`.
+/// A notation profile (table in method.md), read from `crates/base/src/notation/*.json`.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Notation {
-    /// Its name.
+    /// The name.
     pub name: String,
     /// The pole, before the prime of the acceleration polygon.
     pub pole: String,
@@ -23,37 +23,39 @@ pub struct Notation {
     pub unknown: String,
     /// The sign between similar triangles.
     pub similar: String,
-    /// The end of a normal part where a point is called N, so that n′ is its image. In italics ν is read as v: η is not.
+    /// The end of a normal part if a point is called N, so that n′ is the image of N. In italics ν
+    /// is read as v, η is not.
     pub normal_end: String,
-    /// The same for the Coriolis part and a point K.
+    /// The end of the Coriolis part if a point is called K.
     pub coriolis_end: String,
-    /// For a tangential part and a point T.
+    /// The end of a tangential part if a point is called T.
     pub tangential_end: String,
-    /// For a sliding part and a point R.
+    /// The end of a sliding part if a point is called R.
     pub sliding_end: String,
-    /// Index of a reaction before the numbers of its links: F_{R12}. May be empty.
+    /// Symbol of a reaction before the numbers of its links: F_{R12}. May be empty.
     pub reaction: String,
-    /// Which row of an equation table comes first: `magnitude` or `direction`.
+    /// The first row of an equation table: `magnitude` or `direction`.
     pub first_row: String,
-    /// How vectors are told from their magnitudes in vector equations.
+    /// The form of vectors in vector equations, as opposed to their magnitudes.
     pub vectors: Vectors,
 }
 
-/// How vectors are written in vector equations.
+/// The form of vectors in vector equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Vectors {
-    /// As their magnitudes.
+    /// The same symbol as the magnitude.
     Plain,
     /// In bold italics.
     Bold,
 }
 
 impl Vectors {
-    /// All of them, by the words of files.
+    /// All forms, with their words in files.
     pub const ALL: [(&'static str, Vectors); 2] = [("plain", Vectors::Plain), ("bold", Vectors::Bold)];
 
-    /// The symbol of a vector, in the label language: its first letter is that of the quantity.
+    /// Returns the symbol of a vector in the label language: its first letter is the symbol of the
+    /// quantity.
     pub fn write(self, symbol: String) -> String {
         match (self, symbol.chars().next()) {
             (Vectors::Bold, Some(letter @ ('a'..='z' | 'A'..='Z'))) => format!("\\bm{{{letter}}}{}", &symbol[1..]),
@@ -65,17 +67,17 @@ impl Vectors {
 const PROFILES: &[&str] = &[include_str!("notation/en.json"), include_str!("notation/cn.json")];
 
 impl Notation {
-    /// The names of the bundled profiles.
+    /// Returns the names of the bundled profiles.
     pub fn names() -> Vec<String> {
         all().into_iter().map(|n| n.name).collect()
     }
 
-    /// A bundled profile by name.
+    /// Returns a bundled profile by name.
     pub fn named(name: &str) -> Option<Notation> {
         all().into_iter().find(|n| n.name == name)
     }
 
-    /// The profile that a language's textbooks use.
+    /// Returns the profile of the textbooks of a language.
     pub fn of_language(lang: Lang) -> Notation {
         Notation::named(match lang {
             Lang::En => "en",

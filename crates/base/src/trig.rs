@@ -1,12 +1,13 @@
-//! Sine and cosine of angles as they are written: exact at the multiples of 30° and 90° where the true value is.
+//! Sine and cosine of angles as written: exact at the multiples of 30° and 90° with an exact value.
 //!
-//! A sixty-degree angle has a cosine of one half on paper; going through radians would make it 0.5000000000000001 and a
-//! right angle's cosine 6e-17, and the figures would print it. Everything goes through `libm`, so that golden files are
-//! the same on every platform.
+//! On paper the cosine of 60° is one half; by way of radians it is 0.5000000000000001, and the
+//! cosine of a right angle is 6e-17, which the figures would print. All functions come from `libm`,
+//! so that golden files are equal on every platform.
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 
-/// An angle as written: whole degrees stay degrees, so that cos 60° is one half and cos 90° is zero.
+/// An angle as written: whole degrees stay degrees, so that cos 60° is one half and cos 90° is
+/// zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Angle {
     /// Degrees.
@@ -16,7 +17,7 @@ pub enum Angle {
 }
 
 impl Angle {
-    /// The same in radians.
+    /// Returns the angle in radians.
     pub fn radians(self) -> f64 {
         match self {
             Angle::Deg(d) => radians(d),
@@ -24,7 +25,7 @@ impl Angle {
         }
     }
 
-    /// The same in degrees.
+    /// Returns the angle in degrees.
     pub fn degrees(self) -> f64 {
         match self {
             Angle::Deg(d) => d,
@@ -33,21 +34,22 @@ impl Angle {
     }
 }
 
-/// Degrees as radians.
+/// Converts degrees to radians.
 pub fn radians(degrees: f64) -> f64 {
     degrees * PI / 180.0
 }
 
-/// Whole turns of an angle (rad) beyond half a turn either way. What is nearer than 1e-9 to minus half a turn counts as half a turn: of the two,
-/// between which rounding would choose, the positive one is taken.
+/// Returns the whole turns of an angle (rad) beyond half a turn in either sense. An angle closer
+/// than 1e-9 to minus half a turn counts as half a turn: rounding would choose between the two, and
+/// the positive one is taken.
 pub fn turns_of(angle: f64) -> f64 {
     libm::ceil((angle - PI - 1e-9) / TAU)
 }
 
-/// (sin, cos) of an angle.
+/// Returns (sin, cos) of an angle.
 ///
-/// Degrees are reduced exactly (the remainder of floating-point numbers is exact), so `sin_cos(Angle::Deg(750.0))` is
-/// that of 30°: sine 0.5. A non-finite angle gives NaN.
+/// Degrees are reduced exactly (the remainder of floating-point numbers is exact), so
+/// `sin_cos(Angle::Deg(750.0))` is that of 30°: sine 0.5. A non-finite angle gives NaN.
 ///
 /// ```
 /// use hodograph_base::trig::{Angle, sin_cos};
@@ -60,7 +62,8 @@ pub fn sin_cos(angle: Angle) -> (f64, f64) {
         Angle::Deg(d) => {
             let turn = libm::fmod(d, 360.0);
             let quarter = libm::rint(turn / 90.0);
-            // Within [-45, 45]: exact, because the two numbers differ by less than a factor of two (Sterbenz) or quarter is 0.
+            // Within [-45, 45]: exact, because the two numbers differ by less than a factor of two
+            // (Sterbenz) or quarter is 0.
             let (s, c) = first_octants(turn - 90.0 * quarter);
             // -0.0 would print as "-0".
             match (quarter as i64).rem_euclid(4) {
@@ -73,7 +76,7 @@ pub fn sin_cos(angle: Angle) -> (f64, f64) {
     }
 }
 
-/// (sin, cos) of −45° … 45°.
+/// Returns (sin, cos) of −45° … 45°.
 fn first_octants(d: f64) -> (f64, f64) {
     if d.abs() == 30.0 {
         (0.5f64.copysign(d), 3f64.sqrt() / 2.0)
@@ -85,7 +88,8 @@ fn first_octants(d: f64) -> (f64, f64) {
     }
 }
 
-/// The angle whose sine is `x`: in exact degrees for 0, ±1/2 and ±1, else in radians; NaN outside [−1, 1].
+/// Returns the arc sine of `x`: in exact degrees for 0, ±1/2 and ±1, otherwise in radians; NaN
+/// outside [−1, 1].
 pub fn asin(x: f64) -> Angle {
     match x.abs() {
         0.0 => Angle::Deg(0.0),
@@ -95,7 +99,8 @@ pub fn asin(x: f64) -> Angle {
     }
 }
 
-/// The angle in [0°, 180°] whose cosine is `x`: in exact degrees for 0, ±1/2 and ±1, else in radians; NaN outside [−1, 1].
+/// Returns the arc cosine of `x` in [0°, 180°]: in exact degrees for 0, ±1/2 and ±1, otherwise in
+/// radians; NaN outside [−1, 1].
 pub fn acos(x: f64) -> Angle {
     match asin(x) {
         Angle::Deg(d) => Angle::Deg(90.0 - d),
@@ -103,7 +108,8 @@ pub fn acos(x: f64) -> Angle {
     }
 }
 
-/// The angle in (−90°, 90°) whose tangent is `x`: in exact degrees for 0 and ±1, else in radians.
+/// Returns the arc tangent of `x` in (−90°, 90°): in exact degrees for 0 and ±1, otherwise in
+/// radians.
 pub fn atan(x: f64) -> Angle {
     match x.abs() {
         0.0 => Angle::Deg(0.0),

@@ -1,9 +1,11 @@
-//! What a question means where vectors of points and angular rates are given: the formulas of relative motion.
+//! Evaluation of requested quantities from the vectors of points and the angular rates of links, by
+//! the formulas of relative motion.
 //!
-//! A [`Source`] gives vectors and rates; [`evaluate`] combines them with the places of a pose as the question says
-//! ([`Asked::value`]). The drawing does not use it (it reads edges, `construct::read`), nor does the analysis
-//! (`analytic::Solution::answer` takes the parts of a relative motion from rows of its own), so that a wrong definition shows as
-//! a disagreement.
+//! A [`Source`] provides vectors and rates; [`evaluate`] combines them with the positions of a pose
+//! according to the definition of the quantity ([`Asked::value`]). Two other ways of solution do
+//! not use these formulas: the drawing reads edges (`construct::read`), and the analysis
+//! (`analytic::Solution::answer`) derives the parts of a relative motion from separate rows. A
+//! wrong definition therefore appears as a disagreement.
 
 use crate::mechanism::Level;
 use crate::position::{Configuration, Path};
@@ -13,19 +15,19 @@ pub use hodograph_scene::quantity::Value;
 use hodograph_scene::quantity::{Asked, Forces, Known};
 use hodograph_scene::{GuideId, LinkId, OnLink, PointId, Scene};
 
-/// Where vectors and rates are looked up.
+/// A source of vectors and rates.
 pub trait Source<N = f64> {
-    /// Vector of the point of a link (or of the pin itself).
+    /// Returns the vector of the point of a link (or of the pin itself).
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2<N>>;
-    /// Turning rate.
+    /// Returns the angular velocity or angular acceleration of a link.
     fn turning(&self, level: Level, link: LinkId) -> Option<N>;
-    /// Forces, of a source that solves for them.
+    /// Returns the forces, for a source that solves for them.
     fn forces(&self) -> Option<&Forces<N>> {
         None
     }
 }
 
-/// A pose of which only the places are known.
+/// A source for a pose with known positions only.
 struct Still;
 
 impl<N> Source<N> for Still {
@@ -38,7 +40,7 @@ impl<N> Source<N> for Still {
     }
 }
 
-/// Places and motion of one instant.
+/// Positions and motion at one instant.
 struct Instant<'a, N, S> {
     scene: &'a Scene,
     at: &'a Configuration<N>,
@@ -78,12 +80,14 @@ impl<N: Real, S: Source<N>> Known<N> for Instant<'_, N, S> {
     }
 }
 
-/// The value of a question of places; `None` for a question of motion, and where a place is not known.
+/// Returns the value of a quantity that depends on positions; `None` for a quantity of motion, and
+/// if a position is not known.
 pub fn place<N: Real>(scene: &Scene, at: &Configuration<N>, what: &Asked) -> Option<Value<N>> {
     evaluate(scene, at, &Still, what)
 }
 
-/// Evaluates a question on a source of vectors and rates by the formulas of relative motion: what the group-by-group solution means by it.
+/// Evaluates a quantity from a source of vectors and rates by the formulas of relative motion: the
+/// definition that the group-by-group solution uses.
 pub fn evaluate<N: Real>(scene: &Scene, at: &Configuration<N>, source: &impl Source<N>, what: &Asked) -> Option<Value<N>> {
     what.value(&Instant { scene, at, motion: source })
 }

@@ -1,6 +1,7 @@
-//! Loads of an instant: given forces and couples, weights, springs, inertia.
+//! Loads at an instant: given forces and couples, weights, springs, inertia.
 //!
-//! Inertia is F_I = −m a_S at the centre of mass and M_I = −J_S α, with the accelerations of whoever asks: each way of solving has its own.
+//! Inertia is F_I = −m a_S at the centre of mass and M_I = −J_S α. The accelerations come from the
+//! caller: each way of solution uses its own.
 
 mod friction;
 mod strokes;
@@ -28,7 +29,7 @@ pub enum Cause {
     Inertia,
     /// A spring: its index in the scene.
     Spring(usize),
-    /// The balancing force or moment that the scene names.
+    /// The balancing force or moment that the scene requests.
     Balance,
     /// The force that presses the teeth of a pair apart.
     Teeth(RollingId),
@@ -39,21 +40,22 @@ pub enum Cause {
 /// A load on a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load<N = f64> {
-    /// Its cause.
+    /// The cause.
     pub cause: Cause,
     /// The link.
     pub link: LinkId,
     /// Point of application; `None` for a couple.
     pub at: Option<PointId>,
-    /// Its place; any for a couple.
+    /// Position of the point of application; arbitrary for a couple.
     pub place: Point<N>,
-    /// Force, and couple about the place.
+    /// Force, and couple about the position.
     pub wrench: Wrench<N>,
 }
 
-/// All loads of an instant, in the order weight, inertia, applied, springs. Inertia takes the accelerations of `motion`.
+/// Returns all loads at an instant, in the order weight, inertia, applied, springs. Inertia uses
+/// the accelerations of `motion`.
 ///
-/// `None` where a place or a motion that a load needs is not known.
+/// `None` if a position or a motion that a load needs is not known.
 pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<Vec<Load<N>>> {
     let inputs = Inputs::of(scene);
     let zero = N::from_f64(0.0);
@@ -138,13 +140,14 @@ pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source
     Some(out)
 }
 
-/// A place so near (of a stroke or a turn) to the end of a course is on it.
+/// Relative distance (of a stroke or a turn) below which a position counts as the end of a course.
 pub const NEAR: f64 = 1e-12;
 
-/// The stretches of the loads in a pose: for each applied load that of its course, −1 outside of it, and the sense of what it acts against. Between
-/// poses with other stretches some load begins, ends, has a corner or turns round.
+/// Returns the stretches of the loads in a pose: for each applied load the index of the stretch of
+/// its course, −1 outside the course, and the sense of the motion that it resists. Between poses
+/// with different stretches some load begins, ends, has a corner or changes its sense.
 ///
-/// `None` where a place or a motion that a load needs is not known.
+/// `None` if a position or a motion that a load needs is not known.
 pub fn stretches(scene: &Scene, at: &Configuration, motion: &impl Source) -> Option<Vec<i32>> {
     let mut out = Vec::new();
     for applied in &scene.loads.applied {
@@ -153,7 +156,7 @@ pub fn stretches(scene: &Scene, at: &Configuration, motion: &impl Source) -> Opt
             None => 0,
         });
         let sense = match &applied.size {
-            // Across a fixed direction that no guide has.
+            // Projection on a fixed direction that no guide has.
             Size::AgainstMotion(_) => motion.vector(Level::Velocity, applied.at?, Some(applied.link))?.dot(Vec2::new(1.0, 0.618)),
             Size::AgainstTurning(_) => motion.turning(Level::Velocity, applied.link)?,
             Size::Components(_) | Size::Directed { .. } | Size::Couple(_) => 1.0,
@@ -165,15 +168,16 @@ pub fn stretches(scene: &Scene, at: &Configuration, motion: &impl Source) -> Opt
 
 /// The load of a course at an instant.
 enum Here<N> {
-    /// Constant, as it is given.
+    /// Constant, as given.
     Constant,
-    /// None.
+    /// Zero: the pose is outside the course.
     Outside,
-    /// So much (N or N·m).
+    /// An interpolated amount (N or N·m).
     Amount(N),
 }
 
-/// The load of a course in a pose; `None` where the ends of its stroke, a place or a velocity are not known.
+/// Returns the load of a course in a pose; `None` if the ends of its stroke, a position or a
+/// velocity are not known.
 fn here<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<Here<N>> {
     let Some((k, x)) = segment(course, scene, at, motion)? else { return Some(Here::Outside) };
     let [before, after] = &course.stations[k..k + 2] else { return None };
@@ -187,7 +191,8 @@ fn here<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motion: 
     Some(Here::Amount(a + (b - a) * ((x - from) / (to - from))))
 }
 
-/// The stretch of a course between two stations in which a pose lies, with its place there; `Some(None)` outside.
+/// Returns the stretch of a course between two stations that contains a pose, with the abscissa of
+/// the pose; `Some(None)` outside the course.
 fn segment<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<Option<(usize, N)>> {
     let inputs = Inputs::<N>::of(scene);
     let [first, .., last] = &course.stations[..] else { return None };
@@ -220,7 +225,7 @@ fn segment<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motio
     if place < first.at.value() - near || place > last.at.value() + near {
         return Some(None);
     }
-    // The load jumps at a place of two stations: the stretch after it counts.
+    // The load jumps where two stations coincide: the following stretch counts.
     let long = |k: &usize| course.stations[*k].at.value() < course.stations[k + 1].at.value();
     let k = (0..course.stations.len() - 1)
         .filter(long)
@@ -229,7 +234,8 @@ fn segment<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motio
     Some(Some((k, x)))
 }
 
-/// The balancing force of 1 N or moment of 1 N·m where the scene says that it acts; `None` where it names no place for it.
+/// Returns the balancing force of 1 N or moment of 1 N·m at the point or link given in the scene;
+/// `None` if the scene gives none.
 pub fn unit_balance<N: Real>(scene: &Scene, at: &Configuration<N>) -> Option<Load<N>> {
     let balance = scene.loads.balance.as_ref()?;
     let (zero, one) = (N::from_f64(0.0), N::from_f64(1.0));
@@ -243,11 +249,12 @@ pub fn unit_balance<N: Real>(scene: &Scene, at: &Configuration<N>) -> Option<Loa
     Some(Load { cause: Cause::Balance, link: balance.link, at: point, place, wrench })
 }
 
-/// The pressure angle (rad) of gears of which nothing else is said.
+/// The pressure angle (rad) of gears without a given one.
 const PRESSURE_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;
 
-/// The forces by which teeth press gears apart, from the forces along the common tangent: |F_t| tan α along the normal, so that the force of the
-/// teeth lies on the line of action. They do no work.
+/// Returns the forces by which teeth press gears apart, from the forces along the common tangent:
+/// |F_t| tan α along the normal, so that the total force of the teeth is on the line of action.
+/// They do no work.
 pub fn between_teeth<N: Real>(scene: &Scene, at: &Configuration<N>, tangential: &[(RollingId, Vec2<N>)]) -> Vec<Load<N>> {
     let mut out = Vec::new();
     for (r, force) in tangential {
@@ -264,20 +271,23 @@ pub fn between_teeth<N: Real>(scene: &Scene, at: &Configuration<N>, tangential: 
     out
 }
 
-/// The force by which the teeth of a pair press its second link away from the first, of the loads of [`between_teeth`].
+/// Returns the force by which the teeth of a pair press its second link away from the first, from
+/// the loads of [`between_teeth`].
 pub fn pressed_apart<N: Real>(scene: &Scene, teeth: &[Load<N>], pair: RollingId) -> Vec2<N> {
     let second = scene.rolling[pair.0].links[1];
-    // A gear that stands still has no loads: there is only the opposite.
+    // A fixed gear has no loads: only the opposite force is in the list.
     let of_pair = teeth.iter().find(|l| l.cause == Cause::Teeth(pair));
     of_pair.map_or(Vec2::zero(), |l| if l.link == second { l.wrench.force } else { -l.wrench.force })
 }
 
-/// The angle (rad) between the common tangent of a pair that meets in a point and the line of action of its force; 0 where no teeth press.
+/// Returns the angle (rad) between the common tangent of a pair with point contact and the line of
+/// action of its force; 0 without teeth.
 pub fn pressure_angle(pair: &Rolling) -> f64 {
     if pair.kind.is_toothed() { pair.flanks.as_ref().map_or(PRESSURE_ANGLE, |f| f.pressure_angle) } else { 0.0 }
 }
 
-/// Reactions, completed by what follows from them and the loads: the inertia forces, and the sizes beside which a quantity is rounding.
+/// Completes reactions with the inertia forces and the reference sizes below which a quantity is
+/// rounding.
 pub fn completed<N: Real>(scene: &Scene, at: &Configuration<N>, loads: &[Load<N>], reactions: Forces<N>) -> Forces<N> {
     let Forces { pins, guides, drivers, .. } = &reactions;
     let forces = loads.iter().map(|l| l.wrench.force).chain(pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
@@ -289,14 +299,16 @@ pub fn completed<N: Real>(scene: &Scene, at: &Configuration<N>, loads: &[Load<N>
     Forces { inertia, largest, largest_moment, largest_power: largest * fastest(scene, at), ..reactions }
 }
 
-/// The inertia force (N) that rounding makes where nothing accelerates: a force of no more is none.
+/// Returns the inertia force (N) that rounding produces without acceleration; a force up to this
+/// size is zero.
 fn inertia_of_rounding<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
     let heaviest = scene.loads.masses.iter().filter_map(|m| m.m.as_ref()).map(|m| m.value).fold(0.0, f64::max);
     let speed = fastest(scene, at);
     ROUNDING * heaviest * speed * speed / at.extent().max(f64::MIN_POSITIVE)
 }
 
-/// The speed (m/s) beside which a velocity is rounding: that of the drivers at the size of the mechanism.
+/// Returns the speed (m/s) relative to which a velocity is judged to be rounding: that of the
+/// drivers at the size of the mechanism.
 pub fn fastest<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
     let extent = at.extent();
     let of = |d: &hodograph_scene::Driver| d.rate.value.abs() * if d.kind.turns() { extent } else { 1.0 };

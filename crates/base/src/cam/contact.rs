@@ -1,9 +1,11 @@
-//! Over which angles of the cam each piece of its profile is touched.
+//! Angles of the cam over which each piece of its profile is touched.
 //!
-//! A piece is entered and left where the follower stands at one of its ends. There the cam's angle has a closed form: the follower's point is at a
-//! known distance from the centre (a face: it has a known normal), so its place in the plane is one of two, and the cam is turned by the angle
-//! from its own end to that place. Between two such angles the pieces within reach stay the same, and the contact goes from one to another only
-//! where both hold the follower equally far out, or where one ceases to reach it; that is found by bisection.
+//! The contact enters and leaves a piece at the angles at which the follower touches one of its
+//! ends. These angles have a closed form: the follower's point is at a known distance from the
+//! centre (a flat face has a known normal), so two positions in the plane are possible, and the cam
+//! turns by the angle from its own end to such a position. Between two of these angles the pieces
+//! within reach stay the same. The contact changes there only where two pieces hold the follower
+//! equally far out, or where a piece ceases to reach it; bisection finds these angles.
 
 use super::disc::{BESIDE, Disc, Follower, Motion, Touch};
 use super::jet::Jet;
@@ -12,11 +14,12 @@ use super::{Side, in_turn};
 use crate::geom::Vec2;
 use crate::number::Real;
 
-/// Angles nearer than this (rad) are one joint: two ends that meet are computed in two ways.
+/// Angles closer than this (rad) are one joint: two ends that meet are computed in two ways.
 const ONE_JOINT: f64 = 1e-11;
 
 impl<N: Real> Disc<N> {
-    /// The angles of the cam at which the follower stands at an end of a piece, whether it touches there or not.
+    /// Returns the angles of the cam at which the follower's position matches an end of a piece, in
+    /// contact there or not.
     pub(super) fn ends(&self, segment: &Segment<N>) -> Vec<N> {
         let turns: Vec<N> = match (segment, self.touch) {
             (Segment::Arc { normals: [from, to], .. }, _) if (*to - *from).approx().abs() >= std::f64::consts::TAU => Vec::new(),
@@ -35,7 +38,8 @@ impl<N: Real> Disc<N> {
         turns.into_iter().map(|turn| if self.sense < 0.0 { -turn } else { turn }).collect()
     }
 
-    /// By which angles the cam is turned where the follower's point is at a place of the cam.
+    /// Returns the two angles by which the cam is turned when the follower's point coincides with a
+    /// point of the cam.
     fn turns_to(&self, place: Vec2<N>) -> [N; 2] {
         let reach = place.norm();
         let places = match self.follower {
@@ -54,8 +58,9 @@ impl<N: Real> Disc<N> {
         places.map(|at| at.angle() - place.angle())
     }
 
-    /// By which angles the cam is turned where a face has a normal of the cam, the point of the cam that it touches being `out` along the
-    /// normal, less the face's distance from its pivot.
+    /// Returns the two angles by which the cam is turned when a face has a given normal of the cam.
+    /// `out` is the coordinate along the normal of the touched point of the cam, less the distance
+    /// of the face from its pivot.
     fn turns_facing(&self, normal: N, out: N) -> [N; 2] {
         match self.follower {
             Follower::Translating { direction, .. } => [direction.angle() - normal; 2],
@@ -68,8 +73,10 @@ impl<N: Real> Disc<N> {
 }
 
 impl Disc {
-    /// The stretches of a turn in which one piece of the profile is touched: the angle at which each begins, from 0 on, and the piece; `None` where
-    /// nothing is. One stretch without joints, and of a law, begins at 0; else the last goes on through 0.
+    /// Returns the stretches of a turn in which one piece of the profile is touched: the angle at
+    /// which each begins, from 0 on, and the piece; `None` where nothing is touched. A single
+    /// stretch without joints, or a cam given by a law, begins at 0; otherwise the last stretch
+    /// continues through 0.
     pub fn stretches(&self) -> Vec<(f64, Option<usize>)> {
         let joints = match &self.motion {
             Motion::Profile(segments) if segments.len() > 1 => self.changes(segments),
@@ -81,7 +88,8 @@ impl Disc {
         joints.into_iter().map(|phi| (phi, self.touched(phi, Side::After))).collect()
     }
 
-    /// The angles at which the contact goes from one piece of the profile to another, from 0 on.
+    /// Returns the angles at which the contact changes from one piece of the profile to another,
+    /// from 0 on.
     pub(super) fn changes(&self, segments: &[Segment]) -> Vec<f64> {
         let mut ends: Vec<f64> = segments.iter().flat_map(|s| self.ends(s)).filter(|phi| phi.is_finite()).map(in_turn).collect();
         ends.push(0.0);
@@ -93,7 +101,8 @@ impl Disc {
                 out.push(here);
             }
             let next = ends.get(k + 1).copied().unwrap_or(std::f64::consts::TAU);
-            // Where two pieces reach the follower it may go over to the other and back again between two ends.
+            // If two pieces reach the follower, the contact may change to the other and back again
+            // between two ends.
             const PARTS: usize = 4;
             let at = |i: usize| here + (next - here) * i as f64 / PARTS as f64;
             let (first, last) = (here + 2.0 * BESIDE, next - 2.0 * BESIDE);
@@ -111,7 +120,7 @@ impl Disc {
         out
     }
 
-    /// The places where the piece that is touched changes, each to rounding.
+    /// Finds the angles, each to rounding, at which the touched piece changes.
     fn between(&self, [mut low, mut high]: [f64; 2], out: &mut Vec<f64>, depth: usize) {
         let of = |phi: f64| self.touched(phi, Side::After);
         let (first, last) = (of(low), of(high));
@@ -131,7 +140,7 @@ impl Disc {
                 _ => break,
             }
         }
-        // The piece beside is asked for a step ahead.
+        // A step ahead selects the next piece.
         out.push(0.5 * (low + high) + BESIDE);
     }
 }

@@ -1,8 +1,10 @@
-//! A disc cam with its follower: the follower's place, the profile by inversion 反转法, pressure angle and radius of curvature at any angle.
+//! A disc cam with its follower: the follower's position, the profile by inversion 反转法, pressure
+//! angle and radius of curvature at any angle.
 //!
-//! The follower's coordinate q is, of a translating one, the way of its point (or of its face) along the direction of the lift, counted from the
-//! foot of the perpendicular from the centre of the cam; of an oscillating one the angle of its arm (or face) from the line pivot–centre, growing
-//! outward. The lift s is q less its least value on the base circle.
+//! The coordinate q of a translating follower is the displacement of its point (or face) along the
+//! direction of the lift, measured from the foot of the perpendicular from the cam's centre. The
+//! coordinate q of an oscillating follower is the angle of its arm (or face) from the line
+//! pivot–centre, positive outward. The lift s is q less its least value on the base circle.
 
 use super::jet::{Jet, Plane};
 use super::outline::Segment;
@@ -10,34 +12,36 @@ use super::{Program, Side, in_half_turns};
 use crate::geom::Vec2;
 use crate::number::Real;
 
-/// How the follower moves. The origin is the centre of the cam.
+/// The motion of the follower. The origin is the centre of the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Follower<N = f64> {
     /// Along a straight guide 直动.
     Translating {
         /// Unit vector of the lift.
         direction: Vec2<N>,
-        /// Distance of the line of the follower's point from the centre (m), to the right of the direction 偏距.
+        /// Distance of the path of the follower's point from the centre (m), positive to the right
+        /// of the direction 偏距.
         offset: N,
     },
     /// About a pivot 摆动.
     Oscillating {
         /// The pivot (m).
         pivot: Vec2<N>,
-        /// From the pivot to the follower's point (m); of no meaning for a flat face.
+        /// Length from the pivot to the follower's point (m); without meaning for a flat face.
         arm: N,
-        /// +1 where the arm turns counter-clockwise as it goes out, −1 otherwise.
+        /// +1 if the arm turns counter-clockwise as it goes out, −1 otherwise.
         sense: f64,
     },
 }
 
 impl<N: Real> Follower<N> {
-    /// Direction pivot → centre of the cam.
+    /// Returns the angle of the direction from the pivot to the centre of the cam (rad).
     fn centre_line(pivot: Vec2<N>) -> N {
         (-pivot).angle()
     }
 
-    /// The follower's point at a coordinate; of a translating face its point on the line of the guide.
+    /// Returns the follower's point at a coordinate; for a translating face, its point on the line
+    /// of the guide.
     pub fn point(&self, q: Jet<N>) -> Plane<N> {
         match *self {
             Follower::Translating { direction, offset } => Plane::constant(direction.perp() * -offset) + Plane::constant(direction) * q,
@@ -48,7 +52,8 @@ impl<N: Real> Follower<N> {
         }
     }
 
-    /// The outward normal of a flat face: away from the cam. A translating face stands square to its guide.
+    /// Returns the outward normal of a flat face: away from the cam. A translating face is square
+    /// to its guide.
     pub fn normal(&self, q: Jet<N>) -> Plane<N> {
         match *self {
             Follower::Translating { direction, .. } => Plane::constant(direction),
@@ -58,7 +63,7 @@ impl<N: Real> Follower<N> {
         }
     }
 
-    /// Direction in which the follower's point goes out.
+    /// Returns the direction in which the follower's point moves outward.
     fn outward(&self, q: N) -> Vec2<N> {
         match *self {
             Follower::Translating { direction, .. } => direction,
@@ -66,7 +71,8 @@ impl<N: Real> Follower<N> {
         }
     }
 
-    /// The coordinate at which the follower's point keeps a distance from K; less than zero: K lies beyond it.
+    /// Returns the coordinate at which the follower's point has a given distance from K; a negative
+    /// distance means that K lies beyond it.
     pub(super) fn at_distance(&self, k: Plane<N>, distance: N) -> Jet<N> {
         let (square, way) = (Jet::constant(distance * distance), if distance.approx() < 0.0 { -1.0 } else { 1.0 });
         match *self {
@@ -86,7 +92,8 @@ impl<N: Real> Follower<N> {
         }
     }
 
-    /// The coordinate at which a flat face, `lever` out from its pivot, keeps a distance from K.
+    /// Returns the coordinate at which a flat face, offset by `lever` from its pivot, has a given
+    /// distance from K.
     pub(super) fn faced(&self, k: Plane<N>, distance: N, lever: N) -> Jet<N> {
         match *self {
             Follower::Translating { direction, .. } => k.dot(Plane::constant(direction)) + Jet::constant(distance),
@@ -98,7 +105,8 @@ impl<N: Real> Follower<N> {
         }
     }
 
-    /// The coordinate at which the follower's point lies on the line with this normal, so far from the origin.
+    /// Returns the coordinate at which the follower's point lies on the line with this normal at
+    /// this distance from the origin.
     pub(super) fn along_line(&self, normal: Jet<N>, distance: N) -> Jet<N> {
         let n = Plane::direction(normal);
         match *self {
@@ -117,7 +125,7 @@ impl<N: Real> Follower<N> {
         }
     }
 
-    /// The coordinate of a direction of the arm.
+    /// Returns the coordinate that belongs to a direction of the arm.
     fn from_centre_line(at: Jet<N>, pivot: Vec2<N>, sense: f64) -> Jet<N> {
         let mut q = (at - Jet::constant(Follower::centre_line(pivot))).signed(sense);
         q.0[0] = in_half_turns(q.0[0]);
@@ -125,7 +133,7 @@ impl<N: Real> Follower<N> {
     }
 }
 
-/// With what the follower touches.
+/// The end of the follower that touches the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Touch<N = f64> {
     /// A round end about the follower's point: a roller 滚子, an arc (mushroom), or with radius 0 a knife edge 尖顶.
@@ -135,12 +143,13 @@ pub enum Touch<N = f64> {
     },
     /// A flat face 平底.
     Flat {
-        /// How far out from the pivot of an oscillating follower the face lies (m); of no meaning for a translating one.
+        /// Offset of the face from the pivot of an oscillating follower, outward (m); without
+        /// meaning for a translating follower.
         lever: N,
     },
 }
 
-/// What moves the follower.
+/// The source of the follower's motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion<N = f64> {
     /// A law; the profile follows from it.
@@ -154,20 +163,20 @@ pub enum Motion<N = f64> {
     Profile(Vec<Segment<N>>),
 }
 
-/// A cam and its follower.
+/// A cam with its follower.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Disc<N = f64> {
-    /// How the follower moves.
+    /// The motion of the follower.
     pub follower: Follower<N>,
-    /// With what it touches.
+    /// The end of the follower.
     pub touch: Touch<N>,
-    /// What moves it.
+    /// The source of the motion.
     pub motion: Motion<N>,
-    /// +1 where φ grows counter-clockwise, −1 where the cam turns clockwise.
+    /// +1 if φ grows counter-clockwise, −1 if the cam turns clockwise.
     pub sense: f64,
 }
 
-/// The one formula that holds about an angle of the cam: between two joints.
+/// The formula that applies at an angle of the cam, valid between two joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
     /// A stage of the law and a piece of its motion law.
@@ -176,48 +185,50 @@ pub enum Branch {
     Piece(usize),
 }
 
-/// What is known at one angle of the cam. Points and directions are in the frame of the cam.
+/// The state of the cam at one angle. Points and directions are in the frame of the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station<N = f64> {
     /// The angle (rad).
     pub phi: N,
     /// The coordinate of the follower, with its derivatives.
     pub q: Jet<N>,
-    /// The follower's point on the pitch curve 理论廓线; of a flat face its foot: the point of the face on the line of the guide or pivot.
+    /// The follower's point on the pitch curve 理论廓线; for a flat face its foot: the point of the
+    /// face on the line of the guide or pivot.
     pub pitch: Vec2<N>,
-    /// The contact, on the profile 实际廓线.
+    /// The point of contact, on the profile 实际廓线.
     pub contact: Vec2<N>,
-    /// The outward normal there.
+    /// The outward normal at the contact.
     pub normal: Vec2<N>,
-    /// Radius of curvature of the profile (m), convex plus.
+    /// Radius of curvature of the profile (m), convex positive.
     pub rho: N,
-    /// That of the pitch curve (m); of a flat face that of the profile.
+    /// Radius of curvature of the pitch curve (m); for a flat face that of the profile.
     pub rho_pitch: N,
-    /// Its derivative by φ.
+    /// Derivative of the radius of curvature by φ.
     pub rho_slope: N,
-    /// Pressure angle (rad): from the direction in which the follower goes to the normal, plus in the sense in which the cam turns 压力角.
+    /// Pressure angle (rad) from the follower's direction of motion to the normal, positive in the
+    /// cam's sense of rotation 压力角.
     pub pressure: N,
-    /// Its derivative by φ, of a round end.
+    /// Derivative of the pressure angle by φ, for a round end.
     pub pressure_slope: N,
 }
 
 impl<N: Real> Station<N> {
-    /// The centre of curvature of the profile.
+    /// Returns the centre of curvature of the profile.
     pub fn centre(&self) -> Vec2<N> {
         self.contact - self.normal * self.rho
     }
 }
 
-/// Step (rad) beside a joint at which it is told which piece comes next: larger than the rounding of a joint's place, and far smaller than a
-/// piece.
+/// Step (rad) beside a joint at which the next piece is determined: larger than the rounding error
+/// of a joint's angle, and far smaller than a piece.
 pub(super) const BESIDE: f64 = 1e-9;
 
-/// What a touch tells of a contact.
+/// The contact as computed from the follower's end.
 struct Bent<N> {
     pitch: Vec2<N>,
     contact: Vec2<N>,
     normal: Vec2<N>,
-    /// By how much the normal turns in the cam as φ grows.
+    /// Rate at which the normal turns in the cam as φ grows.
     turning: N,
     rho: N,
     rho_pitch: N,
@@ -225,7 +236,8 @@ struct Bent<N> {
 }
 
 impl<N: Real> Disc<N> {
-    /// Radius of the circle about the centre that the follower's point touches on the base circle, or the face.
+    /// Returns the radius of the circle about the centre on which the follower's point lies when it
+    /// is on the base circle, or which the face touches.
     fn reach(&self, base: N) -> N {
         match self.touch {
             Touch::Point { radius } => base + radius,
@@ -233,7 +245,8 @@ impl<N: Real> Disc<N> {
         }
     }
 
-    /// The coordinate on a base circle of this radius; undecided where the follower cannot touch it.
+    /// Returns the coordinate on a base circle of this radius; undecided if the follower cannot
+    /// touch it.
     pub fn rest(&self, base: N) -> N {
         let reach = self.reach(base);
         let centre = Plane::constant(Vec2::zero());
@@ -248,7 +261,7 @@ impl<N: Real> Disc<N> {
         if self.sense < 0.0 { -x } else { x }
     }
 
-    /// The follower's coordinate with its derivatives by φ, by the formula of a branch.
+    /// Returns the follower's coordinate with its derivatives by φ, by the formula of a branch.
     pub fn coordinate_on(&self, branch: Branch, phi: N) -> Option<Jet<N>> {
         let q = match (&self.motion, branch) {
             (Motion::Law { base, program }, Branch::Stage(stage, piece)) => {
@@ -262,11 +275,11 @@ impl<N: Real> Disc<N> {
         q.0.iter().all(|x| x.is_decided()).then_some(q)
     }
 
-    /// Everything at one angle, by the formula of a branch.
+    /// Returns the state at one angle, by the formula of a branch.
     pub fn station_on(&self, branch: Branch, phi: N) -> Option<Station<N>> {
         let station = self.station_of(self.coordinate_on(branch, phi)?, phi);
         let (Motion::Profile(segments), Branch::Piece(piece)) = (&self.motion, branch) else { return Some(station) };
-        // What is given needs no reckoning back from the motion.
+        // The curvature of a given profile is known and is not recomputed from the motion.
         let (rho, rho_slope) = (segments.get(piece)?.radius(), N::from_f64(0.0));
         let rho_pitch = match self.touch {
             Touch::Point { radius } => rho + radius,
@@ -286,7 +299,8 @@ impl<N: Real> Disc<N> {
         let against = |way: Vec2<N>| self.signed(way.cross(normal).atan2(way.dot(normal)));
         let zero = N::from_f64(0.0);
         let pressure = match (self.touch, self.follower) {
-            // A flat face is pushed along its own normal; where it passes through its pivot that is the way the contact goes.
+            // A flat face is pushed along its own normal. If it passes through its pivot, that is
+            // the direction in which the contact point moves.
             (Touch::Flat { .. }, Follower::Translating { .. }) => zero,
             (Touch::Flat { lever }, Follower::Oscillating { pivot, sense, .. }) => {
                 if lever == zero {
@@ -302,12 +316,13 @@ impl<N: Real> Disc<N> {
         Station { phi, q, pitch, contact, normal, rho, rho_pitch, rho_slope, pressure, pressure_slope }
     }
 
-    /// The contact of a round end.
+    /// Computes the contact of a round end.
     fn round_end(&self, q: Jet<N>, back: Jet<N>, radius: N) -> Bent<N> {
         let b = self.follower.point(q).turned(back);
         let w = b.derivative();
         let z = w.derivative();
-        // Seen from the cam the follower goes round against its sense: a convex curve bends that way.
+        // Seen from the cam, the follower rotates against the cam's sense: a convex curve bends
+        // that way.
         let turn = w.cross(z);
         let bend = turn.signed(-self.sense);
         let (along, across) = (w.order(0), z.order(0));
@@ -315,17 +330,18 @@ impl<N: Real> Disc<N> {
         let normal = along.perp() * (self.signed(N::from_f64(1.0)) / speed);
         let square = speed * speed;
         let rho_pitch = square * speed / bend.value();
-        // A straight line beside a straight line.
+        // The pitch curve of a straight flank is straight too: its infinite radius is kept.
         let rho = if rho_pitch.is_decided() { rho_pitch - radius } else { rho_pitch };
         let rho_slope = (N::from_f64(3.0) * speed * along.dot(across) - rho_pitch * bend.0[1]) / bend.value();
         let pitch = b.order(0);
         Bent { pitch, contact: pitch - normal * radius, normal, turning: turn.value() / square, rho, rho_pitch, rho_slope }
     }
 
-    /// The contact of a flat face.
+    /// Computes the contact of a flat face.
     fn flat_end(&self, q: Jet<N>, back: Jet<N>, lever: N) -> Bent<N> {
         let m = self.follower.normal(q);
-        // Support function: the distance of the face from the centre, over the direction of its normal in the cam.
+        // Support function: the distance of the face from the centre, as a function of the
+        // direction of its normal in the cam.
         let distance = match self.follower {
             Follower::Translating { .. } => q,
             Follower::Oscillating { pivot, .. } => m.dot(Plane::constant(pivot)) + Jet::constant(lever),
@@ -344,7 +360,8 @@ impl<N: Real> Disc<N> {
         Bent { pitch: foot, contact, normal: n, turning: rate.value(), rho, rho_pitch: rho, rho_slope }
     }
 
-    /// By how much a direction of the follower, the normal of its flat face, turns in the cam as φ grows.
+    /// Returns the rate at which a direction of the follower, the normal of its flat face, turns in
+    /// the cam as φ grows.
     fn normal_rate(&self, q: Jet<N>) -> Jet<N> {
         let turning = match self.follower {
             Follower::Translating { .. } => Jet::constant(N::from_f64(0.0)),
@@ -355,18 +372,21 @@ impl<N: Real> Disc<N> {
 }
 
 impl Disc {
-    /// Which piece of the profile is touched; of several, that which holds the follower farthest out. `None` for a law, and where none is.
+    /// Returns the piece of the profile that is touched; among several, the one that holds the
+    /// follower farthest out. `None` for a law, and if no piece is touched.
     pub fn touched(&self, phi: f64, side: Side) -> Option<usize> {
         let Motion::Profile(segments) = &self.motion else { return None };
         let beside = match side {
             Side::Before => phi - BESIDE,
             Side::After => phi + BESIDE,
         };
-        // Where the follower leaves its cam nothing is touched beside the pose on that side, but in the pose.
+        // If the follower leaves its cam here, nothing is touched beside the pose on that side, but
+        // a piece is touched in the pose.
         self.farthest(segments, self.sense * beside).or_else(|| self.farthest(segments, self.sense * phi))
     }
 
-    /// The piece that holds the follower farthest out, the cam turned by so much.
+    /// Returns the piece that holds the follower farthest out when the cam is turned by `turn`
+    /// (rad).
     fn farthest(&self, segments: &[Segment], turn: f64) -> Option<usize> {
         let mut best: Option<(usize, f64)> = None;
         for (i, segment) in segments.iter().enumerate() {
@@ -378,7 +398,7 @@ impl Disc {
         best.map(|b| b.0)
     }
 
-    /// The formula that holds at an angle; `None` where nothing is touched.
+    /// Returns the formula that applies at an angle; `None` if nothing is touched.
     pub fn branch(&self, phi: f64, side: Side) -> Option<Branch> {
         match &self.motion {
             Motion::Law { program, .. } => program.branch(phi, side).map(|(stage, piece)| Branch::Stage(stage, piece)),
@@ -386,7 +406,7 @@ impl Disc {
         }
     }
 
-    /// The follower's coordinate with its derivatives by φ; `None` where it touches nothing.
+    /// Returns the follower's coordinate with its derivatives by φ; `None` if it touches nothing.
     pub fn coordinate(&self, phi: f64, side: Side) -> Option<Jet> {
         match &self.motion {
             Motion::Law { base, program } => {
@@ -397,7 +417,7 @@ impl Disc {
         }
     }
 
-    /// Everything at one angle.
+    /// Returns the state at one angle.
     pub fn station(&self, phi: f64, side: Side) -> Option<Station> {
         match self.motion {
             Motion::Law { .. } => Some(self.station_of(self.coordinate(phi, side)?, phi)),
@@ -405,7 +425,7 @@ impl Disc {
         }
     }
 
-    /// Angles of the cam at which pieces of its law or of its profile meet, from 0 on.
+    /// Returns the angles of the cam at which pieces of its law or of its profile meet, from 0 on.
     pub fn corners(&self) -> Vec<f64> {
         match &self.motion {
             Motion::Law { program, .. } => program.corners(),

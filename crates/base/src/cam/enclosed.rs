@@ -1,4 +1,5 @@
-//! Extremes of a turn, shocks and least sizes in any kind of number: places that double precision has found are roots again, values follow from them.
+//! Extremes, shocks and least sizes over a turn in any kind of number: the angles found in double
+//! precision are solved again as roots, and the values follow from them.
 
 use super::exact::{is_at, root};
 use super::survey::{least_base, sharpest};
@@ -19,20 +20,21 @@ pub enum Mark {
     Radius,
 }
 
-/// The least base circle is looked for so near to that of double precision, as a part of it.
+/// Relative distance from the double-precision value within which the least base circle is sought.
 const BESIDE: f64 = 1e-9;
 
-/// Samples of a turn, and by which part of itself the least distance may be less than that of the nearest.
+/// Number of samples of a turn, and the relative amount by which the least distance may lie below
+/// that of the nearest sample.
 const SAMPLES: usize = 720;
 const BETWEEN_SAMPLES: f64 = 1e-3;
 
 impl<N: Real> Exact<'_, N> {
-    /// The cam in these numbers.
+    /// Returns the cam in these numbers.
     pub fn disc(&self) -> &Disc<N> {
         &self.disc
     }
 
-    /// Place and value of an extreme.
+    /// Returns the angle and the value of an extreme.
     pub fn mark(&self, mark: Mark) -> Option<[N; 2]> {
         let survey = self.survey();
         match mark {
@@ -40,7 +42,7 @@ impl<N: Real> Exact<'_, N> {
             Mark::Bend(k) => self.peak(survey.fastest[1][k]?, &|s| s.q.0[3], &|s| s.q.0[2]),
             Mark::Pressure(k) => {
                 let peak = survey.steepest[k]?;
-                // The rate is zero where a way of the follower begins or ends.
+                // The rate is zero where a phase of the follower begins or ends.
                 let ends = survey.phases.iter().flat_map(|p| [p.from, p.to]).any(|end| is_at(end, peak.phi));
                 let slope: &dyn Fn(&Station<N>) -> N = if ends { &|s| s.q.0[1] } else { &|s| s.pressure_slope };
                 self.peak(peak, slope, &|s| s.pressure)
@@ -55,7 +57,7 @@ impl<N: Real> Exact<'_, N> {
         Some([place, value(&station)])
     }
 
-    /// The place of a shock, and s′ or s″ before and after it.
+    /// Returns the angle of a shock, and s′ or s″ before and after it.
     pub fn jump(&self, index: usize) -> Option<[N; 3]> {
         let jump = self.survey().jumps.get(index)?;
         let place = self.joint(jump.phi)?;
@@ -63,7 +65,8 @@ impl<N: Real> Exact<'_, N> {
         Some([place, on(Side::Before)?, on(Side::After)?])
     }
 
-    /// The first contact with a hollow into which the follower's end does not go, and the radius of the hollow (less than zero).
+    /// Returns the angle of the first contact with a hollow that is too narrow for the follower's
+    /// end, and the radius of the hollow (negative).
     pub fn hollow(&self) -> Option<[N; 2]> {
         let (Motion::Profile(segments), Touch::Point { radius }) = (&self.disc.motion, self.disc.touch) else { return None };
         let narrow = |rho: &N| rho.approx() < 0.0 && -rho.approx() <= radius.approx();
@@ -71,7 +74,8 @@ impl<N: Real> Exact<'_, N> {
         Some([self.located(self.survey().hollow?.0, Side::After, &|s| s.rho_slope)?, rho])
     }
 
-    /// The base circle: of a profile the least distance of what is touched from the axis.
+    /// Returns the radius of the base circle; for a profile, the least distance of the touched
+    /// points from the axis.
     pub fn base(&self) -> Option<N> {
         let segments = match &self.disc.motion {
             Motion::Law { base, .. } => return Some(*base),
@@ -96,22 +100,24 @@ impl<N: Real> Exact<'_, N> {
         })
     }
 
-    /// The pressure angle as the follower sets out.
+    /// Returns the pressure angle at the start of the rise.
     pub fn pressure_at_start(&self) -> Option<N> {
         let from = self.survey().phases.iter().find(|p| p.way == 1)?.from;
         let peak = Peak { phi: from, side: Side::After, value: 0.0 };
         self.peak(peak, &|s| s.q.0[1], &|s| s.pressure).map(|[_, pressure]| pressure)
     }
 
-    /// The least half width of a flat face about its point: max |s′|, for the contact is s′ from the point.
+    /// Returns the least half width of a flat face about its point: max |s′|, since the contact is
+    /// at the distance s′ from the point.
     pub fn face_half(&self) -> Option<N> {
         let both = [self.mark(Mark::Rate(0))?[1], self.mark(Mark::Rate(1))?[1]];
         let [low, high] = both.map(N::magnitude);
         Some(if low.approx() > high.approx() { low } else { high })
     }
 
-    /// The least base circle whose profile is not undercut: there the least radius of the pitch curve is that of the follower's end, or the follower just
-    /// reaches its cam.
+    /// Returns the radius of the least base circle whose profile is not undercut. There the least
+    /// radius of the pitch curve equals that of the follower's end, or the follower just reaches
+    /// its cam.
     pub fn least_base(&self) -> Option<N> {
         let near = least_base(self.double)?;
         let zero = N::from_f64(0.0);
@@ -134,7 +140,7 @@ impl<N: Real> Exact<'_, N> {
     }
 }
 
-/// A cam by the same law about another base circle.
+/// Returns the cam with the same law on another base circle.
 fn with_base<N: Real>(disc: &Disc<N>, base: N) -> Option<Disc<N>> {
     let Motion::Law { program, .. } = &disc.motion else { return None };
     Some(Disc { motion: Motion::Law { base, program: program.clone() }, ..disc.clone() })

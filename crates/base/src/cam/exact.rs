@@ -1,8 +1,11 @@
-//! What a turn shows, in any kind of number: the places that double precision has found are found again as roots of their equations, and enclosed.
+//! Results over a turn in any kind of number: the angles found in double precision are solved again
+//! as roots of their equations and enclosed.
 //!
-//! Double precision decides: which piece is touched, between which samples a derivative passes through zero, which of the extremes is the largest. Longer numbers
-//! solve: a joint has a closed form, or is where two pieces hold the follower equally far out; an extreme is where a derivative is zero. The zero is found
-//! by the secant and lies surely between two places where the signs of the function differ.
+//! Double precision takes the decisions: which piece is touched, between which samples a derivative
+//! passes through zero, which extreme is the largest. Longer numbers solve: a joint has a closed
+//! form, or is the angle at which two pieces hold the follower equally far out; an extreme is a
+//! zero of a derivative. The secant method finds the zero; it lies surely between two angles at
+//! which the signs of the function differ.
 
 use super::survey::Phase;
 use super::turn::Peak;
@@ -10,22 +13,24 @@ use super::{Branch, Disc, Motion, Side, Station, Survey, Surveyed, Touch, in_hal
 use crate::number::Real;
 use std::f64::consts::TAU;
 
-/// A cam in numbers of one kind beside the same in double precision.
+/// A cam in one kind of number, with the same cam in double precision.
 pub struct Exact<'a, N> {
     pub(super) double: &'a Disc,
     pub(super) survey: &'a Surveyed,
     pub(super) disc: Disc<N>,
 }
 
-/// A place nearer to a joint than this (rad) is the joint: both were found in double precision.
+/// An angle closer to a joint than this (rad) is the joint: both are found in double precision.
 const ON_THE_JOINT: f64 = 1e-12;
 
-/// An end of a piece nearer than this (rad) to a joint is the one that makes it: joints are found to some units in the last place, crossings of pieces as near
-/// to an end do not occur but by chance.
+/// An end of a piece closer than this (rad) to a joint is the end that makes the joint: joints are
+/// found to some units in the last place, and crossings of pieces this close to an end occur only
+/// by chance.
 const THE_SAME: f64 = 1e-8;
 
 impl<'a, N: Real> Exact<'a, N> {
-    /// A cam in numbers of a kind, `double` the same with its survey.
+    /// Creates a cam in one kind of number; `double` is the same cam in double precision, with its
+    /// survey.
     pub fn new(double: &'a Disc, survey: &'a Surveyed, disc: Disc<N>) -> Self {
         Exact { double, survey, disc }
     }
@@ -35,12 +40,13 @@ impl<'a, N: Real> Exact<'a, N> {
         self.survey.of(self.double)
     }
 
-    /// Everything at an angle, seen from a side, by the formula that holds there in double precision.
+    /// Returns the state at an angle, seen from a side, by the formula that applies there in double
+    /// precision.
     pub fn station(&self, (near, side): (f64, Side), phi: N) -> Option<Station<N>> {
         self.disc.station_on(self.double.branch(near, side)?, phi)
     }
 
-    /// How much further out the follower is than on the base circle.
+    /// Returns the lift: the follower's coordinate less its value on the base circle.
     pub fn lift(&self, (near, side): (f64, Side), phi: N) -> Option<N> {
         match (&self.disc.motion, self.double.branch(near, side)?) {
             (Motion::Law { program, .. }, Branch::Stage(stage, piece)) => program.lift_in((stage, piece), phi).map(|s| s.value()),
@@ -48,7 +54,7 @@ impl<'a, N: Real> Exact<'a, N> {
         }
     }
 
-    /// The greatest lift.
+    /// Returns the greatest lift.
     pub fn stroke(&self) -> Option<N> {
         match &self.disc.motion {
             Motion::Law { program, .. } => Some(program.stroke()),
@@ -56,22 +62,23 @@ impl<'a, N: Real> Exact<'a, N> {
         }
     }
 
-    /// Least (0) or greatest (1) coordinate of the follower on a profile.
+    /// Returns the least (0) or greatest (1) coordinate of the follower on a profile.
     fn end(&self, which: usize) -> Option<N> {
         let Peak { phi, side, .. } = self.survey().ends?[which];
         let place = self.located(phi, side, &|s| s.q.0[1])?;
         self.disc.coordinate_on(self.double.branch(phi, side)?, place).map(|q| q.value())
     }
 
-    /// The sum of the angles of the phases of a kind: see [`Survey::angle`].
+    /// Returns the sum of the angles of the phases of a kind: see [`Survey::angle`].
     pub fn angle(&self, way: i8, out: bool) -> Option<N> {
         let reversal = |phi: f64, side: Side| self.located(phi, side, &|s| s.q.0[1]);
-        // Double precision may take the ends of a way in the wrong order if the profile hardly lifts the follower.
+        // Double precision may take the ends of a phase in the wrong order if the profile hardly
+        // lifts the follower.
         let of = |p: &Phase| Some(reversal(p.to, Side::Before)? - reversal(p.from, Side::After)?).filter(|a| a.approx() >= 0.0);
         self.survey().phases_of(way, out).try_fold(N::from_f64(0.0), |sum, p| Some(sum + of(p)?))
     }
 
-    /// The least radius of curvature of the profile: see [`Survey::sharpest`].
+    /// Returns the least radius of curvature of the profile: see [`Survey::sharpest`].
     pub fn least_rho(&self) -> Option<N> {
         let Peak { phi, side, .. } = self.survey().sharpest?;
         let branch = self.double.branch(phi, side)?;
@@ -85,13 +92,14 @@ impl<'a, N: Real> Exact<'a, N> {
         })
     }
 
-    /// The place again that double precision has found: a joint, else where a derivative is zero.
+    /// Returns the exact angle of a result of double precision: a joint, or the zero of a
+    /// derivative.
     pub(super) fn located(&self, phi: f64, side: Side, slope: &dyn Fn(&Station<N>) -> N) -> Option<N> {
         if self.survey().corners.iter().any(|c| is_at(*c, phi)) {
             return self.joint(phi);
         }
         let branch = self.double.branch(phi, side)?;
-        // What does not change is everywhere as it is here.
+        // A derivative that is zero throughout has no isolated root: the angle is taken as it is.
         root(phi, STEP, &|x| self.disc.station_on(branch, x).map(|s| slope(&s))).or_else(|| {
             let station = self.disc.station_on(branch, N::from_f64(phi))?;
             let still = slope(&station);
@@ -99,7 +107,8 @@ impl<'a, N: Real> Exact<'a, N> {
         })
     }
 
-    /// A joint again: an end of a stage, of a piece of its law, or of a piece of the profile; else where two pieces hold the follower equally far out.
+    /// Returns the exact angle of a joint: an end of a stage, of a piece of its law, or of a piece
+    /// of the profile; otherwise the angle at which two pieces hold the follower equally far out.
     pub(super) fn joint(&self, phi: f64) -> Option<N> {
         let ends: Vec<N> = match &self.disc.motion {
             Motion::Law { program, .. } => program.corners(),
@@ -117,19 +126,22 @@ impl<'a, N: Real> Exact<'a, N> {
     }
 }
 
-/// True if two angles are one place on the cam.
+/// True if two angles are the same angle of the cam.
 pub(super) fn is_at(corner: f64, phi: f64) -> bool {
     in_half_turns(corner - phi).abs() <= ON_THE_JOINT
 }
 
-/// The first two places of the secant lie so far (rad) on both sides of what double precision has found.
+/// Distance (rad) of the first two points of the secant method from the double-precision value, on
+/// either side.
 const STEP: f64 = 1e-6;
 
-/// The places of the secant: each doubles the digits nearly, so that these are more than the longest numbers have.
+/// Greatest number of secant steps: each step nearly doubles the number of digits, so this suffices
+/// for the longest numbers.
 const ROUNDS: usize = 24;
 
-/// The zero of a function no more than `step` from a place. Where the number knows its error, all numbers between two places where the signs of the function surely differ;
-/// `None` where none are found.
+/// Returns the zero of a function within `step` of `near`. If the number type keeps account of its
+/// error, the result encloses all numbers between two points at which the signs of the function
+/// surely differ; `None` if no such points are found.
 pub(super) fn root<N: Real>(near: f64, step: f64, f: &dyn Fn(N) -> Option<N>) -> Option<N> {
     let (mut a, mut b) = (N::from_f64(near - step), N::from_f64(near + step));
     let (mut fa, mut fb) = (f(a)?, f(b)?);
@@ -146,7 +158,8 @@ pub(super) fn root<N: Real>(near: f64, step: f64, f: &dyn Fn(N) -> Option<N>) ->
         }
         let (last, there) = (fb, f(next)?);
         (a, fa, b, fb) = (b, fb, next, there);
-        // What is not told from zero gets no nearer to it, nor what gets no smaller.
+        // A value that cannot be distinguished from zero, or that does not decrease, is not
+        // improved by further steps.
         if !told(fb) || fb.approx().abs() >= last.approx().abs() {
             break;
         }
@@ -166,7 +179,7 @@ pub(super) fn root<N: Real>(near: f64, step: f64, f: &dyn Fn(N) -> Option<N>) ->
     None
 }
 
-/// Whether a number is surely not zero.
+/// Returns true if a number is surely not zero.
 fn told<N: Real>(x: N) -> bool {
     x.is_decided() && x.approx().abs() * (1.0 - 1e-15) > x.radius()
 }

@@ -1,39 +1,40 @@
-//! A value with its first three derivatives by φ, and the arithmetic of such values (Leibniz, Faà di Bruno), in any kind of number.
+//! A value with its first three derivatives by φ, and the arithmetic of such values (Leibniz, Faà
+//! di Bruno), in any kind of number.
 
 use crate::geom::Vec2;
 use crate::number::Real;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// f, f′, f″, f‴.
+/// The value and its derivatives f, f′, f″, f‴.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<N = f64>(pub [N; 4]);
 
 impl<N: Real> Jet<N> {
-    /// A value that stays.
+    /// Returns a constant.
     pub fn constant(x: N) -> Self {
         let zero = N::from_f64(0.0);
         Jet([x, zero, zero, zero])
     }
 
-    /// φ itself.
+    /// Returns φ itself.
     pub fn variable(phi: N) -> Self {
         let zero = N::from_f64(0.0);
         Jet([phi, N::from_f64(1.0), zero, zero])
     }
 
-    /// The value.
+    /// Returns the value.
     pub fn value(self) -> N {
         self.0[0]
     }
 
-    /// The value of a function whose derivatives at the value are `g`.
+    /// Returns g∘f for a function with the value and derivatives `g` at the value of f.
     fn of(self, g: [N; 4]) -> Self {
         let [_, a, b, c] = self.0;
         let three = N::from_f64(3.0);
         Jet([g[0], g[1] * a, g[2] * a * a + g[1] * b, g[3] * a * a * a + three * g[2] * a * b + g[1] * c])
     }
 
-    /// Square root; undecided where there is none.
+    /// Returns the square root; undecided if it does not exist.
     pub fn sqrt(self) -> Self {
         let x = self.0[0];
         let r = x.sqrt();
@@ -41,19 +42,19 @@ impl<N: Real> Jet<N> {
         self.of([r, half / r, quarter / (x * r), more / (x * x * r)])
     }
 
-    /// One over the value.
+    /// Returns the reciprocal.
     pub fn recip(self) -> Self {
         let i = N::from_f64(1.0) / self.0[0];
         self.of([i, -i * i, N::from_f64(2.0) * i * i * i, N::from_f64(-6.0) * i * i * i * i])
     }
 
-    /// Sine and cosine.
+    /// Returns sine and cosine.
     pub fn sine_cosine(self) -> (Self, Self) {
         let (s, c) = self.0[0].sin_cos();
         (self.of([s, c, -s, -c]), self.of([c, -s, -c, s]))
     }
 
-    /// The angle of a sine, from −π/2 to π/2; undecided where there is none.
+    /// Returns the arc sine, from −π/2 to π/2; undecided if it does not exist.
     pub fn arc_sine(self) -> Self {
         let x = self.0[0];
         let one = N::from_f64(1.0);
@@ -62,24 +63,25 @@ impl<N: Real> Jet<N> {
         self.of([x.atan2(w), one / w, x / (q * w), (one + N::from_f64(2.0) * x * x) / (q * q * w)])
     }
 
-    /// The angle of a cosine, from 0 to π; undecided where there is none.
+    /// Returns the arc cosine, from 0 to π; undecided if it does not exist.
     pub fn arc_cosine(self) -> Self {
         Jet::constant(N::pi() * N::from_f64(0.5)) - self.arc_sine()
     }
 
-    /// The direction of (x, y).
+    /// Returns the direction of (x, y) as an angle.
     pub fn direction(y: Self, x: Self) -> Self {
-        // θ′ = (x y′ − y x′)/(x² + y²), whose own derivatives are those of higher order.
+        // θ′ = (x y′ − y x′)/(x² + y²); its derivatives are the higher derivatives of θ.
         let rate = (x * y.derivative() - y * x.derivative()) * (x * x + y * y).recip();
         Jet([y.0[0].atan2(x.0[0]), rate.0[0], rate.0[1], rate.0[2]])
     }
 
-    /// The same with one derivative fewer: f′, f″, f‴; the last is not known and counts as zero.
+    /// Returns the derivative with its own derivatives: f′, f″, f‴; the fourth derivative is
+    /// unknown and counts as zero.
     pub fn derivative(self) -> Self {
         Jet([self.0[1], self.0[2], self.0[3], N::from_f64(0.0)])
     }
 
-    /// With a sign, +1 or −1.
+    /// Returns the value multiplied by a sign, +1 or −1.
     pub fn signed(self, sign: f64) -> Self {
         if sign < 0.0 { -self } else { self }
     }
@@ -122,64 +124,64 @@ impl<N: Real> Mul<N> for Jet<N> {
     }
 }
 
-/// A vector whose parts are jets.
+/// A vector with jets as components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane<N = f64> {
-    /// To the right.
+    /// The component to the right.
     pub x: Jet<N>,
-    /// Up.
+    /// The component upward.
     pub y: Jet<N>,
 }
 
 impl<N: Real> Plane<N> {
-    /// A vector that stays.
+    /// Returns a constant vector.
     pub fn constant(v: Vec2<N>) -> Self {
         Plane { x: Jet::constant(v.x), y: Jet::constant(v.y) }
     }
 
-    /// The direction at an angle.
+    /// Returns the unit vector at an angle.
     pub fn direction(angle: Jet<N>) -> Self {
         let (y, x) = angle.sine_cosine();
         Plane { x, y }
     }
 
-    /// Turned by an angle, counter-clockwise.
+    /// Returns the vector turned by an angle, counter-clockwise.
     pub fn turned(self, by: Jet<N>) -> Self {
         let (s, c) = by.sine_cosine();
         Plane { x: self.x * c - self.y * s, y: self.x * s + self.y * c }
     }
 
-    /// The product of the lengths and the cosine of the angle between.
+    /// Returns the scalar product.
     pub fn dot(self, other: Self) -> Jet<N> {
         self.x * other.x + self.y * other.y
     }
 
-    /// The product of the lengths and the sine of the angle from this to the other.
+    /// Returns the z component of the cross product.
     pub fn cross(self, other: Self) -> Jet<N> {
         self.x * other.y - self.y * other.x
     }
 
-    /// Turned a quarter, counter-clockwise.
+    /// Returns the vector turned by +90°.
     pub fn perp(self) -> Self {
         Plane { x: -self.y, y: self.x }
     }
 
-    /// The direction as an angle.
+    /// Returns the direction as an angle.
     pub fn angle(self) -> Jet<N> {
         Jet::direction(self.y, self.x)
     }
 
-    /// The vector (0), or its derivative of an order.
+    /// Returns the vector (`k` = 0) or its derivative of order `k`.
     pub fn order(self, k: usize) -> Vec2<N> {
         Vec2::new(self.x.0[k], self.y.0[k])
     }
 
-    /// The derivative, with one derivative fewer of its own.
+    /// Returns the derivative, which has one derivative fewer.
     pub fn derivative(self) -> Self {
         Plane { x: self.x.derivative(), y: self.y.derivative() }
     }
 
-    /// With a sign, +1 or −1.
+    /// Returns the vector multiplied by a sign, +1 or −1.
     pub fn signed(self, sign: f64) -> Self {
         Plane { x: self.x.signed(sign), y: self.y.signed(sign) }
     }
@@ -210,7 +212,7 @@ impl<N: Real> Mul<Jet<N>> for Plane<N> {
 mod tests {
     use super::*;
 
-    /// A derivative by differences of the one before.
+    /// Checks each derivative against the differences of the previous one.
     fn check(f: impl Fn(Jet) -> Jet, x: f64) {
         let h = 1e-5;
         let [low, here, high] = [x - h, x, x + h].map(|x| f(Jet::variable(x)));

@@ -1,11 +1,15 @@
-//! Disc cams as plain geometry: motion laws, profiles of arcs and lines, and what both make of a follower over a turn.
+//! Disc cams as plane geometry: motion laws, profiles of arcs and lines, and the resulting motion
+//! of the follower over a turn.
 //!
-//! Decided here: s(φ) with its first three derivatives ([`law`], [`program`], [`outline`]); the profile by inversion, pressure angle and
-//! radius of curvature ([`Disc`]); extremes, undercut and jumps of a whole turn ([`Survey`]). Pure functions of numbers: how a scene writes
-//! a cam, which pairs stand for its contact and what is drawn is decided in other rooms.
+//! This module computes s(φ) with its first three derivatives ([`law`], [`program`], [`outline`]);
+//! the profile by inversion, pressure angle and radius of curvature ([`Disc`]); extremes, undercut
+//! and jumps of a whole turn ([`Survey`]). All functions are pure functions of numbers. Other
+//! modules decide how a scene writes a cam, which kinematic pairs replace its contact, and which
+//! items are drawn.
 //!
-//! Conventions: lengths in metres, angles in radians, the origin in the centre of the cam. φ counts how far the cam has turned from the
-//! start of its law, in the cam's own sense. The frame of the cam is that of the ground at φ = 0.
+//! Conventions: lengths in metres, angles in radians, the origin at the centre of the cam. φ is the
+//! rotation of the cam from the start of its law, in the cam's own sense. The frame of the cam is
+//! that of the ground at φ = 0.
 
 mod contact;
 pub mod disc;
@@ -34,28 +38,28 @@ pub use turn::Peak;
 
 use crate::number::Real;
 
-/// On which side of a joint of two pieces a value is taken, in the sense in which φ grows.
+/// The side of a joint of two pieces from which a value is taken, in the direction of growing φ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// As it is when the joint is reached.
+    /// The value as φ approaches the joint from below.
     Before,
-    /// As it goes on.
+    /// The value after the joint.
     After,
 }
 
-/// An angle in the turn from 0 up to, and without, 2π.
+/// Returns an angle reduced to [0, 2π).
 pub fn in_turn(angle: f64) -> f64 {
     let turns = libm::floor(angle / std::f64::consts::TAU);
     let rest = angle - turns * std::f64::consts::TAU;
     if rest >= std::f64::consts::TAU { 0.0 } else { rest.max(0.0) }
 }
 
-/// An angle in the half turns on both sides of zero.
+/// Returns an angle reduced to half a turn on either side of zero.
 pub fn in_half_turns<N: Real>(angle: N) -> N {
     angle - whole_turns(libm::rint(angle.approx() / std::f64::consts::TAU))
 }
 
-/// So many whole turns (rad).
+/// Returns the angle of `turns` whole turns (rad).
 pub fn whole_turns<N: Real>(turns: f64) -> N {
     if turns == 0.0 { N::from_f64(0.0) } else { (N::pi() + N::pi()) * N::from_f64(turns) }
 }

@@ -1,7 +1,10 @@
-//! A profile of arcs and lines, in the frame of the cam: where it is touched, and the place of the follower that each piece makes.
+//! A profile of arcs and lines, in the frame of the cam: its contact with the follower, and the
+//! follower's coordinate on each piece.
 //!
-//! A follower with a round end keeps its centre at ρ + r from the centre of an arc, or runs along a parallel of a line at r; the centre of an
-//! arc keeps at ρ from a flat face. These are the equivalent linkages 高副低代, exact on the whole piece; so is every derivative.
+//! A follower with a round end keeps its centre at the distance ρ + r from the centre of an arc, or
+//! on the parallel of a line at the distance r; the centre of an arc keeps the distance ρ from a
+//! flat face. These are the equivalent linkages 高副低代. They are exact on the whole piece,
+//! including every derivative.
 
 use super::disc::{Follower, Touch};
 use super::jet::{Jet, Plane};
@@ -15,11 +18,12 @@ use std::f64::consts::TAU;
 pub enum Segment<N = f64> {
     /// An arc.
     Arc {
-        /// Its centre.
+        /// The centre.
         centre: Vec2<N>,
-        /// Radius (m): less than zero on a hollow flank, zero at a corner.
+        /// Radius (m): negative on a hollow flank, zero at a corner.
         radius: N,
-        /// Directions of the outward normal where it begins and ends, going round counter-clockwise (rad); a whole turn apart on a circle.
+        /// Directions of the outward normal at the beginning and the end, counter-clockwise round
+        /// the profile (rad); a whole turn apart on a circle.
         normals: [N; 2],
     },
     /// A straight flank.
@@ -28,16 +32,16 @@ pub enum Segment<N = f64> {
         normal: N,
         /// Distance of the line from the origin (m).
         distance: N,
-        /// Where it begins and ends, counted along the normal turned a quarter counter-clockwise (m).
+        /// Beginning and end, measured along the normal turned by +90° (m).
         ends: [N; 2],
     },
 }
 
-/// What is beyond the end of a piece by less than this part of its size lies on it: joints are computed from both sides.
+/// Relative tolerance at the ends of a piece: joints are computed from both sides.
 const ON: f64 = 1e-12;
 
 impl<N: Real> Segment<N> {
-    /// The radius of curvature, convex plus; a line has an infinite one.
+    /// Returns the radius of curvature, convex positive; a line has an infinite radius.
     pub fn radius(&self) -> N {
         match self {
             Segment::Arc { radius, .. } => *radius,
@@ -45,7 +49,8 @@ impl<N: Real> Segment<N> {
         }
     }
 
-    /// The follower's coordinate (see [`super::Disc`]) while it touches this piece, the cam turned by `turn`; undecided where it cannot.
+    /// Returns the follower's coordinate (see [`super::Disc`]) in contact with this piece, with the
+    /// cam turned by `turn`; undecided if no contact is possible.
     pub fn coordinate(&self, follower: &Follower<N>, touch: &Touch<N>, turn: Jet<N>) -> Jet<N> {
         let nothing = || Jet::constant(N::from_f64(f64::NAN));
         match (self, *touch) {
@@ -62,14 +67,14 @@ impl<N: Real> Segment<N> {
             (Segment::Line { normal, distance, .. }, Touch::Point { radius }) => {
                 follower.along_line(turn + Jet::constant(*normal), *distance + radius)
             }
-            // Two lines touch at their ends only: these are corners.
+            // Two lines touch only at their ends, which are corners.
             (Segment::Line { .. }, Touch::Flat { .. }) => nothing(),
         }
     }
 }
 
 impl Segment {
-    /// Whether the follower at this coordinate touches within the piece.
+    /// Returns true if the follower at this coordinate touches within the piece.
     pub fn holds(&self, follower: &Follower, touch: &Touch, turn: f64, coordinate: f64) -> bool {
         let back = Jet::constant(-turn);
         let q = Jet::constant(coordinate);
@@ -92,8 +97,8 @@ impl Segment {
         }
     }
 
-    /// By how much a round end about a point misses the piece (m), the point in the frame of the cam; `None` where it lies beyond the piece's
-    /// ends, or within a line.
+    /// Returns the gap between a round end about a point and the piece (m), with the point in the
+    /// frame of the cam; `None` if the point lies beyond the piece's ends.
     pub fn missed_by(&self, end: Vec2, radius: f64) -> Option<f64> {
         match self {
             Segment::Arc { centre, radius: rho, .. } => {
@@ -110,8 +115,9 @@ impl Segment {
         }
     }
 
-    /// How far the contact of a round end about a point lies beyond the beginning and beyond the end of the piece, the point in the frame of the
-    /// cam: as angles of the normal (rad), along a line as parts of its length; less than zero within.
+    /// Returns the amounts by which the contact of a round end about a point lies beyond the
+    /// beginning and beyond the end of the piece, with the point in the frame of the cam: angles of
+    /// the normal (rad) on an arc, fractions of the length on a line; negative within the piece.
     pub fn beyond(&self, end: Vec2, radius: f64) -> [f64; 2] {
         match self {
             Segment::Arc { centre, radius: rho, .. } => {
@@ -125,7 +131,9 @@ impl Segment {
         }
     }
 
-    /// The same of a flat face whose normal has a direction in the cam; a line has none within.
+    /// Returns the amounts by which the contact of a flat face lies beyond the beginning and the
+    /// end of the piece, as angles of the normal (rad), for a direction of the normal in the cam;
+    /// infinite for a line.
     pub fn beyond_facing(&self, direction: f64) -> [f64; 2] {
         match self {
             Segment::Arc { normals: [from, to], .. } => {
@@ -137,7 +145,7 @@ impl Segment {
         }
     }
 
-    /// Whether an arc has an outward normal of this direction.
+    /// Returns true if an arc has an outward normal of this direction.
     pub fn faces(&self, direction: f64) -> bool {
         match self {
             Segment::Arc { normals: [from, to], .. } => {
@@ -148,7 +156,8 @@ impl Segment {
         }
     }
 
-    /// Points along the piece, for drawing; `most` is the largest angle of an arc between two of them.
+    /// Returns points along the piece, for drawing; `most` is the largest angle of an arc between
+    /// two of them.
     pub fn points(&self, most: f64) -> Vec<Vec2> {
         match *self {
             Segment::Arc { centre, radius, normals: [from, to] } => {
@@ -164,30 +173,31 @@ impl Segment {
     }
 }
 
-/// What stands in a scene between two circles of a profile, or instead of one.
+/// A part of a profile in a scene: a circle, or the piece between two circles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Part<N = f64> {
     /// An arc about a centre with a radius; zero makes a corner.
     Circle(Vec2<N>, N),
-    /// The outer tangent of the circles before and after.
+    /// The outer tangent of the preceding and the following circle.
     Tangent,
-    /// An arc of this radius that touches the circles before and after; less than zero: hollow.
+    /// An arc of this radius that touches the preceding and the following circle; a negative radius
+    /// is hollow.
     Flank(N),
 }
 
-/// Why parts make no profile.
+/// The reason why the parts do not form a profile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Broken {
-    /// No circle at all, or a tangent or flank alone.
+    /// There is no circle, or a tangent or flank is alone.
     NoCircle,
-    /// This tangent or flank has none of a circle on one of its sides.
+    /// This tangent or flank has no circle on one of its sides.
     NoNeighbour(usize),
     /// This part cannot touch both its neighbours: their centres are too near or too far.
     Apart(usize),
 }
 
-/// The pieces of a closed profile, counter-clockwise, as many as there are parts; of two circles side by side the second begins where they
-/// touch or cross.
+/// Returns the pieces of a closed profile, counter-clockwise, one for each part. The second of two
+/// adjacent circles begins at their point of contact or intersection.
 ///
 /// # Errors
 /// The first part that does not fit between its neighbours.
@@ -203,7 +213,7 @@ pub fn segments<N: Real>(parts: &[Part<N>]) -> Result<Vec<Segment<N>>, Broken> {
     if n == 0 || (0..n).all(|i| circle(i).is_none()) {
         return Err(Broken::NoCircle);
     }
-    // Where each circle begins and ends.
+    // Beginning and end of each circle.
     let mut ends = vec![[N::from_f64(0.0); 2]; n];
     let mut made: Vec<Option<Segment<N>>> = vec![None; n];
     for i in 0..n {
@@ -238,13 +248,14 @@ pub fn segments<N: Real>(parts: &[Part<N>]) -> Result<Vec<Segment<N>>, Broken> {
     (0..n).map(one).collect::<Option<Vec<_>>>().ok_or(Broken::NoCircle)
 }
 
-/// An angle in the turn from 0 up to, and without, 2π.
+/// Returns an angle reduced to [0, 2π).
 fn counter_clockwise<N: Real>(angle: N) -> N {
     let nearest = angle.approx();
     angle + whole_turns(libm::rint((in_turn(nearest) - nearest) / TAU))
 }
 
-/// The outer tangent on the right of the way from one centre to the other, and the direction of its normal, twice.
+/// Returns the outer tangent on the right of the direction from one centre to the other, and the
+/// direction of its normal, twice.
 fn tangent<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N) -> Option<(Segment<N>, N, N)> {
     let way = b - a;
     let cosine = (ra - rb) / way.norm();
@@ -257,7 +268,8 @@ fn tangent<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N) -> Option<(Segment<N>,
     Some((Segment::Line { normal, distance: a.dot(n) + ra, ends: [a.dot(along), b.dot(along)] }, normal, normal))
 }
 
-/// An arc of a radius that touches two circles on the right of the way from one centre to the other.
+/// Returns an arc of a radius that touches two circles on the right of the direction from one
+/// centre to the other.
 fn flank<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N, radius: N) -> Option<(Segment<N>, N, N)> {
     let way = b - a;
     let (d, la, lb) = (way.norm(), radius - ra, radius - rb);
@@ -268,10 +280,11 @@ fn flank<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N, radius: N) -> Option<(Se
     }
     let u = way * (N::from_f64(1.0) / d);
     let convex = radius.approx() > 0.0;
-    // The centre of a convex flank lies on the other side of the line of centres, that of a hollow one on its own.
+    // The centre of a convex flank lies on the opposite side of the line of centres, that of a
+    // hollow flank on the same side.
     let centre = a + u * foot + u.perp() * if convex { height } else { -height };
     let normal = |of: Vec2<N>| if convex { (of - centre).angle() } else { (centre - of).angle() };
-    // A circle larger than the flank would be touched from within.
+    // A circle larger than the flank would be touched from inside.
     if convex && (radius.approx() <= ra.approx() || radius.approx() <= rb.approx()) {
         return None;
     }
@@ -279,13 +292,14 @@ fn flank<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N, radius: N) -> Option<(Se
     Some((Segment::Arc { centre, radius, normals: [from, from + in_half_turns(to - from)] }, from, to))
 }
 
-/// The directions of the normals of two circles at the point, on the right of the way between their centres, where they meet.
+/// Returns the directions of the normals of two circles at their intersection on the right of the
+/// direction between their centres.
 fn crossing<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N) -> Option<[N; 2]> {
     let way = b - a;
     let d = way.norm();
     let foot = (d * d + ra * ra - rb * rb) / (N::from_f64(2.0) * d);
     let square = ra * ra - foot * foot;
-    // Circles that touch miss by rounding.
+    // The distance of touching circles is inexact by rounding.
     if !square.is_decided() || square.approx() < -1e-9 * ra.approx() * ra.approx() {
         return None;
     }

@@ -1,32 +1,32 @@
-//! A turn of the cam as its stages: rises, dwells and returns, each by a law over an angle.
+//! A turn of the cam as a list of stages: rises, dwells and returns, each with a law over an angle.
 
 use super::jet::Jet;
 use super::{Law, Side, in_turn, whole_turns};
 use crate::number::Real;
 use std::f64::consts::TAU;
 
-/// What a stage does.
+/// The motion of the follower in a stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way<N = f64> {
-    /// The follower goes so far out (m, rad) by a law.
+    /// The follower goes out by this lift (m, rad) according to a law.
     Rise(N, Law),
-    /// It rests.
+    /// The follower rests.
     Dwell,
-    /// It comes back so far by a law.
+    /// The follower comes back by this lift (m, rad) according to a law.
     Return(N, Law),
 }
 
-/// A stage and the angle over which it goes (rad).
+/// A stage and the angle of the cam over which it extends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage<N = f64> {
-    /// What it does.
+    /// The motion.
     pub way: Way<N>,
-    /// Over which angle of the cam.
+    /// The angle of the cam (rad).
     pub over: N,
 }
 
 impl<N: Real> Stage<N> {
-    /// How much further out the follower is at its end.
+    /// Returns the change of the lift over the stage.
     pub fn gain(&self) -> N {
         match self.way {
             Way::Rise(h, _) => h,
@@ -35,7 +35,7 @@ impl<N: Real> Stage<N> {
         }
     }
 
-    /// The law, of what moves.
+    /// Returns the law of a rise or return; `None` for a dwell.
     pub fn law(&self) -> Option<Law> {
         match self.way {
             Way::Rise(_, law) | Way::Return(_, law) => Some(law),
@@ -47,21 +47,21 @@ impl<N: Real> Stage<N> {
 /// The stages of a turn, from the start of the law.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program<N = f64> {
-    /// In order.
+    /// The stages, in order.
     pub stages: Vec<Stage<N>>,
 }
 
-/// Which derivative jumps.
+/// The derivative of the lift that jumps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shock {
     /// The velocity: an infinite acceleration 刚性冲击.
     Rigid,
-    /// The acceleration 柔性冲击.
+    /// The acceleration, by a finite step 柔性冲击.
     Soft,
 }
 
 impl Shock {
-    /// Which derivative of the lift jumps.
+    /// Returns the order of the derivative that jumps.
     pub fn order(self) -> usize {
         match self {
             Shock::Rigid => 1,
@@ -70,22 +70,22 @@ impl Shock {
     }
 }
 
-/// A place where velocity or acceleration jumps.
+/// An angle of the cam at which the velocity or the acceleration jumps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jump {
     /// The angle of the cam (rad).
     pub phi: f64,
-    /// Which of the two.
+    /// The kind of shock.
     pub shock: Shock,
-    /// s′ or s″ before and after.
+    /// s′ or s″ before and after the jump.
     pub sides: [f64; 2],
 }
 
-/// Angles nearer than this (rad) are one place: a joint that is computed in two ways.
+/// Angles closer than this (rad) are the same angle: a joint that is computed in two ways.
 const ONE_PLACE: f64 = 1e-11;
 
 impl<N: Real> Program<N> {
-    /// Where each stage begins, and where the last ends.
+    /// Returns the angles at which the stages begin, and the end of the last stage.
     pub fn joints(&self) -> Vec<N> {
         let mut at = N::from_f64(0.0);
         let ends = self.stages.iter().map(|s| {
@@ -95,7 +95,7 @@ impl<N: Real> Program<N> {
         std::iter::once(N::from_f64(0.0)).chain(ends).collect()
     }
 
-    /// All places where pieces of the laws meet.
+    /// Returns all angles at which pieces of the laws meet.
     pub fn corners(&self) -> Vec<N> {
         let mut out = Vec::new();
         for (stage, start) in self.stages.iter().zip(self.joints()) {
@@ -106,7 +106,7 @@ impl<N: Real> Program<N> {
         out
     }
 
-    /// The greatest lift.
+    /// Returns the greatest lift.
     pub fn stroke(&self) -> N {
         let mut lift = N::from_f64(0.0);
         self.stages.iter().fold(lift, |most, s| {
@@ -115,14 +115,15 @@ impl<N: Real> Program<N> {
         })
     }
 
-    /// s, s′, s″, s‴ by the formula that holds in a piece of the law of a stage; whole turns of φ do not count. The piece of a dwell is 0.
+    /// Returns s, s′, s″, s‴ by the formula of a piece of the law of a stage; whole turns of φ do
+    /// not count. The piece of a dwell is 0.
     pub fn lift_in(&self, (stage, piece): (usize, usize), phi: N) -> Option<Jet<N>> {
         let before = self.stages.get(..stage)?;
         let [start, lift] = before.iter().fold([N::from_f64(0.0); 2], |[at, lift], s| [at + s.over, lift + s.gain()]);
         let stage = &self.stages[stage];
         let Some(law) = stage.law() else { return Some(Jet::constant(lift)) };
         let from_start = phi - start;
-        // An angle before the start by rounding is not one at the end of the turn.
+        // An angle that rounding puts before the start is not moved to the end of the turn.
         let turns = libm::floor(from_start.approx() / TAU + ONE_PLACE);
         let x = (from_start - whole_turns(turns)) / stage.over;
         Some(stage.lifted(law.pieces().get(piece)?.at(x), lift))
@@ -130,7 +131,7 @@ impl<N: Real> Program<N> {
 }
 
 impl<N: Real> Stage<N> {
-    /// A law of one over a way of one as what the stage makes of it, from a lift on.
+    /// Scales a normalized law to the stage, starting from a lift.
     fn lifted(&self, of_one: Jet<N>, lift: N) -> Jet<N> {
         let mut scale = self.gain();
         let mut out = of_one.0.map(|value| {
@@ -144,14 +145,16 @@ impl<N: Real> Stage<N> {
 }
 
 impl Program {
-    /// Of each stage, whether the last motion before it goes out: a dwell behind a rise is the outer one.
+    /// Returns, for each stage, true if the last motion before it goes out: a dwell after a rise is
+    /// the outer dwell.
     pub fn outer(&self) -> Vec<bool> {
         let behind =
             |k: usize| self.stages[..k].iter().rev().chain(self.stages[k..].iter().rev()).map(Stage::gain).find(|gain| *gain != 0.0);
         (0..self.stages.len()).map(|k| behind(k).is_some_and(|gain| gain > 0.0)).collect()
     }
 
-    /// The stage in which φ lies, where it begins, and the lift there; at a joint the one of the side.
+    /// Returns the stage that contains φ, the angle at which it begins, and the lift there; at a
+    /// joint the stage on the given side.
     pub fn stage(&self, phi: f64, side: Side) -> Option<(usize, f64, f64)> {
         let turn = in_turn_of(phi, side);
         let (mut at, mut lift) = (0.0, 0.0);
@@ -169,18 +172,18 @@ impl Program {
         None
     }
 
-    /// s, s′, s″, s‴ at an angle of the cam.
+    /// Returns s, s′, s″, s‴ at an angle of the cam.
     pub fn lift(&self, phi: f64, side: Side) -> Jet {
         let Some((i, start, lift)) = self.stage(phi, side) else { return Jet::constant(0.0) };
         let stage = &self.stages[i];
         let Some(law) = stage.law() else { return Jet::constant(lift) };
         let x = stage.part(start, phi, side);
-        // A joint inside a law is met to the last digit only by luck.
+        // Rounding may miss a joint inside a law: an x close to the joint is set to it.
         let near = law.pieces().iter().map(|p| p.end).find(|e| (e - x).abs() * stage.over < ONE_PLACE);
         stage.lifted(Jet(law.at(near.unwrap_or(x), side)), lift)
     }
 
-    /// The stage that holds at an angle of the cam, and the piece of its law.
+    /// Returns the stage that applies at an angle of the cam, and the piece of its law.
     pub fn branch(&self, phi: f64, side: Side) -> Option<(usize, usize)> {
         let (i, start, _) = self.stage(phi, side)?;
         let stage = &self.stages[i];
@@ -191,8 +194,8 @@ impl Program {
     }
 }
 
-/// An angle less whole turns. The place where a turn ends and the next begins belongs to the one on its side: an angle beside it is
-/// hardly less than 0, or hardly more than a turn.
+/// Returns an angle reduced by whole turns. The boundary between two turns belongs to the turn on
+/// the given side, so an angle beside it may be slightly less than 0 or slightly more than 2π.
 pub fn in_turn_of(phi: f64, side: Side) -> f64 {
     let turn = in_turn(phi);
     match side {
@@ -203,7 +206,8 @@ pub fn in_turn_of(phi: f64, side: Side) -> f64 {
 }
 
 impl Stage {
-    /// Which part of a stage that begins at `start` is over at an angle of the cam.
+    /// Returns the part of a stage that begins at `start` which is completed at an angle of the
+    /// cam.
     fn part(&self, start: f64, phi: f64, side: Side) -> f64 {
         let turn = in_turn_of(phi, side);
         let turn = if turn + ONE_PLACE < start { turn + TAU } else { turn };
@@ -231,7 +235,7 @@ mod tests {
         Program { stages }
     }
 
-    /// Rounding at the place where a turn ends and the next begins is no jump of the lift.
+    /// Rounding at the boundary between two turns is no jump of the lift.
     #[test]
     fn a_turn_begins_where_the_last_one_ends() {
         for phi in [0.0, TAU, -TAU, 3.0 * TAU] {

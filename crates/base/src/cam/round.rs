@@ -1,13 +1,13 @@
-//! Once round a cam: angles at which it is looked at, points of its profile, its base circle.
+//! Sampling of a whole turn of a cam: angles, points of its profile, its base circle.
 
 use super::{Disc, Motion, Side};
 use crate::geom::Vec2;
 
-/// Angles of the cam from 0 to a whole turn: equal steps and, at every joint, both sides.
+/// Returns angles of the cam from 0 to a whole turn: equal steps and, at every joint, both sides.
 pub fn round(disc: &Disc, steps: usize) -> Vec<(f64, Side)> {
     let tau = std::f64::consts::TAU;
     let corners = disc.corners();
-    // A step that meets a joint but for rounding is the joint.
+    // A step that coincides with a joint within rounding is the joint.
     let apart = |phi: f64| corners.iter().all(|c| (c - phi).abs() > 1e-7);
     let even = (0..steps).map(|k| tau * k as f64 / steps as f64).filter(|phi| *phi == 0.0 || apart(*phi)).map(|phi| (phi, Side::After));
     let joints = corners.iter().flat_map(|phi| [(*phi, Side::Before), (*phi, Side::After)]);
@@ -24,7 +24,7 @@ pub fn round(disc: &Disc, steps: usize) -> Vec<(f64, Side)> {
 }
 
 impl Disc {
-    /// Points round the profile, in the frame of the cam; closed.
+    /// Returns points along the profile, in the frame of the cam; closed.
     pub fn outline(&self, steps: usize) -> Vec<Vec2> {
         match &self.motion {
             Motion::Profile(segments) => {
@@ -37,7 +37,8 @@ impl Disc {
         }
     }
 
-    /// The radius of the base circle (m): of a profile the least distance from the centre at which it is touched.
+    /// Returns the radius of the base circle (m); for a profile, the least distance of the touched
+    /// points from the centre.
     pub fn base(&self) -> f64 {
         match &self.motion {
             Motion::Law { base, .. } => *base,

@@ -1,4 +1,5 @@
-//! A whole turn of a cam: strokes and their angles, extremes, shocks, least radius of curvature, undercut and the base circle that avoids it.
+//! A survey of a whole turn of a cam: strokes and their angles, extremes, shocks, least radius of
+//! curvature, undercut and the base circle that avoids it.
 
 use super::program::{Jump, Shock};
 use super::turn::{Peak, Turn, sampled, zero};
@@ -6,61 +7,61 @@ use super::{Disc, Motion, Side, Station, Touch};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
-/// Something that keeps a cam from working as it is meant.
+/// A fault that keeps a cam from working as intended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// The profile crosses itself 运动失真: the least convex radius of the pitch curve is not more than the roller's, or a flat face would need
-    /// a hollow. With the place, the radius there (m) and the least base circle that avoids it, where there is one.
+    /// The profile crosses itself 运动失真: the least convex radius of the pitch curve is not more
+    /// than the roller's radius, or a flat face would need a hollow.
     Undercut {
         /// The angle of the cam (rad).
         phi: f64,
         /// The radius of curvature of the pitch curve, or of the profile of a flat face (m).
         rho: f64,
-        /// Base circle (m).
+        /// The least base circle that avoids the undercut (m), if there is one.
         least_base: Option<f64>,
     },
-    /// The roller does not go into a hollow of the profile: radius of the hollow (m, less than zero).
+    /// The roller does not fit into a hollow of the profile.
     RollerTooLarge {
         /// The angle of the cam (rad).
         phi: f64,
-        /// The radius of the hollow (m).
+        /// The radius of the hollow (m), negative.
         rho: f64,
     },
-    /// The pressure angle is greater than is usual.
+    /// The pressure angle exceeds the usual limit.
     Pressure {
         /// The angle of the cam (rad).
         phi: f64,
         /// The pressure angle (rad).
         angle: f64,
-        /// What is usual (rad).
+        /// The usual limit (rad).
         usual: f64,
-        /// Whether the follower goes out there.
+        /// True if the follower goes out there.
         rising: bool,
     },
-    /// Nothing is touched there.
+    /// The follower touches nothing there.
     NoContact {
         /// The angle of the cam (rad).
         phi: f64,
     },
 }
 
-/// An extreme of a quantity: where and how much.
+/// An extreme of a quantity: the angle of the cam (rad) and the value.
 pub type Extreme = (f64, f64);
 
-/// A piece of the turn in which the follower goes out, rests, or comes back.
+/// A part of the turn in which the follower goes out, rests, or comes back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phase {
     /// +1 out, 0 at rest, −1 back.
     pub way: i8,
-    /// From where to where (rad).
+    /// Angle at which the phase begins (rad).
     pub from: f64,
-    /// Where it ends (rad); more than 2π where it goes over the start.
+    /// Angle at which the phase ends (rad); more than 2π if the phase passes the start of the turn.
     pub to: f64,
-    /// Whether the follower is out, of a dwell.
+    /// True for a dwell with the follower out.
     pub out: bool,
 }
 
-/// What a turn shows.
+/// The results of a whole turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survey {
     /// The least coordinate of the follower, from which the lift is counted.
@@ -69,43 +70,46 @@ pub struct Survey {
     pub stroke: f64,
     /// Rises, dwells and returns, in order from the first rise on.
     pub phases: Vec<Phase>,
-    /// Places where s′ or s″ jump.
+    /// Angles at which s′ or s″ jumps.
     pub jumps: Vec<Jump>,
     /// Least and greatest s′.
     pub velocity: [Extreme; 2],
     /// Least and greatest s″ between jumps.
     pub acceleration: [Extreme; 2],
-    /// Greatest magnitude of the pressure angle as the follower goes out and as it comes back; of a face none.
+    /// Greatest magnitude of the pressure angle on the way out and on the way back; `None` for a
+    /// flat face.
     pub pressure: [Option<Extreme>; 2],
-    /// The least convex radius of the pitch curve; for a flat face the least radius of the profile, less than zero where it would need a hollow.
+    /// The least convex radius of the pitch curve; for a flat face the least radius of the profile,
+    /// negative if a hollow is needed.
     pub least_rho: Option<Extreme>,
-    /// The same with the side of a joint.
+    /// The least radius of [`Survey::least_rho`] with the side of a joint.
     pub sharpest: Option<Peak>,
     /// Least and greatest s′, least and greatest s″, with the side of a joint.
     pub fastest: [[Option<Peak>; 2]; 2],
-    /// The greatest pressure angles with the side of a joint.
+    /// The greatest pressure angles, with the side of a joint.
     pub steepest: [Option<Peak>; 2],
     /// Least and greatest coordinate of the follower.
     pub ends: Option<[Peak; 2]>,
     /// Angles at which pieces of the law or of the profile meet.
     pub corners: Vec<f64>,
-    /// The sharpest hollow: the greatest radius less than zero.
+    /// The sharpest hollow: the greatest negative radius.
     pub hollow: Option<Extreme>,
-    /// What does not work.
+    /// The faults of the cam.
     pub faults: Vec<Fault>,
 }
 
-/// What some ten operations lose, as a part of the largest number among them.
+/// Rounding error of some ten operations, relative to the largest number among them.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// A jump is one of more than this part of the largest value of its kind.
+/// A change greater than this part of the largest value of its kind counts as a jump.
 const JUMP: f64 = 1e-7;
 
-/// The survey of one disc, made when it is first asked for and shared by all copies. What of a scene holds a disc keeps one beside it: the
-/// disc is the same at every position of a motion.
+/// The survey of one disc, computed on first use and shared by all copies. A part of a scene that
+/// holds a disc keeps its survey beside it, since the disc is the same at every position of a
+/// motion.
 #[derive(Clone, Debug, Default)]
 pub struct Surveyed(Arc<OnceLock<Survey>>);
 
-/// It says nothing that the disc does not say.
+/// The survey follows from the disc and adds no information: two of them compare equal.
 impl PartialEq for Surveyed {
     fn eq(&self, _: &Surveyed) -> bool {
         true
@@ -113,14 +117,14 @@ impl PartialEq for Surveyed {
 }
 
 impl Surveyed {
-    /// The survey of the disc beside which it stands.
+    /// Returns the survey of the disc to which this value belongs.
     pub fn of(&self, disc: &Disc) -> &Survey {
         self.0.get_or_init(|| Survey::of(disc))
     }
 }
 
 impl Survey {
-    /// Surveys a turn.
+    /// Surveys a whole turn.
     pub fn of(disc: &Disc) -> Survey {
         let mut faults = Vec::new();
         let turn = Turn::of(disc);
@@ -174,7 +178,8 @@ impl Survey {
         survey
     }
 
-    /// The lift and its derivatives at an angle; zero where rounding of the follower's coordinate makes as much.
+    /// Returns the lift and its derivatives at an angle; values within the rounding error of the
+    /// follower's coordinate are zero.
     pub fn lift(&self, disc: &Disc, phi: f64, side: Side) -> Option<[f64; 4]> {
         let mut q = disc.coordinate(phi, side)?.0;
         let (lift, rounding) = match &disc.motion {
@@ -191,7 +196,7 @@ impl Survey {
         low.1.abs().max(high.1.abs())
     }
 
-    /// Looks for what does not work.
+    /// Collects the faults.
     fn judge(&mut self, disc: &Disc) {
         let law = matches!(disc.motion, Motion::Law { .. });
         match disc.touch {
@@ -227,18 +232,20 @@ impl Survey {
         }
     }
 
-    /// The angle of the first phase of a kind: the rise Φ, the outer dwell Φs, the return Φ′, the inner dwell Φs′.
+    /// Returns the sum of the angles of the phases of a kind: the rise Φ, the outer dwell Φs, the
+    /// return Φ′, the inner dwell Φs′.
     pub fn angle(&self, way: i8, out: bool) -> f64 {
         self.phases_of(way, out).map(|p| p.to - p.from).sum()
     }
 
-    /// The phases of a kind.
+    /// Returns the phases of a kind.
     pub(super) fn phases_of(&self, way: i8, out: bool) -> impl Iterator<Item = &Phase> {
         self.phases.iter().filter(move |p| p.way == way && (way != 0 || p.out == out))
     }
 }
 
-/// The pressure angle of the greatest magnitude in some phases; where the follower sets out and where it arrives belong to its way.
+/// Returns the pressure angle of the greatest magnitude in some phases; the start and the end of a
+/// phase belong to it.
 fn greatest_pressure<'p>(disc: &Disc, turn: &Turn, phases: impl Iterator<Item = &'p Phase>) -> Option<Peak> {
     let cut = |p: &Phase| {
         let within = |c: &f64| *c > p.from + 1e-10 && *c < p.to - 1e-10;
@@ -247,14 +254,15 @@ fn greatest_pressure<'p>(disc: &Disc, turn: &Turn, phases: impl Iterator<Item = 
         at.windows(2).map(|w| [w[0], w[1]]).collect::<Vec<_>>()
     };
     let spans: Vec<[f64; 2]> = phases.flat_map(cut).collect();
-    // The ends of a phase are ends, whether there are corners or not.
+    // The ends of a phase count as ends, with or without corners.
     let moving = Turn { corners: vec![spans.first()?[0]], spans };
     let magnitude = |s: Station| [s.pressure.abs(), s.pressure_slope * s.pressure.signum()];
     let found = moving.best(|phi, side| disc.station(phi, side).map(magnitude))?;
     disc.station(found.phi, found.side).map(|s| Peak { value: s.pressure, ..found })
 }
 
-/// The least convex radius of the pitch curve of a round end, the least radius of the profile of a flat face.
+/// Returns the least convex radius of the pitch curve for a round end, the least radius of the
+/// profile for a flat face.
 pub(super) fn sharpest(disc: &Disc, turn: &Turn) -> Option<Peak> {
     let of = |s: Station| match disc.touch {
         Touch::Point { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite() && r[0] < 0.0),
@@ -264,8 +272,9 @@ pub(super) fn sharpest(disc: &Disc, turn: &Turn) -> Option<Peak> {
     Some(Peak { value: -found.value, ..found })
 }
 
-/// The least base circle whose profile is not undercut, by bisection: radii of curvature grow with it. `None` of a profile that is given, and where
-/// none avoids it.
+/// Returns the radius of the least base circle without undercut, by bisection: the radii of
+/// curvature grow with the base circle. `None` if the profile is given, or if no base circle avoids
+/// undercut.
 pub fn least_base(disc: &Disc) -> Option<f64> {
     let Motion::Law { base, program } = &disc.motion else { return None };
     let with = |base: f64| Disc { motion: Motion::Law { base, program: program.clone() }, ..disc.clone() };
@@ -293,7 +302,7 @@ pub fn least_base(disc: &Disc) -> Option<f64> {
     None
 }
 
-/// Whether the follower reaches the base circle.
+/// Returns true if the follower reaches the base circle.
 fn disc_holds(disc: &Disc) -> bool {
     match &disc.motion {
         Motion::Law { base, .. } => disc.rest(*base).is_finite(),
@@ -301,7 +310,7 @@ fn disc_holds(disc: &Disc) -> bool {
     }
 }
 
-/// Where s′ or s″ jump.
+/// Returns the jumps of s′ and s″.
 fn jumps(disc: &Disc, corners: &[f64], most: [f64; 2]) -> Vec<Jump> {
     let mut out = Vec::new();
     for &phi in corners {
@@ -318,7 +327,7 @@ fn jumps(disc: &Disc, corners: &[f64], most: [f64; 2]) -> Vec<Jump> {
     out
 }
 
-/// Rises, dwells and returns, in the order of the first rise.
+/// Returns rises, dwells and returns, in order from the first rise.
 fn phases(disc: &Disc, known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Vec<Phase> {
     let mut out: Vec<Phase> = Vec::new();
     let way = |s: &Station| if s.q.0[1].abs() <= JUMP * v_most { 0 } else { s.q.0[1].signum() as i8 };
@@ -327,7 +336,8 @@ fn phases(disc: &Disc, known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Ve
         if b.phi <= a.phi {
             continue;
         }
-        // The middle of the step tells its way: at its ends the follower may rest for an instant.
+        // The middle of the step determines the direction: at its ends the follower may rest for an
+        // instant.
         let rate = 0.5 * (b.q.value() - a.q.value()) / (b.phi - a.phi);
         let here = if rate.abs() <= 0.1 * JUMP * v_most && way(a) == 0 && way(b) == 0 { 0 } else { rate.signum() as i8 };
         match out.last_mut() {
@@ -335,12 +345,12 @@ fn phases(disc: &Disc, known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Ve
             _ => out.push(Phase { way: here, from: a.phi, to: b.phi, out: false }),
         }
     }
-    // Over the start.
+    // A phase across the start of the turn.
     if out.len() > 1 && out[0].way == out[out.len() - 1].way && (spans[0][0] + TAU - out[out.len() - 1].to).abs() < 1e-9 {
         let last = out.pop().unwrap_or(out[0]);
         out[0].from = last.from - TAU;
     }
-    // Reversals between samples: where the velocity passes through zero.
+    // Reversals between samples are the zeros of the velocity.
     for k in 0..out.len() {
         let next = (k + 1) % out.len();
         if out[k].way * out[next].way == -1 {
@@ -364,7 +374,7 @@ fn phases(disc: &Disc, known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Ve
     out
 }
 
-/// The zero of the velocity next to an angle, between the samples around it.
+/// Returns the zero of the velocity next to an angle, between the surrounding samples.
 fn turning(disc: &Disc, known: &[Station], near: f64) -> f64 {
     let around = known.windows(2).filter(|w| w[1].phi > w[0].phi && w[0].q.0[1] * w[1].q.0[1] <= 0.0);
     let closest = around.min_by(|a, b| (a[0].phi - near).abs().total_cmp(&(b[0].phi - near).abs()));

@@ -57,7 +57,8 @@ fn offset_roller_by_a_law() {
 fn oscillating_roller_by_a_law_in_both_senses() {
     let stages = [(Way::Rise(deg(25.0), Law::ModifiedSine), 110.0), (Way::Dwell, 250.0)];
     let pivot = Vec2::new(100.0, 0.0);
-    // The arm lies above the line of centres: seen from the pivot toward the cam to the right.
+    // The arm is above the line of centres: it is to the right, as seen from the pivot toward the
+    // cam.
     let follower = Follower::Oscillating { pivot, arm: 80.0, sense: -1.0 };
     let motion = Motion::Law { base: 40.0, program: program(&stages) };
     for (sense, pressure, pitch, profile) in [
@@ -131,7 +132,7 @@ fn tangent_cam_with_both_accelerations_at_its_joints() {
     let disc = tangent_cam();
     let w = 600.0 * std::f64::consts::TAU / 60.0;
     let a = |phi: f64, side: Side| 1e-3 * w * w * disc.coordinate(phi, side).unwrap().0[2];
-    // The nose points up when the cam has turned by 90°; the rise begins 75° before.
+    // The nose points up after the cam has turned by 90°; the rise begins 75° earlier.
     let (start, top) = (deg(90.0 - 75.0), deg(90.0));
     near(a(start, Side::Before), 0.0, "on the dwell");
     near(a(start, Side::After), 187.522_483_620_698, "at the start");
@@ -166,7 +167,8 @@ fn circular_arc_cam_with_a_flat_face() {
     near((s.contact - s.pitch).norm(), 29.431_052_967_262_5, "contact from the axis");
 }
 
-/// A swinging face that lies beside its pivot is not pushed along its own normal: the pressure angle is that of the pivot's line to the contact.
+/// An oscillating face with an offset from its pivot is not pushed along its own normal: its
+/// pressure angle is the angle of the line from the pivot to the contact.
 #[test]
 fn a_face_beside_its_pivot_has_a_pressure_angle() {
     let parts = [Part::Circle(Vec2::new(12.0, 0.0), 30.0)];
@@ -175,14 +177,16 @@ fn a_face_beside_its_pivot_has_a_pressure_angle() {
         let disc = Disc { follower, touch: Touch::Flat { lever }, motion: Motion::Profile(segments(&parts).unwrap()), sense: cam };
         for k in 0..12 {
             let s = disc.station(deg(30.0 * k as f64 + 4.0), Side::After).unwrap();
-            // From the foot of the pivot on the face to the contact, and from the pivot to the face.
+            // From the foot of the pivot on the face to the contact, and from the pivot to the
+            // face.
             let along = (s.contact - s.pitch).norm();
             near(s.pressure.abs(), (lever.abs() / along).atan(), "pressure angle");
         }
     }
 }
 
-/// Curvature and contact of the profile of arcs are those of the arcs: inversion finds the profile again.
+/// Curvature and contact of a profile of arcs are those of the arcs: inversion recovers the
+/// profile.
 #[test]
 fn inversion_finds_the_profile_from_which_the_motion_was_made() {
     let disc = tangent_cam();
@@ -198,7 +202,8 @@ fn inversion_finds_the_profile_from_which_the_motion_was_made() {
     }
 }
 
-/// The same cams in numbers that know their error: what they enclose is what longer ones find, and what double precision says lies inside.
+/// The same cams in numbers that know their error: their enclosures contain the results of longer
+/// numbers and of double precision.
 #[test]
 fn longer_numbers_find_the_same_places() {
     use crate::number::{Ball, Big, Dd, Real, decimal::Certain, within};
@@ -268,7 +273,8 @@ fn longer_numbers_find_the_same_places() {
     }
 }
 
-/// The profile is the envelope of rollers and faces: their nearest neighbours cross it where they touch.
+/// The profile is the envelope of rollers and faces: neighbouring positions cross it at the
+/// contact.
 #[test]
 fn profiles_are_envelopes() {
     let h = 1e-5;
@@ -278,7 +284,8 @@ fn profiles_are_envelopes() {
         let [low, here, high] = [phi - h, phi, phi + h].map(|p| disc.station(p, Side::After).unwrap());
         let along = high.contact - low.contact;
         assert!((here.contact - here.pitch).norm() - 10.0 < 1e-12);
-        // The profile's tangent is square to the normal, and the turn of the normal over the way is the curvature.
+        // The tangent of the profile is square to the normal, and the curvature is the change of
+        // the normal's direction per length of arc.
         assert!(along.unit().unwrap().dot(here.normal).abs() < 1e-6, "{k}");
         let turned = low.normal.cross(high.normal) / along.norm();
         assert!((turned.abs() - (1.0 / here.rho).abs()).abs() < 1e-6, "{k}: {turned} {}", here.rho);

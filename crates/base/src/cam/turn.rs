@@ -1,10 +1,10 @@
-//! Extremes over a turn: sampled between corners, each then found as the zero of a derivative.
+//! Extremes over a turn: sampled between corners, each then solved as the zero of a derivative.
 
 use super::survey::Extreme;
 use super::{Disc, Side, in_turn};
 use std::f64::consts::TAU;
 
-/// Samples between two corners.
+/// Number of samples between two corners.
 const SAMPLES: usize = 240;
 
 /// An extreme with the side of a joint from which it is seen.
@@ -12,28 +12,28 @@ const SAMPLES: usize = 240;
 pub struct Peak {
     /// The angle of the cam (rad), from 0 on.
     pub phi: f64,
-    /// At a joint the side on which the value is so great.
+    /// At a joint, the side on which the value is taken.
     pub side: Side,
-    /// How much.
+    /// The value.
     pub value: f64,
 }
 
 impl Peak {
-    /// Without the side.
+    /// Returns the extreme without the side.
     pub(super) fn extreme(self) -> Extreme {
         (self.phi, self.value)
     }
 }
 
-/// A turn cut at its corners.
+/// A turn divided at its corners.
 pub(super) struct Turn {
     /// The angles of the corners.
     pub corners: Vec<f64>,
-    /// From one to the next.
+    /// The intervals between successive corners.
     pub spans: Vec<[f64; 2]>,
 }
 
-/// Angles through a span, its ends seen from within.
+/// Returns angles through a span; the ends are seen from inside the span.
 pub(super) fn sampled([from, to]: [f64; 2]) -> impl Iterator<Item = (f64, Side)> {
     (0..=SAMPLES).map(move |k| match k {
         0 => (from, Side::After),
@@ -43,7 +43,7 @@ pub(super) fn sampled([from, to]: [f64; 2]) -> impl Iterator<Item = (f64, Side)>
 }
 
 impl Turn {
-    /// The turn of a disc.
+    /// Returns the turn of a disc.
     pub fn of(disc: &Disc) -> Turn {
         let corners = disc.corners();
         let mut at = if corners.is_empty() { vec![0.0] } else { corners.clone() };
@@ -53,17 +53,18 @@ impl Turn {
         Turn { corners, spans }
     }
 
-    /// The greatest value of a function, given with its derivative by φ: at an end of a span as it is seen from within, or where between two samples
-    /// the derivative passes through zero from above.
+    /// Returns the greatest value of a function, given with its derivative by φ: at an end of a
+    /// span, seen from inside, or between two samples where the derivative passes through zero from
+    /// above.
     pub fn best(&self, f: impl Fn(f64, Side) -> Option<[f64; 2]>) -> Option<Peak> {
         let mut most: Option<Peak> = None;
         let mut consider = |phi: f64, side: Side, value: f64| {
-            // The first of equals.
+            // Of equal values the first is taken.
             if most.is_none_or(|m| value > m.value + 1e-13 * m.value.abs()) {
                 most = Some(Peak { phi: in_turn(phi), side, value });
             }
         };
-        // Without corners the turn has no ends: it is looked at a step further, beyond its start.
+        // Without corners the turn has no ends: the samples extend one step beyond its start.
         let round = self.corners.is_empty();
         for &[from, to] in &self.spans {
             let beyond = round.then(|| (to + (to - from) / SAMPLES as f64, Side::After));
@@ -72,7 +73,7 @@ impl Turn {
             for (k, &(phi, side, here)) in samples.iter().enumerate() {
                 let Some([value, slope]) = here else { continue };
                 let end = k == 0 || k + 1 == samples.len();
-                // Of what stays the same the first place is taken.
+                // Of a constant value the first angle is taken.
                 if end && !round || k == 0 && slope == 0.0 {
                     consider(phi, side, value);
                 }
@@ -89,7 +90,8 @@ impl Turn {
     }
 }
 
-/// Where a function that is greater than zero at the first end and not at the second passes through zero, by bisection, to rounding.
+/// Returns the zero of a function that is positive at the first end and not at the second, by
+/// bisection, to rounding.
 pub(super) fn zero([mut a, mut b]: [f64; 2], f: impl Fn(f64) -> Option<f64>) -> f64 {
     loop {
         let middle = 0.5 * (a + b);

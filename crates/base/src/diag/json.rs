@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 /// The version of the document that [`document`] makes; `hodograph schema --diagnostics` describes it.
 pub const SCHEMA: &str = "hodograph/errors/1";
 
-/// The document of a run: its version and all diagnostics, as [`Faults::json`] makes them.
+/// Returns the document of a run: its version and all diagnostics, as created by [`Faults::json`].
 ///
 /// ```
 /// use hodograph_base::diag::{self, Diagnostic, Faults};
@@ -20,7 +20,7 @@ pub fn document(diagnostics: Vec<Value>) -> Value {
 }
 
 impl Severity {
-    /// The word for it in JSON: `note`, `warning`, `error`.
+    /// Returns the word in JSON: `note`, `warning`, `error`.
     pub fn word(self) -> &'static str {
         match self {
             Severity::Note => "note",
@@ -31,18 +31,19 @@ impl Severity {
 }
 
 impl Both {
-    /// Both languages: `{"en": ..., "zh": ...}`.
+    /// Returns both languages: `{"en": ..., "zh": ...}`.
     pub fn json(&self) -> Value {
         json!({"en": self.en, "zh": self.zh})
     }
 }
 
 impl Diagnostic {
-    /// The diagnostic with its place in `source`, the text of `file`.
+    /// Returns the diagnostic with its position in `source`, the text of `file`.
     ///
-    /// Keys: `severity` (`note`, `warning`, `error`), `code`, `message` and `help` (in both languages; `help` may be null), `file` (null
-    /// where the name is empty) and `place` (null without a span): `line`, `column`, `end_line`, `end_column` count from 1 in characters,
-    /// `start` and `end` are byte offsets; the ends are exclusive.
+    /// Keys: `severity` (`note`, `warning`, `error`), `code`, `message` and `help` (in both
+    /// languages; `help` may be null), `file` (null if the name is empty) and `place` (null without
+    /// a span): `line`, `column`, `end_line`, `end_column` count from 1 in characters, `start` and
+    /// `end` are byte offsets; the ends are exclusive.
     pub fn json(&self, file: &str, source: &str) -> Value {
         let place = self.span.map(|span| {
             let (span, [from, to]) = (span.within(source), span.lines(source));
@@ -63,7 +64,7 @@ impl Diagnostic {
 }
 
 impl Faults {
-    /// Each diagnostic as [`Diagnostic::json`] makes it.
+    /// Returns all diagnostics, in the form of [`Diagnostic::json`].
     pub fn json(&self, file: &str, source: &str) -> Vec<Value> {
         self.list.iter().map(|d| d.json(file, source)).collect()
     }

@@ -1,21 +1,22 @@
-//! Places as editors show them: lines and columns.
+//! Positions as editors show them: lines and columns.
 
 use super::Span;
 
 /// A line and a column of a text, both counted from 1.
 ///
-/// Columns count characters (Unicode scalar values), neither bytes nor cells of a terminal. A byte order mark at the beginning of the
-/// text is no character of its first line.
+/// Columns count characters (Unicode scalar values), not bytes or terminal cells. A byte order mark
+/// at the beginning of the text does not count as a character of the first line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LineColumn {
     /// The line; lines end with `\n`.
     pub line: usize,
-    /// The column: one more than the characters before the place in its line.
+    /// The column: one more than the number of characters before the position in its line.
     pub column: usize,
 }
 
 impl LineColumn {
-    /// The place of a byte offset. An offset within a character is that of the character, one beyond the text is its end.
+    /// Returns the position of a byte offset. An offset within a character counts as the beginning
+    /// of the character, an offset beyond the text as the end of the text.
     ///
     /// ```
     /// use hodograph_base::diag::LineColumn;
@@ -33,7 +34,7 @@ impl LineColumn {
     }
 }
 
-/// An offset moved back to the beginning of its character, or to the end of the text.
+/// Returns the offset moved back to the beginning of its character, or to the end of the text.
 fn floor(text: &str, offset: usize) -> usize {
     let mut at = offset.min(text.len());
     while !text.is_char_boundary(at) {
@@ -43,13 +44,15 @@ fn floor(text: &str, offset: usize) -> usize {
 }
 
 impl Span {
-    /// The span within a text and between its characters: the text may be a lossy reading of bytes that were not UTF-8.
+    /// Returns the span limited to the text and to character boundaries: the text may be a lossy
+    /// reading of bytes that are not UTF-8.
     pub fn within(self, text: &str) -> Span {
         let start = floor(text, self.start);
         Span { start, end: floor(text, self.end).max(start) }
     }
 
-    /// Lines and columns of a span in its text: of its first character, and of the character after its last one.
+    /// Returns lines and columns of a span in its text: of its first character, and of the
+    /// character after its last.
     ///
     /// ```
     /// use hodograph_base::diag::{LineColumn, Span};
@@ -74,12 +77,12 @@ mod tests {
         };
         assert_eq!(of("", 0), (1, 1));
         assert_eq!(of("构件", 3), (1, 2));
-        // Within a character, and beyond the end.
+        // Within a character, and beyond the end of the text.
         assert_eq!(of("构件", 4), (1, 2));
         assert_eq!(of("构件", 99), (1, 3));
         assert_eq!(of("a\r\nb\n", 4), (2, 2));
         assert_eq!(of("a\r\nb\n", 5), (3, 1));
-        // The mark with which some editors begin a file.
+        // The byte order mark with which some editors begin a file.
         assert_eq!(of("\u{feff}ab\nc", 4), (1, 2));
         assert_eq!(of("\u{feff}ab\nc", 6), (2, 1));
         assert_eq!(Span::new(7, 2).within("abc"), Span::new(3, 3));

@@ -1,13 +1,14 @@
-//! Taking a JSON object apart: known keys, wanted types, and a diagnostic for everything else.
+//! Decoding of JSON objects: known keys, expected types, and a diagnostic for everything else.
 
 use super::{Kind, Node, Word};
 use crate::diag::{Both, Diagnostic, Faults, Piece, Span, both};
 
-/// What a member is called in a message: a key in quotation marks, which is the same in both languages, or words.
+/// The subject of a message: a key in quotation marks, which is the same in both languages, or
+/// words.
 pub struct What(Both);
 
 impl What {
-    /// Whether it is this key.
+    /// Returns true if it is this key.
     pub fn is(&self, key: &str) -> bool {
         self.0.en == key
     }
@@ -53,10 +54,10 @@ impl From<&String> for What {
     }
 }
 
-/// Bytes that a message can quote in one line.
+/// Number of bytes that a message can quote in one line.
 const LINE: usize = 120;
 
-/// The members of an object whose keys have been checked.
+/// The members of an object after its keys are checked.
 pub struct Fields<'a> {
     what: Both,
     span: Span,
@@ -64,7 +65,8 @@ pub struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// Opens an object; every key that is not in `keys` is a fault. `None` (with a fault) where it is no object.
+    /// Opens an object; every key that is not in `keys` is a fault. `None` (with a fault) if the
+    /// node is no object.
     pub fn open(node: &'a Node, what: impl Into<What>, keys: &[&str], faults: &mut Faults) -> Option<Self> {
         let what = what.into().0;
         let members = object(node, what.clone(), faults)?;
@@ -77,17 +79,18 @@ impl<'a> Fields<'a> {
         Some(Fields { what, span: node.span, members })
     }
 
-    /// The value of a key, if it is there.
+    /// Returns the value of a key, if present.
     pub fn get(&self, key: &str) -> Option<&'a Node> {
         self.members.iter().find(|(k, _)| k.text == key).map(|(_, v)| v)
     }
 
-    /// The value of a key that must be there.
+    /// Returns the value of a required key.
     pub fn need(&self, key: &str, example: impl Into<What>, faults: &mut Faults) -> Option<&'a Node> {
         let found = self.get(key);
         if found.is_none() {
             let d = Diagnostic::error("missing-key", both!("{} has no `{key}`", "{}缺少 `{key}`", self.what));
-            // Of an object longer than a line the opening brace alone: the whole would fill the page.
+            // An object longer than a line is quoted by its opening brace alone: the whole would
+            // fill the page.
             let long = self.span.end - self.span.start > LINE;
             let d = if long { d.at(Span::new(self.span.start, self.span.start + 1)) } else { d.at(self.span) };
             let example = example.into();
@@ -96,13 +99,13 @@ impl<'a> Fields<'a> {
         found
     }
 
-    /// Where the object stands.
+    /// Returns the span of the object.
     pub fn span(&self) -> Span {
         self.span
     }
 }
 
-/// The members of any object, in order.
+/// Returns the members of any object, in order.
 pub fn object<'a>(node: &'a Node, what: impl Into<What>, faults: &mut Faults) -> Option<&'a [(Word, Node)]> {
     match &node.kind {
         Kind::Object(members) => Some(members),
@@ -110,7 +113,7 @@ pub fn object<'a>(node: &'a Node, what: impl Into<What>, faults: &mut Faults) ->
     }
 }
 
-/// The items of a list.
+/// Returns the items of a list.
 pub fn list<'a>(node: &'a Node, what: impl Into<What>, faults: &mut Faults) -> Option<&'a [Node]> {
     match &node.kind {
         Kind::Array(items) => Some(items),
@@ -118,7 +121,7 @@ pub fn list<'a>(node: &'a Node, what: impl Into<What>, faults: &mut Faults) -> O
     }
 }
 
-/// A text that is not empty.
+/// Returns a text that is not empty.
 pub fn word(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<Word> {
     match &node.kind {
         Kind::Text(text) if text.trim().is_empty() => {
@@ -131,7 +134,7 @@ pub fn word(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<W
     }
 }
 
-/// Says that a value is of another type than wanted.
+/// Reports a value that has another type than expected.
 pub fn wrong<T>(node: &Node, what: impl Into<What>, wanted: Both, faults: &mut Faults) -> Option<T> {
     let what = what.into();
     let d =
@@ -143,21 +146,24 @@ pub fn wrong<T>(node: &Node, what: impl Into<What>, wanted: Both, faults: &mut F
     None
 }
 
-/// The nearest of the known names, for a help line: `did you mean ...?`, or all of them where none is near.
+/// Returns the nearest of the known names for a help line: `did you mean ...?`, or all of them if
+/// none is near.
 pub fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, otherwise: Both) -> Both {
     nearest(got, known.clone()).unwrap_or_else(|| {
-        // All of them: the one that is wanted may be the last.
+        // All names: the expected name may be the last.
         let known: Vec<&str> = known.collect();
         both!("{} {}", "{} {}", otherwise, Both::names(&known))
     })
 }
 
-/// A help line with the nearest of the known names, `did you mean ...?`; `None` where none is near.
+/// Returns a help line with the nearest of the known names, `did you mean ...?`; `None` if none is
+/// near.
 pub fn nearest<'a>(got: &str, known: impl Iterator<Item = &'a str>) -> Option<Both> {
     let lower = got.to_lowercase();
-    // Jaro-Winkler 0.7 finds the long name that was meant (`lnik`) and keeps `x` from becoming `links`; in names of three or four
-    // letters it misses the swapped pair (`rmp`), which one step of the edit distance finds. Two letters are too few to
-    // guess from, on either side: `mn` is as near to `min` as to `mm`.
+    // Jaro-Winkler 0.7 finds a misspelt long name (`lnik`) and does not suggest `links` for `x`; in
+    // names of three or four letters it misses a swapped pair (`rmp`), which one step of the edit
+    // distance finds. Two letters, given or known, are too few to guess from: `mn` is as near to
+    // `min` as to `mm`.
     let one_slip = |k: &str| k.chars().count() >= 3 && strsim::osa_distance(got, k) == 1;
     let score = |k: &str| match k.to_lowercase() == lower {
         true => 1.0,
@@ -172,8 +178,9 @@ pub fn nearest<'a>(got: &str, known: impl Iterator<Item = &'a str>) -> Option<Bo
     near.map(|(_, name)| both!("did you mean `{name}`?", "是否想写 `{name}`？"))
 }
 
-/// A text of no more than so many characters, which serves for both languages, or one for each: `{"en": ..., "zh": ...}`. English and Chinese, `None`
-/// where one is not given.
+/// Returns a text of at most `most` characters that serves for both languages, or one text for
+/// each: `{"en": ..., "zh": ...}`. The result is English and Chinese, `None` for a missing
+/// language.
 pub fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<[Option<Word>; 2]> {
     if let Kind::Object(_) = node.kind {
         let f = Fields::open(node, what, &["en", "zh"], faults)?;
@@ -196,7 +203,7 @@ pub fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faul
     text.map(|text| [Some(text.clone()), Some(text)])
 }
 
-/// A text of no more than so many characters.
+/// Returns a text if it has at most `most` characters.
 fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option<Word> {
     let count = word.text.chars().count();
     if count > most {

@@ -1,8 +1,9 @@
-//! Bytes to a tree of JSON values with their places: the one door to the parser of what people write, scenes and styles;
-//! [`fields`] takes the tree apart.
+//! Parser from bytes to a tree of JSON values with spans, for everything that users write: scenes
+//! and styles. [`fields`] decodes the tree.
 //!
-//! Strict JSON only: no comments, no trailing commas. Number literals keep their text, so that no digit is lost before
-//! somebody decides in which precision to read it. Nothing here knows what a scene is.
+//! Strict JSON only: no comments, no trailing commas. Number literals keep their text, so that no
+//! digit is lost before the precision is chosen. This module does not depend on the content of a
+//! scene.
 
 pub mod fields;
 
@@ -12,32 +13,33 @@ use jsonc_parser::{CollectOptions, ParseOptions, ast, errors::ParseErrorKind, pa
 
 use crate::diag::{Both, Diagnostic, Faults, Span, both};
 
-/// Larger input is refused. The largest scene within the limits of [`super::resolve`] is well under 1 MB when written
-/// by hand; a larger file is not a scene, and reading it would only cost memory.
+/// Larger input is refused. The largest scene within the limits of [`super::resolve`] is well under
+/// 1 MB when written by hand; a larger file is not a scene, and reading it only costs memory.
 const MAX_BYTES: usize = 2_000_000;
 
-/// Deeper nesting is refused. A scene nests four deep; the parser recurses, so the bound keeps every input off the end of the stack.
+/// Deeper nesting is refused. A scene has four levels; the parser recurses, and the limit protects
+/// the stack.
 const MAX_DEPTH: usize = 32;
 
-/// A text and its place. For a JSON string the place includes the quotation marks.
+/// A text and its span. The span of a JSON string includes the quotation marks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Word {
-    /// The text, escapes resolved.
+    /// The text, with escapes resolved.
     pub text: String,
-    /// Its place.
+    /// The span.
     pub span: Span,
 }
 
-/// A JSON value and its place.
+/// A JSON value and its span.
 #[derive(Clone, Debug)]
 pub struct Node {
-    /// What it is.
+    /// The value.
     pub kind: Kind,
-    /// Where it stands.
+    /// The span.
     pub span: Span,
 }
 
-/// What a JSON value is.
+/// A JSON value.
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// A string, unescaped.
@@ -50,12 +52,12 @@ pub enum Kind {
     Null,
     /// A list.
     Array(Vec<Node>),
-    /// Keys with what they hold, in the file's order.
+    /// Keys and values, in the order of the file.
     Object(Vec<(Word, Node)>),
 }
 
 impl Node {
-    /// What the value is, for a message: "a number".
+    /// Returns a description of the value for a message: "a number".
     pub fn what(&self) -> Both {
         match self.kind {
             Kind::Text(_) => both!("a text", "文字"),
@@ -69,7 +71,7 @@ impl Node {
 }
 
 impl Node {
-    /// The value as a text again, its numbers as they are written.
+    /// Returns the value as JSON text, with its numbers as written.
     pub fn text(&self) -> String {
         let quoted = |text: &str| serde_json::Value::from(text).to_string();
         match &self.kind {
@@ -86,7 +88,10 @@ impl Node {
     }
 }
 
-/// Reads one JSON value. Duplicate keys go to `faults` (the first one counts); whatever leaves no tree at all is the error.
+/// Reads one JSON value. Duplicate keys are reported to `faults` (the first one counts).
+///
+/// # Errors
+/// Input from which no tree can be built.
 pub fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node), Diagnostic> {
     if bytes.len() > MAX_BYTES {
         let message = both!(
@@ -102,7 +107,8 @@ pub fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node)
             .help(both!("save the file as UTF-8", "请把文件存为 UTF-8 编码"))
     })?;
     check_depth(bytes)?;
-    // Some editors begin UTF-8 files with a byte order mark; the parser does not know it, and the places must count it.
+    // Some editors begin UTF-8 files with a byte order mark; the parser does not accept it, and the
+    // spans must count it.
     let base = if source.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
     let parsed = parse_to_ast(&source[base..], &CollectOptions::default(), &strict()).map_err(|e| {
         let range = e.range();
@@ -136,7 +142,7 @@ fn strict() -> ParseOptions {
     }
 }
 
-/// The parser's own sentence, fitted into ours; it has English ones only.
+/// Returns the parser's message as a clause for a diagnostic; the parser has English messages only.
 fn sentence(kind: &ParseErrorKind) -> Both {
     use ParseErrorKind::*;
     let text = kind.to_string();
@@ -195,7 +201,7 @@ fn advice(kind: &ParseErrorKind) -> Option<Both> {
     })
 }
 
-/// Counts brackets outside strings. Wrong brackets are the parser's business.
+/// Counts brackets outside strings. The parser reports wrong brackets.
 fn check_depth(bytes: &[u8]) -> Result<(), Diagnostic> {
     let (mut depth, mut in_string, mut escaped) = (0usize, false, false);
     for (i, &b) in bytes.iter().enumerate() {
@@ -279,8 +285,8 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
     }
 }
 
-/// The parser lets control characters through, JSON does not (other programs would refuse the file); and what an escape stands for
-/// may be no character to print either.
+/// Checks a string: the parser accepts control characters, but JSON does not (other programs would
+/// refuse the file), and an escape may produce an unprintable character.
 fn check_string(word: &Word, source: &str, faults: &mut Faults) {
     let raw = source.get(word.span.start..word.span.end).unwrap_or_default();
     if let Some(i) = raw.bytes().position(|b| b < 0x20) {
@@ -294,10 +300,11 @@ fn check_string(word: &Word, source: &str, faults: &mut Faults) {
     }
 }
 
-/// The fault of a text that holds a character which is none to print.
+/// Returns the fault of a text with an unprintable character.
 ///
-/// Refused are control characters but the line break and the tab (a terminal obeys them, XML and Typst do not take them) and the code
-/// points that Unicode keeps free of characters, such as U+FFFE (ill-formed in XML).
+/// Control characters other than line break and tab are refused (a terminal obeys them, XML and
+/// Typst do not accept them), as are the code points that Unicode reserves as non-characters, such
+/// as U+FFFE (ill-formed in XML).
 pub fn unprintable(word: &Word) -> Option<Diagnostic> {
     let c = unprintable_char(&word.text)?;
     let kind = if c.is_control() { both!("a control character", "控制字符") } else { both!("which is no character", "不是字符") };
@@ -313,7 +320,7 @@ fn unprintable_char(text: &str) -> Option<char> {
     text.chars().find(|c| c.is_control() && !matches!(c, '\n' | '\t') || free(*c))
 }
 
-/// Where a character is written in a JSON string: as it stands, or as an escape.
+/// Returns the span of a character in a JSON string, written as itself or as an escape.
 fn written(c: char, raw: &str) -> Option<Span> {
     let short = match c {
         '\u{8}' => "\\b",

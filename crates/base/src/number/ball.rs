@@ -1,11 +1,13 @@
-//! Numbers that know how wrong they are: a middle and a radius, with the true number surely inside.
+//! Numbers that carry their error: a midpoint and a radius that surely enclose the true number.
 //!
-//! Rounding is to nearest throughout. Every operation adds what its own rounding may be, and the radius itself is
-//! inflated by a little more than its rounding; an operation that may leave its domain gives an undecided ball. The middle
-//! of a ball is the plain computation in its type, bit for bit, but for powers.
+//! Rounding is to nearest throughout. Every operation adds a bound of its own rounding error, and
+//! the radius itself is inflated by a little more than its rounding error; an operation that may
+//! leave its domain gives an undecided ball. The midpoint of a ball equals the plain computation in
+//! its type, bit for bit, except for powers.
 //!
 //! # Source
-//! A. Neumaier, *Interval Methods for Systems of Equations* (1990), ch. 1; J. van der Hoeven, *Ball arithmetic* (2009).
+//! A. Neumaier, *Interval Methods for Systems of Equations* (1990), ch. 1; J. van der Hoeven, *Ball
+//! arithmetic* (2009).
 
 use super::{Big, Dd, Real, big};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -17,14 +19,14 @@ pub struct Ball<M> {
     radius: f64,
 }
 
-/// A middle: a number whose rounding is bounded.
+/// A midpoint: a number type with bounded rounding errors.
 pub trait Middle: Real {
-    /// Relative error of + − × ÷ √, at most.
+    /// Returns a bound of the relative error of + − × ÷ √.
     fn unit() -> f64;
-    /// Relative error of sin, cos, atan2, hypot and broken powers, at most; of sin and cos besides, the absolute error that
-    /// reducing an angle of one radian makes.
+    /// Returns a bound of the relative error of sin, cos, atan2, hypot and fractional powers; for
+    /// sin and cos also of the absolute error of reducing an angle of one radian.
     fn elementary() -> f64;
-    /// Whether the number is exactly an integer multiple of `d` (a whole number).
+    /// Returns true if the number is exactly an integer multiple of `d` (a whole number).
     fn is_multiple_of(self, d: f64) -> bool;
 }
 
@@ -33,7 +35,8 @@ impl Middle for f64 {
         f64::EPSILON / 2.0
     }
     fn elementary() -> f64 {
-        // libm's functions are within one unit in the last place (2u); degrees to radians rounds three times before.
+        // libm's functions are within one unit in the last place (2u); the conversion of degrees to
+        // radians before them rounds three times.
         4.0 * f64::EPSILON
     }
     fn is_multiple_of(self, d: f64) -> bool {
@@ -43,11 +46,13 @@ impl Middle for f64 {
 
 impl Middle for Dd {
     fn unit() -> f64 {
-        // The algorithms are proved to 15 u² at worst; doubled for the division, which is a variant.
+        // The algorithms are proved to 15 u² at worst; doubled for the division, which is a
+        // variant.
         32.0 * (f64::EPSILON / 2.0) * (f64::EPSILON / 2.0)
     }
     fn elementary() -> f64 {
-        // Some fifty operations in the series, doubled four times: 4 000 u², and as much again in reserve.
+        // Some fifty operations in the series, doubled four times: 4 000 u², and as much again in
+        // reserve.
         8192.0 * (f64::EPSILON / 2.0) * (f64::EPSILON / 2.0)
     }
     fn is_multiple_of(self, d: f64) -> bool {
@@ -68,27 +73,29 @@ impl Middle for Big {
     }
 }
 
-/// No other number of a scene is a multiple of it.
+/// The largest `f64`: zero is the only multiple of it among the numbers of a scene.
 const ONLY_ZERO: f64 = f64::MAX;
 
-/// The radius is computed in `f64`: some ten operations, each with 2^-53, and as much again in reserve.
+/// The radius is computed in `f64`: some ten operations, each with 2^-53, and as much again in
+/// reserve.
 const INFLATE: f64 = 1.0 + 4e-15;
 
-/// More than any underflow of `f64` can lose, and large enough that products with it stay normal numbers.
+/// More than any underflow of `f64` can lose, and large enough that products with it stay normal
+/// numbers.
 const TINY: f64 = 1e-290;
 
 impl<M: Middle> Ball<M> {
-    /// The number itself.
+    /// Returns the number itself, without error.
     pub fn exact(mid: M) -> Self {
         Ball { mid, radius: 0.0 }
     }
 
-    /// All numbers within `radius` of `mid`.
+    /// Returns the ball of all numbers within `radius` of `mid`.
     pub fn new(mid: M, radius: f64) -> Self {
         Ball { mid, radius }
     }
 
-    /// The middle.
+    /// Returns the midpoint.
     pub fn middle(self) -> M {
         self.mid
     }
@@ -97,14 +104,14 @@ impl<M: Middle> Ball<M> {
         Ball { mid: M::from_f64(f64::NAN), radius: f64::INFINITY }
     }
 
-    /// Whether zero is inside.
+    /// Returns true if the ball contains zero.
     pub fn contains_zero(self) -> bool {
         // Undecided balls contain everything.
         let surely_off = self.mid.approx().abs() * (1.0 - 1e-15) > self.radius;
         !surely_off
     }
 
-    /// Whether it is zero and nothing else: sums and products with it are exact.
+    /// Returns true if the number is exactly zero: sums and products with it are exact.
     #[inline]
     fn is_nil(self) -> bool {
         self.radius == 0.0 && self.mid.approx() == 0.0
@@ -189,7 +196,8 @@ impl<M: Middle> Real for Ball<M> {
     }
 
     fn from_decimal(text: &str) -> Self {
-        // The middle of an f64 ball is the nearest f64, which its parser finds; longer numbers go digit by digit.
+        // The midpoint of an f64 ball is the nearest f64, which its parser finds; longer numbers
+        // are read digit by digit.
         match M::from_bounded(0.0, 0.0) {
             Some(_) => {
                 let mid = M::from_decimal(text);
@@ -234,7 +242,7 @@ impl<M: Middle> Real for Ball<M> {
         }
         let m = self.mid.approx();
         if self.contains_zero() {
-            // Everything from zero to the root of the upper end.
+            // All numbers from zero to the root of the upper end.
             let upper = (m + self.radius) * (1.0 + 1e-15);
             if upper.is_nan() || upper < 0.0 || upper.is_infinite() {
                 return Self::undecided();
@@ -263,7 +271,7 @@ impl<M: Middle> Real for Ball<M> {
         if self.radius == 0.0 && self.mid.is_multiple_of(ONLY_ZERO) {
             return (Ball::exact(s), Ball::exact(c));
         }
-        // Reducing a large angle costs digits in proportion to it.
+        // The reduction of a large angle loses digits in proportion to the angle.
         let propagated = self.radius + self.mid.approx().abs() * M::elementary();
         (Self::elementary(s, propagated), Self::elementary(c, propagated))
     }
@@ -302,7 +310,8 @@ impl<M: Middle> Real for Ball<M> {
         if room.is_nan() || room <= 0.0 || !mid.is_decided() {
             return Self::undecided();
         }
-        // d(x^y) = x^y (y dx/x + ln x dy); twice the first order covers the second where the relative change is small.
+        // d(x^y) = x^y (y dx/x + ln x dy); twice the first order covers the second order if the
+        // relative change is small.
         let change = (e.abs() * self.radius + self.radius * exponent.radius) / room
             + libm::log(room).abs().max(libm::log(m).abs()) * exponent.radius;
         if change.is_nan() || change >= 0.1 {
@@ -325,7 +334,7 @@ impl<M: Middle> Real for Ball<M> {
         if !mid.is_decided() || self.radius.is_nan() || self.radius >= 0.1 {
             return Self::undecided();
         }
-        // e^r − 1 < 2r there.
+        // e^r − 1 < 2r for these r.
         Self::elementary(mid, 2.0 * self.radius * mid.approx())
     }
 
@@ -338,7 +347,7 @@ impl<M: Middle> Real for Ball<M> {
 mod tests {
     use super::*;
 
-    /// A driver at rest moves nothing, and that is certain; what merely underflows is not.
+    /// A driver at rest surely moves nothing; an underflow is not surely zero.
     #[test]
     fn zeros_stay_exact() {
         let nil = Ball::<f64>::exact(0.0);
@@ -351,7 +360,8 @@ mod tests {
         assert!(!(nil * Ball::new(1.0, f64::INFINITY)).is_nil() && !(nil / Ball::new(0.0, 1.0)).is_decided());
     }
 
-    /// Every operation on random numbers, some of them nearly equal, encloses what 300-bit arithmetic finds.
+    /// Every operation on random numbers, some of them nearly equal, encloses the result of 300-bit
+    /// arithmetic.
     #[test]
     fn balls_contain_the_truth() {
         use crate::number::decimal::{Certain, Enclosure};

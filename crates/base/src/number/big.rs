@@ -1,7 +1,8 @@
-//! Numbers of as many bits as wanted, on `dashu-float`.
+//! Numbers of any number of bits, on `dashu-float`.
 //!
-//! A [`Big`] is a handle into a region of its thread, so that it is `Copy` like every [`Real`]: [`within`] opens a region of
-//! one precision, runs the computation in it and gives its memory back at the end. A handle means nothing outside.
+//! A [`Big`] is a handle into a region of its thread, so it is `Copy` like every [`Real`]:
+//! [`within`] opens a region of one precision, runs the computation in it and frees its memory at
+//! the end. A handle has no meaning outside its region.
 
 use super::Real;
 use crate::budget::spend;
@@ -11,10 +12,10 @@ use dashu_int::IBig;
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The numbers of the library that a region holds.
+/// The number type of the library that a region stores.
 pub(super) type Long = FBig<HalfEven, 2>;
 
-/// A number of the open region; undecided where an operation has no value.
+/// A number of the open region; undecided if an operation has no value.
 #[derive(Clone, Copy, Debug)]
 pub struct Big(u32);
 
@@ -30,13 +31,14 @@ thread_local! {
 
 const UNDECIDED: Big = Big(u32::MAX);
 
-/// A region holds no more numbers than this (some hundreds of megabytes); what goes beyond is undecided.
+/// The largest count of numbers in a region (some hundreds of megabytes); further numbers are
+/// undecided.
 const MOST: usize = 4_000_000;
 
-/// Runs `work` with numbers of `bits` bits. A region within a region stands for itself: the outer one is put aside and
-/// taken up again.
+/// Runs `work` with numbers of `bits` bits. Within a nested region only that region counts: the
+/// outer region is suspended and then resumed.
 pub fn within<T>(bits: usize, work: impl FnOnce() -> T) -> T {
-    /// Takes the outer region up again, also when the work panics.
+    /// Resumes the outer region, also when the work panics.
     struct Outer(Option<Region>);
     impl Drop for Outer {
         fn drop(&mut self) {
@@ -50,13 +52,13 @@ pub fn within<T>(bits: usize, work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// Bits of the open region.
+/// Returns the number of bits of the open region.
 pub(super) fn bits() -> usize {
     REGION.with_borrow(|r| r.bits)
 }
 
 fn push(r: &mut Region, x: Long) -> Big {
-    // A result that overflowed is infinite.
+    // A result that overflows is infinite.
     if r.numbers.len() >= MOST || !x.repr().is_finite() {
         return UNDECIDED;
     }
@@ -68,8 +70,9 @@ fn is_zero(x: &Long) -> bool {
     *x == Long::ZERO
 }
 
-/// What is left of degrees after whole turns, in (−360, 360) and without rounding: the number is significand · 2^e with whole
-/// numbers, so that the remainder is one of whole numbers too, however many turns there are.
+/// Returns the remainder of degrees after whole turns, in (−360, 360) and without rounding: the
+/// number is significand · 2^e with whole numbers, so the remainder is computed in whole numbers
+/// too, for any number of turns.
 fn less_turns(degrees: &Long, bits: usize) -> Long {
     let (whole, exponent) = (degrees.repr().significand(), degrees.repr().exponent());
     let turn = IBig::from(360);
@@ -81,7 +84,7 @@ fn less_turns(degrees: &Long, bits: usize) -> Long {
 }
 
 impl Big {
-    /// The number itself; `None` where undecided.
+    /// Returns the number as stored; `None` if undecided.
     pub(super) fn long(self) -> Option<Long> {
         REGION.with_borrow(|r| r.numbers.get(self.0 as usize).cloned())
     }
@@ -105,19 +108,19 @@ impl Big {
     }
 }
 
-/// A number taken out of its region.
+/// A number copied out of its region.
 #[derive(Clone, Debug)]
 pub struct Kept(Long);
 
 impl Big {
-    /// The number as one that outlives the region; `None` where undecided.
+    /// Copies the number so that it outlives the region; `None` if undecided.
     pub fn keep(self) -> Option<Kept> {
         self.long().map(Kept)
     }
 }
 
 impl Kept {
-    /// The number in the open region, rounded to its bits.
+    /// Returns the number in the open region, rounded to its bits.
     pub fn take(&self) -> Big {
         REGION.with_borrow_mut(|r| {
             let x = self.0.clone().with_precision(r.bits).value();
@@ -234,11 +237,12 @@ impl Real for Big {
         if !rough.is_finite() || (self.approx() == 0.0 && x.approx() == 0.0) {
             return UNDECIDED;
         }
-        // Turned back by the rough angle the vector points along x but for t ≈ 1e-16: atan t = t − t³/3 + t⁵/5 − ...
+        // Turned back by the approximate angle the vector points along x within t ≈ 1e-16: atan t =
+        // t − t³/3 + t⁵/5 − ...
         let (s, c) = Big::from_f64(rough).sin_cos();
         let t = (self * c - x * s) / (x * c + self * s);
         let (square, mut power, mut angle) = (t * t, t, Big::from_f64(rough));
-        // Each term brings another 100 bits.
+        // Each term adds another 100 bits.
         for k in 0..=bits() / 100 {
             let term = power / Big::from_f64((2 * k + 1) as f64);
             angle = if k % 2 == 0 { angle + term } else { angle - term };
@@ -257,7 +261,7 @@ impl Real for Big {
     }
 
     fn exp(self) -> Big {
-        // Beyond this the result is no quantity of a mechanism, and its exponent no small number.
+        // Beyond this the result is no quantity of a mechanism, and its exponent is large.
         if self.approx().abs() > 700.0 {
             return UNDECIDED;
         }

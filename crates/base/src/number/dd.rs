@@ -24,14 +24,14 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (s, (a - (s - t)) + (b - t))
 }
 
-/// The same for |a| ≥ |b|.
+/// Returns a + b exactly, for |a| ≥ |b|.
 #[inline]
 fn fast_two_sum(a: f64, b: f64) -> Dd {
     let s = a + b;
     Dd { hi: s, lo: b - (s - a) }
 }
 
-/// Upper 26 bits and the rest (Veltkamp).
+/// Splits a number into its upper 26 bits and the rest (Veltkamp).
 #[inline]
 fn split(a: f64) -> (f64, f64) {
     const SPLITTER: f64 = 134_217_729.0; // 2^27 + 1
@@ -49,13 +49,13 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 impl Dd {
-    /// hi + lo, exactly.
+    /// Returns a + b, exactly.
     pub fn sum(a: f64, b: f64) -> Dd {
         let (hi, lo) = two_sum(a, b);
         Dd { hi, lo }
     }
 
-    /// The two parts, the larger first; their sum is the number.
+    /// Returns the two parts, the larger first; their sum is the number.
     pub fn parts(self) -> (f64, f64) {
         (self.hi, self.lo)
     }
@@ -64,7 +64,7 @@ impl Dd {
         Dd { hi, lo }
     }
 
-    /// sin and cos of |x| ≤ π/4: the series at x/16, doubled four times.
+    /// Returns sin and cos of |x| ≤ π/4: the series at x/16, doubled four times.
     fn first_octants(x: Dd) -> (Dd, Dd) {
         let x = x * Dd::from_f64(0.0625);
         let x2 = x * x;
@@ -75,7 +75,7 @@ impl Dd {
             sine = one - sine * x2 / Dd::from_f64(f64::from(2 * k * (2 * k + 1)));
         }
         for k in (1..=10).rev() {
-            // 1 − cos x, without the one: doubling keeps its digits.
+            // 1 − cos x, without the 1: doubling keeps its digits.
             versine = (one - versine) * x2 / Dd::from_f64(f64::from(2 * k * (2 * k - 1)));
         }
         let mut s = x * sine;
@@ -144,7 +144,8 @@ impl Div for Dd {
 const PI: Dd = Dd::of(std::f64::consts::PI, 1.224_646_799_147_353_2e-16);
 const HALF_PI: Dd = Dd::of(std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
 
-/// Beyond 2^50 quarters of a turn (some 1e15 rad) the rounding of x/(π/2), relative 2^-52, comes near half a quarter.
+/// Beyond 2^50 quarter turns (some 1e15 rad) the rounding error of x/(π/2), relative 2^-52,
+/// approaches half a quarter.
 const MOST_QUARTERS: f64 = 1_125_899_906_842_624.0;
 
 impl Real for Dd {
@@ -188,7 +189,7 @@ impl Real for Dd {
 
     fn sin_cos(self) -> (Dd, Dd) {
         let quarter = libm::rint(self.hi / HALF_PI.hi);
-        // Of more quarters the quotient does not tell the last ones.
+        // For more quarters the quotient does not determine the last ones.
         if quarter.abs() > MOST_QUARTERS {
             let nothing = Dd::of(f64::NAN, f64::NAN);
             return (nothing, nothing);
@@ -219,7 +220,8 @@ impl Real for Dd {
         if !rough.is_finite() || (self.hi == 0.0 && x.hi == 0.0) {
             return Dd::of(f64::NAN, f64::NAN);
         }
-        // The vector turned back by the rough angle points along x but for some 1e-16, where tan t = t + t³/3.
+        // The vector turned back by the approximate angle points along x within some 1e-16, where
+        // tan t = t + t³/3.
         let (s, c) = Dd::from_f64(rough).sin_cos();
         let rest = (self * c - x * s) / (x * c + self * s);
         Dd::from_f64(rough) + rest - rest * rest * rest / Dd::from_f64(3.0)
@@ -229,7 +231,8 @@ impl Real for Dd {
         super::whole_power(self, exponent).unwrap_or(Dd::of(f64::NAN, f64::NAN))
     }
 
-    // As with broken powers: who needs the digits climbs on.
+    // Undecided, as fractional powers are: a computation that needs the digits goes on to the next
+    // level of the precision ladder.
     fn ln(self) -> Dd {
         Dd::of(f64::NAN, f64::NAN)
     }

@@ -1,4 +1,4 @@
-//! Decimals in and out: a literal into any number, and a ball to as many digits as are certain.
+//! Decimal input and output: a literal to any number type, and a ball to its certain digits.
 
 use super::ball::Ball;
 use super::big::Long;
@@ -6,8 +6,8 @@ use super::{Big, Dd, Real};
 use dashu_base::{DivEuclid, RemEuclid, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 
-/// The value of a decimal literal, digit by digit: exact where the type holds it, otherwise rounded (and known to be) by
-/// the arithmetic of the type.
+/// Returns the value of a decimal literal, digit by digit: exact if the type can hold it, otherwise
+/// rounded by the arithmetic of the type, which records the error.
 pub(super) fn by_digits<N: Real>(text: &str) -> N {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let Ok(mut exponent) = exponent.parse::<i32>() else { return N::from_f64(f64::NAN) };
@@ -41,7 +41,7 @@ pub(super) fn by_digits<N: Real>(text: &str) -> N {
     if value.approx() == 0.0 {
         return value;
     }
-    // Beyond that no number of a scene lies; the power would only take time.
+    // No number of a scene is beyond this limit; the power would only take time.
     if exponent.abs() > 5000 {
         return N::from_f64(f64::NAN);
     }
@@ -63,13 +63,14 @@ pub(super) fn by_digits<N: Real>(text: &str) -> N {
     }
 }
 
-/// An interval that surely contains a number, in a form that outlives the arithmetic it came from.
+/// An interval that surely contains a number, in a form that outlives the arithmetic of its
+/// computation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enclosure {
     ends: Ends,
-    /// The middle, to `f64`.
+    /// The midpoint, to `f64`.
     pub approx: f64,
-    /// Half its width.
+    /// Half the width.
     pub radius: f64,
 }
 
@@ -82,7 +83,7 @@ enum Ends {
 
 /// A ball of the precision ladder.
 pub trait Certain: Real {
-    /// The ball as an interval of its own; `None` where undecided.
+    /// Returns the ball as an independent interval; `None` if undecided.
     fn enclosure(self) -> Option<Enclosure>;
 }
 
@@ -110,14 +111,15 @@ impl Certain for Ball<Big> {
     }
 }
 
-/// More bits than lie between the largest and the smallest `f64`: sums are exact.
+/// More bits than the range between the largest and the smallest `f64`: sums are exact.
 const ALL_BITS: usize = 2200;
 
 fn exactly(x: f64) -> Option<Long> {
     Some(Long::try_from(x).ok()?.with_precision(ALL_BITS).value())
 }
 
-/// Digits that the ends keep: twice as many as anyone asks for. They are rounded outward.
+/// Number of digits of the ends: twice the largest number that is requested. The ends are rounded
+/// outward.
 const KEPT: i32 = 64;
 
 fn long_enclosure(mid: Long, approx: f64, radius: f64) -> Option<Enclosure> {
@@ -128,7 +130,7 @@ fn long_enclosure(mid: Long, approx: f64, radius: f64) -> Option<Enclosure> {
     Some(Enclosure { ends: Ends::Long(ends, exponent), approx, radius })
 }
 
-/// x · 10^-exponent as a whole number, rounded up or down.
+/// Returns x · 10^-exponent as a whole number, rounded up or down.
 fn whole(x: &Long, exponent: i32, up: bool) -> IBig {
     let (mut over, mut under) = (x.repr().significand().clone(), IBig::ONE);
     let power = |n: i32| IBig::from(10).pow(n.unsigned_abs() as usize);
@@ -148,7 +150,8 @@ fn whole(x: &Long, exponent: i32, up: bool) -> IBig {
 }
 
 impl Enclosure {
-    /// The number to `digits` significant digits, in e notation, if both ends round alike.
+    /// Returns the number to `digits` significant digits, in e notation, if both ends round to the
+    /// same digits.
     pub fn rounded(&self, digits: usize) -> Option<String> {
         let digits = digits.max(1);
         let (a, b) = match &self.ends {
@@ -158,7 +161,7 @@ impl Enclosure {
         (a == b).then_some(a)
     }
 
-    /// Whether both ends round alike to so many significant digits.
+    /// Returns true if both ends round to the same `digits` significant digits.
     pub fn holds(&self, digits: usize) -> bool {
         let [a, b] = match self.ends {
             Ends::Double(a, b) => [a, b],
@@ -167,7 +170,7 @@ impl Enclosure {
         plainly_alike(a, b, digits.max(1)) || self.rounded(digits).is_some()
     }
 
-    /// Whether zero is inside.
+    /// Returns true if the interval contains zero.
     pub fn contains_zero(&self) -> bool {
         match &self.ends {
             Ends::Double(a, b) => *a <= 0.0 && *b >= 0.0,
@@ -175,14 +178,14 @@ impl Enclosure {
         }
     }
 
-    /// The largest absolute value inside.
+    /// Returns the largest absolute value inside.
     pub fn largest(&self) -> f64 {
         (self.approx.abs() + self.radius) * (1.0 + 1e-15)
     }
 
-    /// Whether two intervals have a number in common.
+    /// Returns true if two intervals have a number in common.
     pub fn meets(&self, other: &Enclosure) -> bool {
-        // To one power of ten, below that of either.
+        // Both are scaled to one power of ten, below that of either.
         let exponent = |e: &Enclosure| match &e.ends {
             Ends::Double(..) => -400,
             Ends::Long(_, exponent) => *exponent,
@@ -207,10 +210,11 @@ impl Enclosure {
 const TENS: [f64; 23] =
     [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22];
 
-/// Whether no boundary of rounding is even near an interval, told by a few operations instead of writing both ends: `true` is
-/// sure, `false` tells nothing.
+/// Returns true if no rounding boundary is near an interval, by a few operations instead of writing
+/// both ends: `true` is sure, `false` decides nothing.
 fn plainly_alike(a: f64, b: f64, digits: usize) -> bool {
-    // With more, a half of the last digit is no longer far above the rounding of the sums below.
+    // With more digits, half of the last digit is not far above the rounding errors of the sums
+    // below.
     if digits > 12 || !(a > 0.0 || b < 0.0) {
         return false;
     }
@@ -224,7 +228,7 @@ fn plainly_alike(a: f64, b: f64, digits: usize) -> bool {
     one_decade && libm::floor(low + 0.5) == libm::floor(high + 0.5)
 }
 
-/// n · 10^exponent with `digits` significant digits, as `{:e}` writes numbers; halves to even.
+/// Returns n · 10^exponent with `digits` significant digits, in the form of `{:e}`; halves to even.
 fn scientific(n: &IBig, exponent: i32, digits: usize) -> String {
     if n.is_zero() {
         return format!("{:.*e}", digits - 1, 0.0);

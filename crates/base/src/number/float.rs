@@ -1,6 +1,6 @@
-//! Plain floating-point numbers: `f64`, and `f32` as a measure of what half the digits cost.
+//! Plain floating-point numbers: `f64`, and `f32` as a measure of the cost of half the digits.
 //!
-//! Everything goes through `libm`, so that golden files are the same on every platform.
+//! All functions come from `libm`, so that golden files are equal on every platform.
 
 use super::Real;
 use crate::trig;

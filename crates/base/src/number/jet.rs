@@ -1,7 +1,8 @@
-//! A value with its first and second derivative by one variable, over any kind of number: what is written as a formula is differentiated
-//! exactly, term by term (Leibniz' and the chain rule), and keeps the digits and the bound of the numbers below.
+//! A value with its first and second derivative by one variable, over any kind of number: a formula
+//! is differentiated exactly, term by term (Leibniz' and the chain rule), and keeps the digits and
+//! the error bound of the underlying numbers.
 //!
-//! What decides (domains, whole exponents) decides by the value alone.
+//! Decisions (domains, whole exponents) depend on the value alone.
 
 use super::Real;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -11,22 +12,22 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Jet<N>(pub [N; 3]);
 
 impl<N: Real> Jet<N> {
-    /// What does not change.
+    /// Returns a constant.
     pub fn constant(x: N) -> Self {
         Jet([x, N::from_f64(0.0), N::from_f64(0.0)])
     }
 
-    /// The variable itself.
+    /// Returns the variable itself.
     pub fn variable(x: N) -> Self {
         Jet([x, N::from_f64(1.0), N::from_f64(0.0)])
     }
 
-    /// Whether it does not change, to this order.
+    /// Returns true if the value is constant to this order.
     pub fn stays(self) -> bool {
         self.0[1..].iter().all(|d| d.approx() == 0.0 && d.radius() == 0.0)
     }
 
-    /// A function of it whose value and derivatives at the value are `g`.
+    /// Returns a function of the jet, with the value and derivatives `g` at the value.
     fn of(self, g: [N; 3]) -> Self {
         let [_, a, b] = self.0;
         Jet([g[0], g[1] * a, g[2] * a * a + g[1] * b])
@@ -153,14 +154,14 @@ impl<N: Real> Real for Jet<N> {
         if !exponent.stays() {
             return (self.ln() * exponent).exp();
         }
-        // The derivatives of x^k by lower powers: they exist at x = 0 for whole k of two and more.
+        // The derivatives of x^k by lower powers: they exist at x = 0 for whole k ≥ 2.
         let (x, k) = (self.0[0], exponent.0[0]);
         let one = N::from_f64(1.0);
         let power = |by: f64| {
             // A whole exponent stays exact.
             let whole = k.radius() == 0.0 && k == N::from_f64(k.approx());
             let e = if whole { N::from_f64(k.approx() - by) } else { k - N::from_f64(by) };
-            // 0^0 stands for a coefficient that is zero, or for one.
+            // 0^0 appears with a coefficient that is zero, or for one.
             if e.approx() == 0.0 { one } else { x.pow(e) }
         };
         let first = if k.approx() == 0.0 { N::from_f64(0.0) } else { k * power(1.0) };
@@ -188,7 +189,7 @@ mod tests {
     use super::*;
     use crate::number::{Ball, Dd};
 
-    /// Every rule, against differences in double-double numbers.
+    /// Checks every rule against differences in double-double numbers.
     #[test]
     fn derivatives_are_those_of_differences() {
         type F<N> = fn(N) -> N;
@@ -226,7 +227,8 @@ mod tests {
         assert_eq!(square.0.map(Real::approx), [0.0, 0.0, 2.0]);
     }
 
-    /// What is said of a jet is said of its value: the same calls on the value alone.
+    /// Queries of a jet depend on its value: the same calls on the value alone give the same
+    /// answers.
     #[test]
     fn a_jet_of_balls_knows_the_error_of_its_value() {
         for (mid, radius) in [(3.0, 0.25), (-1.0, 0.0), (-2.0, 1e-9), (0.5, 1.0), (f64::NAN, 0.0)] {

@@ -1,10 +1,11 @@
-//! Sine and cosine of angles of absurd size, in every kind of number, against an exact reduction of their decimals.
+//! Tests of sine and cosine of extremely large angles, in every kind of number, against an exact
+//! reduction of their decimals.
 
 use super::ball::Ball;
 use super::decimal::{Certain, Enclosure};
 use super::{Big, Dd, Real, within};
 
-/// Whole turns taken off a decimal, cipher by cipher: 360 divides in long division, whatever the number of places.
+/// Removes whole turns from a decimal by long division by 360, for any number of digits.
 fn less_turns(decimal: &str) -> String {
     let (sign, digits) = decimal.strip_prefix('-').map_or(("", decimal), |d| ("-", d));
     let (whole, broken) = digits.split_once('.').unwrap_or((digits, "0"));
@@ -20,7 +21,7 @@ fn enclosures<N: Certain>((s, c): (N, N)) -> [Option<Enclosure>; 2] {
     [s.enclosure(), c.enclosure()]
 }
 
-/// What every rung makes of a text.
+/// Returns the results of every level of the ladder for a text.
 fn rungs(text: &str, degrees: bool) -> Vec<(String, [Option<Enclosure>; 2])> {
     fn of<N: Certain>(text: &str, degrees: bool) -> [Option<Enclosure>; 2] {
         let x: N = number(text);
@@ -55,7 +56,7 @@ fn check(text: &str, degrees: bool, truth: &[Option<Enclosure>; 2]) {
     for (rung, seen) in rungs(text, degrees) {
         for (what, (seen, truth)) in ["sine", "cosine"].into_iter().zip(seen.iter().zip(truth)) {
             let truth = truth.as_ref().expect("the reference has a value");
-            // Not to know is no fault; to be sure of what is wrong is.
+            // An undecided result is no failure; an enclosure without the true value is.
             if let Some(seen) = seen {
                 assert!(seen.meets(truth), "{rung}: the {what} of {text} is said to be {seen:?}, it is {truth:?}");
             }
@@ -76,7 +77,7 @@ fn degrees_are_reduced_as_they_are_written() {
     for text in texts {
         let truth = within(1200, || enclosures(number::<Ball<Big>>(&less_turns(&text)).sin_cos_degrees()));
         check(&text, true, &truth);
-        // The longest numbers hold all of it.
+        // The longest numbers hold all its digits.
         let longest = rungs(&text, true).pop().unwrap().1;
         assert!(longest.iter().all(|e| e.as_ref().is_some_and(|e| e.radius < 1e-60)), "{text}: {longest:?}");
     }

@@ -1,8 +1,12 @@
-//! Friction in pins and guides: couples and forces that follow from the reactions, which in turn follow from them.
+//! Friction in pins and guides: couples and forces that depend on the reactions, which in turn
+//! depend on them.
 //!
-//! In a pin the force touches the friction circle of radius ρ, which is the couple ρF against the turning of the two links on each other; in a guide it
-//! leans by the angle of friction, which is the force fN against the sliding. Both senses come from the velocities. The reactions are found without
-//! friction, the friction from them, the reactions again, until they stand: with small circles each pass gains a factor of about l/ρ.
+//! In a pin the force is tangent to the friction circle of radius ρ, which is equivalent to the
+//! couple ρF against the relative rotation of the two links. In a guide the force is inclined by
+//! the angle of friction, which is equivalent to the force fN against the sliding. The velocities
+//! give both senses. The reactions are solved without friction, then the friction from them, then
+//! the reactions again, until they converge: with small circles each pass gains a factor of about
+//! l/ρ.
 //!
 //! # Source
 //! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4 and 5.
@@ -20,23 +24,23 @@ use hodograph_scene::{GuideId, LinkId, PointId, Rub, Scene, Touch};
 /// Two links that rub on each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rubbing<N = f64> {
-    /// Its index in the scene's friction.
+    /// Index in the scene's friction.
     pub friction: usize,
-    /// The link on which the friction acts, and that on which it acts back.
+    /// The link on which the friction acts, and the link on which its opposite acts.
     pub links: [LinkId; 2],
     /// The pair.
     pub pair: Rubbed,
-    /// The point through which a force of friction acts; `None` for a couple.
+    /// The point of application of a friction force; `None` for a couple.
     pub at: Option<PointId>,
-    /// Its place.
+    /// Position of the point.
     pub place: Point<N>,
     /// Friction on the first link for a reaction of 1 N.
     pub unit: Wrench<N>,
-    /// Power (W) that it takes for a reaction of 1 N.
+    /// Power (W) dissipated for a reaction of 1 N.
     pub takes: f64,
 }
 
-/// A pair that rubs.
+/// A pair with friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rubbed {
     /// A pin.
@@ -45,14 +49,16 @@ pub enum Rubbed {
     Guide(GuideId),
 }
 
-/// True if reactions, and so friction, can be told: they are determined, and no belt pulls on its pulleys with a tension that the scene does not tell.
+/// Returns true if reactions, and therefore friction, are determined: no pair is redundant, and no
+/// belt pulls on its pulleys with a tension that the scene does not give.
 pub fn is_determined(scene: &Scene, m: &Mechanism) -> bool {
     m.redundant.is_empty() && scene.rolling.iter().all(|r| matches!(r.touch(), Touch::Point(_)))
 }
 
-/// The pairs that rub in a pose, and those at rest, by their index in the scene's friction: at rest friction has no sense.
+/// Returns the pairs that rub in a pose, and those at rest, by their index in the scene's friction:
+/// at rest friction has no sense.
 ///
-/// `None` where a place or a velocity is not known.
+/// `None` if a position or a velocity is not known.
 pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<(Vec<Rubbing<N>>, Vec<usize>)> {
     let inputs = Inputs::<N>::of(scene);
     let zero = N::from_f64(0.0);
@@ -109,7 +115,7 @@ pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Sour
 }
 
 impl<N: Real> Rubbing<N> {
-    /// The reaction (N) that presses the links on each other.
+    /// Returns the reaction (N) that presses the links on each other.
     fn pressure(&self, pins: &[(PointId, LinkId, Vec2<N>)], guides: &[(GuideId, Wrench<N>)]) -> Option<N> {
         match self.pair {
             Rubbed::Pin(p) => {
@@ -120,14 +126,14 @@ impl<N: Real> Rubbing<N> {
         }
     }
 
-    /// Power (W) that it takes under the forces of an instant.
+    /// Returns the power (W) dissipated under the forces at an instant.
     pub fn power(&self, forces: &Forces<N>) -> f64 {
-        // The reaction of a guide has its friction within.
+        // The reaction of a guide includes its friction.
         let within = libm::hypot(1.0, self.unit.force.norm().approx());
         self.pressure(&forces.pins, &forces.guides).map_or(0.0, |pressure| self.takes * pressure.approx() / within)
     }
 
-    /// The friction under a pressure (N) as loads of both links.
+    /// Returns the friction under a pressure (N) as loads of both links.
     fn loads(&self, ground: LinkId, pressure: N) -> impl Iterator<Item = Load<N>> {
         let wrench = Wrench { force: self.unit.force * pressure, couple: self.unit.couple * pressure };
         let Rubbing { friction, links: [link, other], at, place, .. } = *self;
@@ -136,7 +142,7 @@ impl<N: Real> Rubbing<N> {
     }
 }
 
-/// The reactions of guides with the friction that they cause.
+/// Returns the reactions of guides including the friction that they cause.
 pub fn with_friction<N: Real>(mut guides: Vec<(GuideId, Wrench<N>)>, rubbing: &[Rubbing<N>]) -> Vec<(GuideId, Wrench<N>)> {
     for (g, wrench) in &mut guides {
         let own = rubbing.iter().find(|r| r.pair == Rubbed::Guide(*g));
@@ -149,16 +155,19 @@ pub fn with_friction<N: Real>(mut guides: Vec<(GuideId, Wrench<N>)>, rubbing: &[
 /// Forces of pins on links, and reactions of guides.
 pub type Reactions<N> = (Vec<(PointId, LinkId, Vec2<N>)>, Vec<(GuideId, Wrench<N>)>);
 
-/// Most passes until the reactions stand.
+/// Greatest number of passes until the reactions converge.
 const PASSES: usize = 600;
 
-/// Passes that change no reaction by more than this part have settled, if they get no nearer.
+/// Relative change of the reactions below which the passes have converged, if the change does not
+/// decrease further.
 const SETTLED: f64 = 1e-12;
 
-/// Reactions with friction: `solve` gives those under the loads of friction, `pins` and `guides` read them. In numbers that know their error the
-/// result encloses a solution: the passes map a box of pressures into itself (Brouwer).
+/// Returns reactions with friction: `solve` returns those under the loads of friction, `read` reads
+/// the forces of pins and guides from them. In numbers that know their error the result encloses a
+/// solution: the passes map a box of pressures into itself (Brouwer).
 ///
-/// `Ok(None)` where the passes do not settle: with so much friction no finite reactions balance the loads.
+/// `Ok(None)` if the passes do not converge: with so large a friction no finite reactions balance
+/// the loads.
 ///
 /// # Errors
 /// Those of `solve`.
@@ -214,5 +223,5 @@ pub fn settled<N: Real, R, E>(
     Ok(None)
 }
 
-/// Wider and wider boxes that are tried.
+/// Number of successively wider boxes that are tried.
 const ROUNDS: usize = 12;

@@ -1,4 +1,4 @@
-//! Working strokes of loads that act over a part of a stroke: where they begin and end.
+//! Working strokes of loads that act over a part of a stroke: their ends.
 
 use crate::mechanism::{Demand, Level, Mechanism, Need};
 use crate::position::{Configuration, Path, configure, recompute};
@@ -8,26 +8,28 @@ use hodograph_base::trig::sin_cos;
 use hodograph_scene::{Along, Applied, Course, Given, GuideId, PointId, Scene, driver_position, with_driver_at};
 use std::f64::consts::TAU;
 
-/// Positions in a turn of the first driver.
+/// Number of positions in a turn of the first driver.
 const SAMPLES: usize = 360;
 
-/// Most turns after which the mechanism may stand as before.
+/// Greatest number of turns after which the motion repeats.
 const TURNS: usize = 12;
 
-/// An extreme position is known to so much of its coordinate and the stroke.
+/// Accuracy of an extreme position, relative to its coordinate and the stroke.
 const TOLD: f64 = 1e-13;
 
-/// Strokes whose crank angles differ by no more than this part of a turn are equally slow.
+/// Difference of crank angles, as a part of a turn, up to which two strokes are equally slow.
 const EQUAL: f64 = 1e-9;
 
-/// Points nearer than this part of the mechanism's size are where they were.
+/// Relative distance, as a part of the mechanism's size, below which points have returned.
 const BACK: f64 = 1e-9;
 
-/// Coordinates along the guide (m) at which the working stroke of a load begins and ends, as the first driver turns; found once for a scene and all
-/// that are made of it. `None` for a load without a stroke.
+/// Returns the coordinates along the guide (m) at which the working stroke of a load begins and
+/// ends, as the first driver turns; computed once for a scene and all scenes derived from it.
+/// `None` for a load without a stroke.
 ///
 /// # Errors
-/// `stroke`: the point has no stroke, or the file does not tell which of its two strokes is the working one.
+/// `stroke`: the point has no stroke, or the file does not determine which of its two strokes is
+/// the working one.
 pub fn ends<'a>(scene: &Scene, course: &'a Course) -> Option<&'a Result<[Given; 2], Diagnostic>> {
     let Along::Stroke { point, guide, toward, ends } = &course.along else { return None };
     Some(ends.0.get_or_init(|| {
@@ -55,7 +57,7 @@ pub fn ends<'a>(scene: &Scene, course: &'a Course) -> Option<&'a Result<[Given; 
     }))
 }
 
-/// The faults of all strokes of a scene's loads.
+/// Returns the faults of all strokes of a scene's loads.
 pub fn faults_of_strokes(scene: &Scene) -> Vec<Diagnostic> {
     let fault = |a: &Applied| ends(scene, a.course.as_ref()?)?.as_ref().err().cloned();
     scene.loads.applied.iter().filter_map(fault).collect()
@@ -67,7 +69,7 @@ struct Stroke {
     high: (f64, f64),
     /// Positive sense of the guide.
     direction: Vec2,
-    /// The driver's way (rad) after which all comes again.
+    /// Rotation of the driver (rad) after which the motion repeats.
     period: f64,
 }
 
@@ -106,7 +108,8 @@ impl Stroke {
         (high.1 - low.1 > BACK * start.extent()).then_some(Stroke { low, high, direction, period })
     }
 
-    /// True if the stroke in the positive sense of the guide is the slower one; `None` where they are equally slow.
+    /// True if the stroke in the positive sense of the guide is the slower one; `None` if both are
+    /// equally slow.
     fn slower_is_upward(&self, scene: &Scene) -> Option<bool> {
         let rate = scene.drivers[0].rate.value;
         let up = (self.high.0 - self.low.0).rem_euclid(self.period) / self.period;
@@ -115,13 +118,14 @@ impl Stroke {
     }
 }
 
-/// True if all points are where they were.
+/// True if all points have returned to their positions.
 fn is_back(start: &Configuration, there: &Configuration) -> bool {
     let near = BACK * start.extent();
     start.points.iter().zip(&there.points).all(|(a, b)| a.zip(*b).is_none_or(|(a, b)| a.distance(b) <= near))
 }
 
-/// The largest value of a function with one maximum in an interval, by the golden section: its place and the value.
+/// Returns the largest value of a function with one maximum in an interval, by golden section: its
+/// abscissa and the value.
 fn golden(mut a: f64, mut b: f64, value: impl Fn(f64) -> Option<f64>) -> Option<(f64, f64)> {
     let part = 0.5 * (5.0f64.sqrt() - 1.0);
     let (mut x, mut y) = (b - part * (b - a), a + part * (b - a));

@@ -1,48 +1,51 @@
 //! Assur groups as books count them: links and whole pairs.
 //!
-//! The groups of [`super::groups`] are the steps of the solution. Where a direction is known before its place (two sliders square to one another lock
-//! the halves of an Oldham coupling together) a step holds one equation of a sliding pair and a later one the other. A pair belongs to one
-//! group: steps that share one are the same group, and so are those that then depend on one another.
+//! The groups of [`super::groups`] are the steps of the solution. If a direction is known before
+//! the position (two sliders square to one another lock the halves of an Oldham coupling together),
+//! one step holds one equation of a sliding pair and a later step the other. A pair belongs to one
+//! group: steps that share a pair are one group, as are steps that then depend on one another.
 
 use super::{Core, Group, Item, Mechanism, Passive};
 use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
-/// One group, or what is driven, or a pin carried by a known link.
+/// One group, or a driven part, or a pin carried by a known link.
 #[derive(Clone, Debug)]
 pub struct Assur<'a> {
-    /// The steps in which it is solved, the first first.
+    /// The steps of its solution, in order.
     pub steps: Vec<&'a Group>,
-    /// Its links, blocks, barrels and rods among them, in the order of their numbers.
+    /// Its links, including blocks, barrels and rods, in the order of their numbers.
     pub links: Vec<LinkId>,
     kind: String,
 }
 
 impl Assur<'_> {
-    /// The Assur class in roman numerals, see [`Group::class`]; `None` where a driver or a carrier belongs to it.
+    /// Returns the Assur class in roman numerals, see [`Group::class`]; `None` if a driver or a
+    /// carrier belongs to it.
     pub fn class(&self) -> Option<&'static str> {
         let classes: Option<Vec<_>> = self.steps.iter().filter(|g| !g.is_carried()).map(|g| g.class()).collect();
         let classes = classes?;
         ["IV or higher", "III", "II"].into_iter().find(|c| classes.contains(c))
     }
 
-    /// The kind of a dyad (`RRR`, `RRP`, `RPR`, `PRP`, `RPP`), or what else it is, see [`Group::kind`].
+    /// Returns the kind of a dyad (`RRR`, `RRP`, `RPR`, `PRP`, `RPP`) or of another group, see
+    /// [`Group::kind`].
     pub fn kind(&self) -> &str {
         &self.kind
     }
 
-    /// Whether it is a pin on a known link alone.
+    /// Returns true if it is only a pin on a known link.
     pub fn is_carried(&self) -> bool {
         self.steps.iter().all(|g| g.is_carried())
     }
 
-    /// Its pins.
+    /// Returns its pins.
     pub fn pins(&self) -> Vec<PointId> {
         let mut pins: Vec<PointId> = self.steps.iter().flat_map(|g| g.pins.iter().copied()).collect();
         pins.sort_unstable();
         pins
     }
 
-    /// The points at which it turns or slides inside.
+    /// Returns its inner joints: the points at which it turns or slides inside.
     pub fn inner(&self) -> Vec<PointId> {
         let at = |g: &&Group| match &g.core {
             Core::Pin { pin, .. } => vec![*pin],
@@ -52,14 +55,14 @@ impl Assur<'_> {
         self.steps.iter().flat_map(at).collect()
     }
 
-    /// The drivers that belong to it.
+    /// Returns the drivers that belong to it.
     pub fn drivers<'b>(&'b self, m: &'b Mechanism) -> impl Iterator<Item = usize> + 'b {
         self.steps.iter().flat_map(|g| &g.constraints).filter_map(|c| m.constraints[*c].form().driver())
     }
 }
 
 impl Mechanism {
-    /// The groups as books count them, in solving order.
+    /// Returns the groups as books count them, in solving order.
     pub fn assur(&self, scene: &Scene) -> Vec<Assur<'_>> {
         self.joined()
             .into_iter()
@@ -72,13 +75,14 @@ impl Mechanism {
             .collect()
     }
 
-    /// The group of a step.
+    /// Returns the group of a step.
     pub fn assur_of(&self, scene: &Scene, step: usize) -> Option<Assur<'_>> {
         self.assur(scene).into_iter().find(|a| a.steps.iter().any(|g| std::ptr::eq(*g, &self.groups[step])))
     }
 
-    /// The steps that are one group: Tarjan's components of the graph in which a step depends on those upstream, and the steps of a pair
-    /// on one another; in solving order, of those that could be next the first in the scene.
+    /// Returns the steps of each group: Tarjan's components of the graph in which a step depends on
+    /// those upstream, and the steps of a pair on one another. The groups are in solving order; of
+    /// several possible next groups, the first in the scene comes first.
     fn joined(&self) -> Vec<Vec<usize>> {
         let mut graph = petgraph::graph::DiGraph::<usize, ()>::new();
         let nodes: Vec<_> = (0..self.groups.len()).map(|g| graph.add_node(g)).collect();
@@ -111,8 +115,9 @@ impl Mechanism {
         order
     }
 
-    /// The links of steps with their blocks: a block belongs to the group of its guide or of its pin, whichever is solved later; barrel and rod
-    /// belong to the group that the cylinder moves.
+    /// Returns the links of steps with their blocks: a block belongs to the group of its guide or
+    /// of its pin, whichever is solved later; barrel and rod belong to the group that the cylinder
+    /// moves.
     fn with_blocks(&self, scene: &Scene, part: &[usize]) -> Vec<LinkId> {
         let mut links: Vec<LinkId> = part.iter().flat_map(|g| self.groups[*g].links.iter().copied()).collect();
         for l in (0..scene.links.len()).map(LinkId) {
@@ -134,12 +139,13 @@ impl Mechanism {
                 }
             }
         }
-        // As one counts: a block may be named in its guide only, behind all others.
+        // In numerical order: a block may be named in its guide only, after all other links.
         links.sort_by_key(|l| (scene.link_name(*l).parse::<u64>().unwrap_or(u64::MAX), *l));
         links
     }
 
-    /// Of one step what that is; of several the pairs of their two links, the inner one in the middle, or the kind of the step of the highest class.
+    /// Returns the kind of a single step; for several steps the pairs of their two links, with the
+    /// inner pair in the middle, or the kind of the step of the highest class.
     fn kind_of(&self, scene: &Scene, steps: &[&Group], links: &[LinkId]) -> String {
         if let [one] = steps {
             return one.kind();
@@ -162,7 +168,7 @@ impl Mechanism {
                 on.windows(2).for_each(|w| pair('R', [w[0], w[1]]));
             }
             if let ([inner], [first, last]) = (&inner[..], &outer[..]) {
-                // As books write them: a turning pair comes first.
+                // By convention a turning pair comes first.
                 let ends = if first < last { [last, first] } else { [first, last] };
                 return [ends[0], inner, ends[1]].into_iter().collect();
             }

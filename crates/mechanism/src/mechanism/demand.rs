@@ -1,27 +1,28 @@
-//! What the questions of a scene call for: which groups, up to which level. Simulate only the effects a scene calls for.
+//! The groups that the requests of a scene need, each with its level: only these are solved.
 
 use super::{Mechanism, Node};
 use hodograph_scene::quantity::{Level, Need};
 use hodograph_scene::{Find, LinkId, PointId, Rub, Scene};
 
-/// What the questions call for.
+/// The demand of a set of requests.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Demand {
-    /// For each group the level to which it is needed; `None`: not at all.
+    /// For each group the level up to which it is needed; `None` if it is not needed.
     pub groups: Vec<Option<Level>>,
-    /// The deepest level asked for anywhere.
+    /// The highest requested level.
     pub level: Level,
-    /// The single things asked for, each with the level of motion asked for, in order of the questions, without repetition.
+    /// The individual needs, each with its level of motion, in order of the requests, without
+    /// repetition.
     pub needs: Vec<(Need, Level)>,
 }
 
 impl Demand {
-    /// The demand of the scene's `find` list.
+    /// Returns the demand of the scene's `find` list.
     pub fn of(scene: &Scene, m: &Mechanism) -> Demand {
         Demand::of_questions(scene, m, &scene.find)
     }
 
-    /// The demand of some questions.
+    /// Returns the demand of some requests.
     pub fn of_questions<'a>(scene: &Scene, m: &Mechanism, questions: impl IntoIterator<Item = &'a Find>) -> Demand {
         let mut d = Demand { groups: vec![None; m.groups.len()], level: Level::Position, needs: Vec::new() };
         for f in questions {
@@ -35,7 +36,7 @@ impl Demand {
         d
     }
 
-    /// Adds that a link is placed, and everything upstream of it.
+    /// Adds the position of a link, and everything upstream of it.
     fn place(&mut self, scene: &Scene, m: &Mechanism, l: LinkId) {
         for n in nodes_of(scene, m, Need::Turning(l)) {
             self.mark(m, group_of(m, n), Level::Position);
@@ -56,7 +57,8 @@ impl Demand {
         }
     }
 
-    /// Adds what the loads of a scene need: the places of loaded links, accelerations of what has mass, velocities of what is resisted.
+    /// Adds the needs of the loads of a scene: the positions of loaded links, accelerations of
+    /// links with mass, velocities of resisted motions.
     fn loaded(&mut self, scene: &Scene, m: &Mechanism) {
         let loads = &scene.loads;
         let springs = loads.springs.iter().flat_map(|s| s.ends.map(|(_, link)| link)).filter(|l| *l != scene.ground);
@@ -96,7 +98,7 @@ impl Demand {
                 }
             }
         }
-        // A driver's moment is carried by what it drives.
+        // The moment of a driver acts on the part that it drives.
         for constraint in m.constraints.iter().filter(|c| c.form().driver().is_some()) {
             let (a, b) = constraint.ends();
             for node in [a, b] {
@@ -105,12 +107,12 @@ impl Demand {
         }
     }
 
-    /// True if forces are asked for.
+    /// True if forces are requested.
     pub fn wants_forces(&self) -> bool {
         self.needs.iter().any(|(need, _)| *need == Need::Forces)
     }
 
-    /// Marks a group and all it rests on.
+    /// Marks a group and all groups on which it depends.
     fn mark(&mut self, m: &Mechanism, group: Option<usize>, level: Level) {
         let mut stack: Vec<usize> = group.into_iter().collect();
         while let Some(g) = stack.pop() {
@@ -122,7 +124,7 @@ impl Demand {
         }
     }
 
-    /// Calls for the positions of all groups as well, as a drawing of the whole mechanism does.
+    /// Adds the positions of all groups, for a drawing of the whole mechanism.
     pub fn with_all_positions(mut self) -> Demand {
         for g in &mut self.groups {
             g.get_or_insert(Level::Position);
@@ -130,12 +132,12 @@ impl Demand {
         self
     }
 
-    /// Whether the place of a pin is called for.
+    /// Returns true if the position of a pin is requested.
     pub fn places(&self, m: &Mechanism, pin: PointId) -> bool {
         m.group_of_pin[pin.0].is_some_and(|g| self.groups[g].is_some())
     }
 
-    /// Whether a group is needed at a level.
+    /// Returns true if a group is needed at a level.
     pub fn wants(&self, group: usize, level: Level) -> bool {
         self.groups[group].is_some_and(|l| l >= level)
     }
@@ -148,7 +150,7 @@ fn group_of(m: &Mechanism, n: Node) -> Option<usize> {
     }
 }
 
-/// The nodes that must be known for a need.
+/// Returns the nodes that must be known for a need.
 pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
     let link_nodes = |l: LinkId| m.passive_carrier(scene, l).unwrap_or_else(|| vec![Node::Link(l)]);
     match need {
@@ -159,13 +161,15 @@ pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
                 Some(l) => link_nodes(l),
                 None => Vec::new(),
             };
-            // Where its cam stands tells where a follower touches that no pair holds there.
+            // The position of the cam determines the contact of a follower without a pair there.
             let led = scene.cams.iter().filter(|c| c.is_on_course() && c.follows.point() == p).map(|c| c.cam);
             nodes.extend(led.filter(|l| *l != scene.ground).flat_map(link_nodes));
             if m.pins.contains(&p) {
                 nodes.push(Node::Pin(p));
             } else {
-                // Where the point is, its own link says, even when the vector asked for is another link's; of a contact both links say it.
+                // The position of the point follows from its own link, even if the vector of
+                // another link's point is requested; the position of a contact follows from both
+                // links.
                 nodes.extend(scene.carriers(p).next().map(link_nodes).unwrap_or_default());
                 let rolling = scene.rolling.iter().filter(|r| r.at.contains(&p));
                 let cams = scene.cams.iter().filter(|c| c.touch == Some(p)).flat_map(|c| [c.cam, c.follower]);

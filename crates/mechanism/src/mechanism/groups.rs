@@ -1,11 +1,14 @@
-//! Assur groups in solving order, and how each is entered.
+//! Assur groups in solving order, each with its core.
 //!
-//! A perfect matching of equations to nodes makes a directed graph: a node depends on the other node of each of its equations. The groups
-//! are the strongly connected components of this graph (Tarjan), whichever matching was found; the solving order is a topological order of
-//! them, the first in the scene first. Pins are nodes of their own, so that several links on one pin need no choice of pairs.
+//! A perfect matching of equations to nodes defines a directed graph: a node depends on the other
+//! node of each of its equations. The groups are the strongly connected components of this graph
+//! (Tarjan), independent of the matching found. The solving order is a topological order of the
+//! groups, with the first in the scene first. Pins are separate nodes, so that several links on one
+//! pin need no choice of pairs.
 //!
 //! # Source
-//! Sljoka, Shai, Whiteley, *Checking mobility and decomposition of linkages via pebble game algorithm*, ASME DETC 2011.
+//! Sljoka, Shai, Whiteley, *Checking mobility and decomposition of linkages via pebble game
+//! algorithm*, ASME DETC 2011.
 
 use super::leg::{Entry, Hold, Leg};
 use super::mobility::Assignment;
@@ -14,7 +17,7 @@ use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap, HashMap};
 
-/// What the group turns on: the point or link whose motion is found first.
+/// The core of a group: the point or link whose motion is solved first.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Core {
     /// A pin held by legs that take its two freedoms.
@@ -31,7 +34,7 @@ pub enum Core {
         /// Its legs.
         legs: Vec<Leg>,
     },
-    /// Neither: a group higher than class III.
+    /// Neither: a group above class III.
     Higher,
 }
 
@@ -42,18 +45,20 @@ pub struct Group {
     pub links: Vec<LinkId>,
     /// Its pins.
     pub pins: Vec<PointId>,
-    /// How it is entered.
+    /// Its core.
     pub core: Core,
-    /// Groups it rests on (indices into [`Mechanism::groups`]).
+    /// Groups on which it depends (indices into [`Mechanism::groups`]).
     pub upstream: Vec<usize>,
     /// The constraints that belong to it.
     pub constraints: Vec<usize>,
 }
 
 impl Group {
-    /// The Assur class in roman numerals, or `None` for driven links and carried pins, which are no groups.
+    /// Returns the Assur class in roman numerals, or `None` for driven links and carried pins,
+    /// which are no groups.
     ///
-    /// Dyads of every kind are class II, a link on three legs class III; anything else is called "IV or higher".
+    /// Dyads of every kind are class II, a link on three legs is class III; anything else is called
+    /// "IV or higher".
     pub fn class(&self) -> Option<&'static str> {
         match &self.core {
             Core::Higher => Some("IV or higher"),
@@ -71,7 +76,8 @@ impl Group {
         }
     }
 
-    /// The kind of a dyad (`RRR`, `RRP`, `RPR`, `PRP`, `RPP`), or `triad`, or what else it is.
+    /// Returns the kind of a dyad (`RRR`, `RRP`, `RPR`, `PRP`, `RPP`), `triad`, or a description of
+    /// another group.
     pub fn kind(&self) -> String {
         let kind = match &self.core {
             Core::Higher => "higher group",
@@ -97,7 +103,8 @@ impl Group {
         kind.into()
     }
 
-    /// Whether it is a pin that sits on a known link: it follows that link, there is nothing to solve, and no list of groups names it.
+    /// Returns true if it is a pin on a known link: the pin follows that link, there is nothing to
+    /// solve, and lists of groups omit it.
     pub fn is_carried(&self) -> bool {
         match &self.core {
             Core::Pin { legs, .. } => Entry::of(legs).carrier.is_some(),
@@ -106,8 +113,9 @@ impl Group {
     }
 }
 
-/// The kind of a dyad whose core slides on a known link without turning against it, by the other leg: a bar is RRP, a pin of the core in a
-/// further guide PRP, a slot of the core over a known pin RPP.
+/// Returns the kind of a dyad whose core slides on a known link without relative rotation. The
+/// other leg decides: a bar is RRP, a pin of the core in a further guide PRP, a slot of the core
+/// over a known pin RPP.
 fn sliding_dyad(holds: &[Hold]) -> &'static str {
     let distances = holds.iter().filter(|h| matches!(h, Hold::Distance { .. })).count();
     let guides = holds.iter().filter(|h| matches!(h, Hold::Guide { .. })).count();
@@ -115,7 +123,8 @@ fn sliding_dyad(holds: &[Hold]) -> &'static str {
     match (distances, guides) {
         (1.., _) => "RRP",
         (0, 2..) => "PRP",
-        // Where one of two is a guide of the ground for a pin of the core, that may be the slide itself.
+        // If one of two holds is a guide of the ground for a pin of the core, that may be the slide
+        // itself.
         (0, 1) if glides => "PRP",
         (0, _) => "RPP",
     }
@@ -129,7 +138,7 @@ pub(crate) fn find(scene: &Scene, m: &mut Mechanism, assignment: &Assignment) {
         .map(Node::Link)
         .chain(m.pins.iter().map(|p| Node::Pin(*p)))
         .collect();
-    // Only looked up in, never iterated: the order of the scene decides every output.
+    // Used for look-up only, never iterated: the order of the scene decides every output.
     let index: HashMap<Node, usize> = nodes.iter().enumerate().map(|(i, n)| (*n, i)).collect();
     let mut graph = petgraph::graph::DiGraph::<usize, ()>::with_capacity(nodes.len(), assignment.equations.len());
     let handles: Vec<_> = (0..nodes.len()).map(|i| graph.add_node(i)).collect();
@@ -187,7 +196,8 @@ pub(crate) fn find(scene: &Scene, m: &mut Mechanism, assignment: &Assignment) {
     }
 }
 
-/// Order in which every part comes after those it needs; among the ready ones, the first in the scene first.
+/// Returns an order in which every part comes after those that it needs; of the ready parts, the
+/// first in the scene comes first.
 fn topological(parts: &[Vec<usize>], part_of: &[usize], graph: &petgraph::graph::DiGraph<usize, ()>) -> Vec<usize> {
     let mut needs: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); parts.len()];
     let mut feeds: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); parts.len()];
@@ -228,17 +238,17 @@ fn find_core(scene: &Scene, m: &Mechanism, links: &[LinkId], pins: &[PointId], c
     Core::Higher
 }
 
-/// The driver that says where along a guide its runner is, if the group has one.
+/// Returns the driver of the runner along a guide, if the group has one.
 fn slide_of(cs: &[Form], guide: GuideId) -> Option<usize> {
     cs.iter().find(|c| c.path() == Some(guide) && c.driver().is_some())?.driver()
 }
 
-/// The pins that forms put on a link.
+/// Returns the pins that forms put on a link.
 fn on_link<'a>(cs: impl IntoIterator<Item = &'a Form>, l: LinkId) -> impl Iterator<Item = PointId> {
     cs.into_iter().filter_map(Form::meets).filter(move |(_, link)| *link == l).map(|(pin, _)| pin)
 }
 
-/// The legs of a pin, if every link of the group is a bar from a known pin to it.
+/// Returns the legs of a pin, if every link of the group is a bar from a known pin to it.
 fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[Form]) -> Option<Vec<Leg>> {
     let mut legs = Vec::new();
     let mut used = 0;
@@ -278,8 +288,9 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[Form]) -> Option<Vec<Leg>> 
                 legs.push(Leg::Cylinder { driver, near: pin, far: if from == pin { to } else { from } });
                 used += 1;
             }
-            // Those of bars and rams are counted with them, a driver along a guide with its guide; the others are no leg of a pin, and
-            // what is left uncounted makes this no dyad of one pin.
+            // The forms of bars and rams are counted with them, a driver along a guide with its
+            // guide. The others are no leg of a pin; a form that stays uncounted means that the
+            // group is no dyad of one pin.
             Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Angles { .. } | Form::Related { .. } => {}
         }
     }
@@ -287,11 +298,12 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[Form]) -> Option<Vec<Leg>> 
     (used == cs.len() && freedoms == 2).then_some(legs)
 }
 
-/// The legs of a link, if every other link of the group is a bar from a known pin to one of the core's pins.
+/// Returns the legs of a link, if every other link of the group is a bar from a known pin to one of
+/// the core's pins.
 fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId, cs: &[Form]) -> Option<Vec<Leg>> {
     let mut legs = Vec::new();
     let mut used = 0;
-    // Every pin of the group must sit on the core.
+    // Every pin of the group must be on the core.
     for &pin in pins {
         if !cs.contains(&Form::Meet { pin, link: core }) {
             return None;
@@ -316,7 +328,8 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
                 legs.push(Leg::Pinned { pin });
                 used += 1;
             }
-            // Those of the core's own pins and of bars are counted; a driver along a guide is, with its guide.
+            // The pins of the core and of bars are counted; a driver along a guide is counted with
+            // its guide.
             Form::Meet { .. } | Form::AlongPath { .. } => {}
             Form::OnPath { runner: Runner::Pin(pin), guide, on } => {
                 if slide_of(cs, guide).is_some() {
@@ -367,7 +380,8 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
 }
 
 impl Mechanism {
-    /// Whether a driver's numbered links or a block follow link `l`; used to find the carrier of a passive link's motion.
+    /// Returns the nodes whose motion a passive link follows: the carrier of a block, or the pins
+    /// of a driver's numbered links; `None` if the link is not passive.
     pub fn passive_carrier(&self, scene: &Scene, l: LinkId) -> Option<Vec<Node>> {
         Some(match self.passive[l.0]? {
             Passive::Block(g) => vec![Node::Link(scene.guides[g.0].on), Node::Pin(scene.guides[g.0].pin?)],

@@ -1,26 +1,30 @@
-//! Legs: how known bodies hold the core of a group.
+//! Legs: the connections of a group's core to known bodies.
 //!
-//! Decided here, from topology alone: what a leg gives of the core, as a statement ([`Gives`], [`Hold`], [`ConstraintLine`]) in which
-//! legs of one geometry are one; and what follows from it, the freedoms that it takes and its letter in the name of a dyad.
-//! Positions, plan, drawing and sweep match the statements and work them out each in its own numbers; none of them asks for the kind
-//! of leg. Not decided here: which legs a group has ([`super::groups`]), and any length.
+//! This module derives from topology alone what a leg gives of the core, as a statement ([`Gives`],
+//! [`Hold`], [`ConstraintLine`]) that is the same for legs of the same geometry; and the
+//! consequences: the freedoms that the leg takes and its letter in the name of a dyad. Positions,
+//! plan, drawing and sweep match the statements and evaluate them each in its own numbers; they do
+//! not distinguish the kinds of leg. The legs of a group are found in [`super::groups`]; no length
+//! is used here.
 
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
-/// How a known body holds an unknown point or link; [`Leg::freedoms`] says how much of it.
+/// The connection of an unknown point or link to a known body; [`Leg::freedoms`] returns the number
+/// of freedoms that it takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Leg {
-    /// A known pin sits on the core link (takes two freedoms).
+    /// A known pin on the core link (takes two freedoms).
     Pinned {
         /// The known pin.
         pin: PointId,
     },
-    /// The core link's angle follows from a known link: a slider that keeps its direction, or a turning driver.
+    /// The angle of the core link follows from a known link: a slider that keeps its direction, or
+    /// a rotary driver.
     Angle {
         /// The known link.
         of: LinkId,
-        /// The turning driver; `None` for a slider.
+        /// The rotary driver; `None` for a slider.
         driver: Option<usize>,
     },
     /// A bar, pinned to a known pin at `far` and to the core at `near`.
@@ -62,7 +66,7 @@ pub enum Leg {
         /// The known link.
         other: LinkId,
     },
-    /// The core pin runs in a guide of a known link at a given rate (takes two freedoms).
+    /// The core pin moves in a guide of a known link at a given rate (takes two freedoms).
     Driven {
         /// The guide.
         guide: GuideId,
@@ -71,7 +75,8 @@ pub enum Leg {
         /// The core pin.
         pin: PointId,
     },
-    /// The core pin runs at a given rate in a guide carried by an unknown link, which is itself pinned to a known pin.
+    /// The core pin moves at a given rate in a guide carried by an unknown link, which is itself
+    /// pinned to a known pin.
     Ram {
         /// The link that carries the guide.
         link: LinkId,
@@ -84,7 +89,7 @@ pub enum Leg {
         /// The core pin.
         near: PointId,
     },
-    /// The core link glides along a known link at a given rate (with its guide: two freedoms).
+    /// The core link glides along a known link at a given rate (two freedoms, including its guide).
     DrivenGlide {
         /// The guide.
         guide: GuideId,
@@ -99,28 +104,28 @@ pub enum Leg {
         pair: RollingId,
         /// The known link.
         other: LinkId,
-        /// The place of contact.
+        /// The point of contact.
         at: PointId,
     },
-    /// A pin that sits on a known link (takes both freedoms of a pin).
+    /// A pin on a known link (takes both freedoms of a pin).
     Carried {
         /// The known link.
         link: LinkId,
     },
 }
 
-/// What a leg gives of the core.
+/// The information that a leg gives about the core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gives {
-    /// The core pin's place: a point of this known link.
+    /// The position of the core pin: a point of this known link.
     Carrier(LinkId),
     /// The known pin about which the core link turns.
     Pivot(PointId),
     /// The core link's direction.
     Angle {
-        /// The known link from whose direction it follows.
+        /// The known link that determines the direction.
         of: LinkId,
-        /// The turning driver; `None` for a slider, which keeps its direction.
+        /// The rotary driver; `None` for a slider, which keeps its direction.
         driver: Option<usize>,
     },
     /// A locus of one point of the core.
@@ -136,7 +141,7 @@ pub enum Hold {
         near: PointId,
         /// The known pin.
         far: PointId,
-        /// What lies between them.
+        /// The part between them.
         strut: Strut,
     },
     /// A pin of the core runs in a guide of a known link.
@@ -145,7 +150,7 @@ pub enum Hold {
         pin: PointId,
         /// The guide.
         guide: GuideId,
-        /// The sliding driver that says where along the guide, if there is one.
+        /// The sliding driver that determines the position along the guide, if there is one.
         driver: Option<usize>,
     },
     /// A guide of the core link runs over a known pin.
@@ -155,34 +160,36 @@ pub enum Hold {
         /// The guide.
         guide: GuideId,
     },
-    /// The core link, whose direction is known, glides along a known link (or that one along the core).
+    /// The core link, with a known direction, glides along a known link (or the known link along
+    /// the core).
     Glide {
         /// The guide.
         guide: GuideId,
         /// The known link.
         other: LinkId,
-        /// The sliding driver that says where along the guide, if there is one.
+        /// The sliding driver that determines the position along the guide, if there is one.
         driver: Option<usize>,
     },
-    /// The core link rolls on a known link: its point at the contact has the velocity of the other's.
+    /// The core link rolls on a known link: its point at the contact has the velocity of the other
+    /// link's point.
     Rolls {
         /// The rolling pair.
         pair: RollingId,
         /// The known link.
         other: LinkId,
-        /// The place of contact.
+        /// The point of contact.
         at: PointId,
     },
 }
 
-/// What keeps two pins apart, and how long it is.
+/// The part that keeps two pins apart and determines their distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Strut {
-    /// A link, by its length.
+    /// A link, of constant length.
     Bar(LinkId),
-    /// A cylinder, by its driver.
+    /// A cylinder, with the length given by its driver.
     Cylinder(usize),
-    /// A link that is pinned at the known pin and in whose guide a driver holds the core's pin.
+    /// A link pinned at the known pin, with a guide in which a driver holds the core's pin.
     Ram {
         /// The link.
         link: LinkId,
@@ -193,8 +200,8 @@ pub enum Strut {
     },
 }
 
-/// The line along which a leg holds a point of the core: the leg gives a locus for the velocity of every point of the core on it, and
-/// the loci of all of them are parallel.
+/// The line along which a leg holds a point of the core. The leg gives a locus for the velocity of
+/// every point of the core on the line, and these loci are parallel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConstraintLine {
     /// Through two pins.
@@ -204,7 +211,7 @@ pub enum ConstraintLine {
         /// The known pin.
         far: PointId,
     },
-    /// Through a pin, square to its guide; where the guide is an arc, through the arc's centre.
+    /// Through a pin, square to its guide; for a curved guide, through the centre of the arc.
     Normal {
         /// The pin.
         pin: PointId,
@@ -215,26 +222,27 @@ pub enum ConstraintLine {
     Tangent {
         /// The pair.
         pair: RollingId,
-        /// The place of contact.
+        /// The point of contact.
         at: PointId,
     },
 }
 
-/// All that the legs of a core give, by what it is.
+/// The combined information of all legs of a core, by kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// The known link that carries the core pin.
     pub carrier: Option<LinkId>,
     /// The known pin about which the core link turns.
     pub pivot: Option<PointId>,
-    /// The known link from whose direction that of the core link follows, and the turning driver if there is one.
+    /// The known link that determines the core link's direction, and the rotary driver if there is
+    /// one.
     pub angle: Option<(LinkId, Option<usize>)>,
     /// The loci of points of the core, in the order of the legs.
     pub holds: Vec<Hold>,
 }
 
 impl Leg {
-    /// The driver whose cylinder it is, if it is one.
+    /// Returns the driver of the cylinder, if the leg is one.
     pub fn cylinder(&self) -> Option<usize> {
         match self {
             Leg::Cylinder { driver, .. } => Some(*driver),
@@ -252,7 +260,8 @@ impl Leg {
         }
     }
 
-    /// What it gives of the core: the one place that tells the kinds of leg apart.
+    /// Returns the information that the leg gives about the core: the only place that distinguishes
+    /// the kinds of leg.
     pub fn gives(&self) -> Gives {
         Gives::Hold(match *self {
             Leg::Carried { link } => return Gives::Carrier(link),
@@ -270,8 +279,8 @@ impl Leg {
         })
     }
 
-    /// How many freedoms of the core the leg takes: a place on a known body two, a direction or a locus one, and a driver along a guide
-    /// one more.
+    /// Returns the number of freedoms of the core that the leg takes: two for a position on a known
+    /// body, one for a direction or a locus, and one more for a driver along a guide.
     pub fn freedoms(&self) -> usize {
         match self.gives() {
             Gives::Carrier(_) | Gives::Pivot(_) => 2,
@@ -280,7 +289,8 @@ impl Leg {
         }
     }
 
-    /// The pair by which it ends at a known body, in the name of a dyad: revolute, prismatic, or a gear's.
+    /// Returns the letter of the pair at the known body, in the name of a dyad: revolute,
+    /// prismatic, or the letter of a gear.
     pub fn letter(&self) -> &'static str {
         match self.gives() {
             Gives::Pivot(_) | Gives::Hold(Hold::Distance { .. }) => "R",
@@ -289,7 +299,8 @@ impl Leg {
         }
     }
 
-    /// Whether a driver moves the core itself by this leg. A cylinder and a ram are driven too: they change their own length.
+    /// Returns true if a driver moves the core itself by this leg. A cylinder or a ram is driven
+    /// too, but changes its own length.
     pub fn drives(&self) -> bool {
         match self.gives() {
             Gives::Angle { driver, .. } | Gives::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => driver.is_some(),
@@ -297,7 +308,7 @@ impl Leg {
         }
     }
 
-    /// The locus that it gives for a point of the core, if that is what it gives.
+    /// Returns the locus that the leg gives for a point of the core, if it gives one.
     pub fn hold(&self) -> Option<Hold> {
         match self.gives() {
             Gives::Hold(hold) => Some(hold),
@@ -305,15 +316,15 @@ impl Leg {
         }
     }
 
-    /// Its constraint line, if it has one, see [`Hold::line`].
+    /// Returns the constraint line, if there is one, see [`Hold::line`].
     pub fn line(&self) -> Option<ConstraintLine> {
         self.hold()?.line()
     }
 }
 
 impl Hold {
-    /// The pin of the core that is held: none for a slot, which holds the place under its pin, for a contact, and for a gliding link, of
-    /// which any point will do.
+    /// Returns the held pin of the core; `None` for a slot, which holds the point under its pin,
+    /// for a contact, and for a gliding link, of which any point is suitable.
     pub fn near(&self) -> Option<PointId> {
         match *self {
             Hold::Distance { near, .. } => Some(near),
@@ -322,7 +333,7 @@ impl Hold {
         }
     }
 
-    /// For a bar: the link, its pin at the core, and the known pin.
+    /// Returns the link, its pin at the core, and the known pin of a bar.
     pub fn bar(&self) -> Option<(LinkId, PointId, PointId)> {
         match *self {
             Hold::Distance { near, far, strut: Strut::Bar(link) } => Some((link, near, far)),
@@ -334,8 +345,9 @@ impl Hold {
         }
     }
 
-    /// The line along which it holds the core: none where a driver takes the way along the guide too, and for a gliding link, which
-    /// is held along a direction and no line of its own.
+    /// Returns the line along which the core is held; `None` if a driver also determines the
+    /// position along the guide, and for a gliding link, which is held along a direction and not on
+    /// a specific line.
     pub fn line(&self) -> Option<ConstraintLine> {
         match *self {
             Hold::Distance { near, far, .. } => Some(ConstraintLine::Along { near, far }),
@@ -347,7 +359,7 @@ impl Hold {
 }
 
 impl ConstraintLine {
-    /// The pin, or place of contact, through which it is drawn.
+    /// Returns the pin, or the point of contact, through which the hold is drawn.
     pub fn pin(&self) -> PointId {
         match *self {
             ConstraintLine::Along { near, .. } => near,
@@ -357,7 +369,7 @@ impl ConstraintLine {
 }
 
 impl Entry {
-    /// What the legs of a core give together.
+    /// Returns the combined information of the legs of a core.
     pub fn of(legs: &[Leg]) -> Entry {
         let mut entry = Entry { carrier: None, pivot: None, angle: None, holds: Vec::with_capacity(legs.len()) };
         for leg in legs {

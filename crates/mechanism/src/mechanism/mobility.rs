@@ -1,7 +1,8 @@
-//! Whether the pairs and drivers fix every link: a bipartite b-matching by augmenting paths.
+//! Check that pairs and drivers determine every link: a bipartite b-matching by augmenting paths.
 //!
-//! Each equation is assigned to one of its two nodes, so that a link gets three and a pin two. A node that lacks equations is free, an
-//! equation without a node depends on others; both are told in the diagnosis.
+//! Each equation is assigned to one of its two nodes, so that a link gets three and a pin two. A
+//! node that lacks equations is free; an equation without a node depends on others. The diagnosis
+//! reports both.
 
 use super::{Constraint, Item, Node, Passive};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
@@ -53,12 +54,12 @@ impl Nodes {
 /// A matching of as many equations as possible with the freedoms of the nodes.
 pub(super) struct Matched {
     nodes: Nodes,
-    /// One entry per scalar equation: its constraint and the ends of that.
+    /// One entry per scalar equation: its constraint and the two ends of the constraint.
     units: Vec<(usize, Node, Node)>,
     owner: Vec<Option<usize>>,
     held: Vec<Vec<usize>>,
     capacity: Vec<usize>,
-    /// Equations that no node takes.
+    /// Equations assigned to no node.
     unmatched: Vec<usize>,
 }
 
@@ -94,23 +95,24 @@ impl Matched {
         m
     }
 
-    /// How many scalar equations there are.
+    /// Returns the number of scalar equations.
     pub fn equations(&self) -> usize {
         self.units.len()
     }
 
-    /// How many equations stay unmatched.
+    /// Returns the number of unmatched equations.
     pub fn unmatched(&self) -> usize {
         self.unmatched.len()
     }
 
-    /// How many freedoms no equation takes.
+    /// Returns the number of freedoms without an equation.
     pub fn free(&self) -> usize {
         self.capacity.iter().zip(&self.held).map(|(c, h)| c - h.len()).sum()
     }
 
-    /// For each unmatched equation the constraints that depend on one another with it (those that hold the nodes that could take it, and so on):
-    /// without any one of them it is matched.
+    /// Returns, for each unmatched equation, the constraints that depend on one another with it
+    /// (those that hold the nodes that could take it, and so on): without any one of them it is
+    /// matched.
     pub fn circuits(&self) -> impl Iterator<Item = BTreeSet<usize>> + '_ {
         self.unmatched.iter().map(|u| self.circuit(*u))
     }
@@ -131,7 +133,7 @@ impl Matched {
         found
     }
 
-    /// The assignment, where it is perfect.
+    /// Returns the assignment of a perfect matching.
     fn assignment(self) -> Assignment {
         let nodes = self.nodes;
         let equations = self.units.into_iter().zip(self.owner);
@@ -140,7 +142,7 @@ impl Matched {
     }
 }
 
-/// Whether every equation can be assigned to a node: no pair says what others say already.
+/// Returns true if every equation can be assigned to a node: no pair repeats others.
 pub(super) fn all_matched(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> bool {
     Matched::new(scene, passive, pins, constraints).unmatched.is_empty()
 }
@@ -148,7 +150,7 @@ pub(super) fn all_matched(scene: &Scene, passive: &[Option<Passive>], pins: &[Po
 /// Assigns every equation to a node.
 ///
 /// # Errors
-/// Names the links that stay free, or the pairs that say too much.
+/// Names the links that stay free, or the redundant pairs.
 pub(super) fn assign(
     scene: &Scene,
     passive: &[Option<Passive>],
@@ -170,7 +172,8 @@ pub(super) fn assign(
     Ok(m.assignment())
 }
 
-/// Matches equation `u` along a shortest augmenting path (breadth-first); whether there is one.
+/// Matches equation `u` along a shortest augmenting path (breadth-first); returns true if there is
+/// one.
 fn augment(
     u: usize,
     units: &[(usize, Node, Node)],
@@ -259,7 +262,8 @@ fn too_free(scene: &Scene, constraints: &[Constraint], missing: usize, free: &[N
     })
 }
 
-/// Points with coordinates on a single moving link: often pivots that were not listed under the ground.
+/// Returns the points with coordinates on a single moving link: often pivots that are missing in
+/// the list of the ground.
 fn unlisted_pivots(scene: &Scene) -> Option<Both> {
     let names: Vec<&str> = scene
         .points
@@ -309,11 +313,12 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
     }
 }
 
-/// Counts links and pairs. Drivers do not count: they are what the freedoms are for. A cylinder counts as barrel, rod
-/// and sliding pair, so that its driver too has its freedom.
+/// Counts links and pairs. Drivers do not count: they use the freedoms. A cylinder counts as
+/// barrel, rod and sliding pair, so that its driver has a freedom too.
 ///
-/// A belt or chain takes one freedom of two neighbours, as a mesh does; it is no link. A wheel that rolls on its track takes two freedoms, as a lower pair does. A mesh takes one, and one more where nothing but its flanks
-/// holds the distance of the centres, which the constraints say.
+/// A belt or chain takes one freedom of two neighbours, as a mesh does; it is no link. A wheel that
+/// rolls on its track takes two freedoms, as a lower pair does. A mesh takes one, and one more if
+/// only its flanks hold the distance of the centres, which the constraints show.
 pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
     let mut moving = scene.links.len() - 1;
     let mut lower = 0;
@@ -326,7 +331,7 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
     let mut higher = 0;
     for d in &scene.drivers {
         if let (Some([a, b]), links) = (d.kind.ends(), d.kind.parts()) {
-            // Unnumbered barrels and rods are links all the same.
+            // Unnumbered barrels and rods count as links too.
             moving += 2 - links.len().min(2);
             lower += 1;
             on_pin[a.0] += 1;
@@ -341,7 +346,7 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
     for pair in &scene.rolling {
         let own = pair.guide().filter(|g| constraints.iter().any(|c| c.item() == Item::Guide(*g)));
         match pair.kind.is_lower() {
-            // Its touching is part of it.
+            // The contact is part of the pair.
             true => lower += 1,
             false => higher += 1 + usize::from(own.is_some()),
         }
@@ -354,7 +359,7 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
             if let Some(p) = g.pin
                 && on_pin[p.0] == 0
             {
-                // A bare pin in two slots is itself a body; its turning does not count.
+                // A bare pin in two slots is a body; its rotation does not count.
                 on_pin[p.0] = 1;
                 moving += 1;
                 higher += 1;
@@ -362,7 +367,7 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
         }
     }
     lower += on_pin.iter().map(|n| n.saturating_sub(1)).sum::<usize>();
-    // A follower that a cam moves by a law is no driver: the two touch.
+    // A follower moved by a cam with a law is no driver: the two are in contact.
     higher += (0..scene.drivers.len()).filter(|d| scene.is_led(*d)).count();
     let freedom = 3 * moving as i64 - 2 * lower as i64 - higher as i64;
     Mobility { moving, lower, higher, freedom }

@@ -1,8 +1,9 @@
-//! Links, pairs and drivers as a graph: mobility, Assur groups in solving order, and the demand of the questions.
+//! Links, pairs and drivers as a graph: mobility, Assur groups in solving order, and the demand of
+//! the requests.
 //!
-//! Decided here, from topology alone (no length is looked at): which constraints there are, whether they and the drivers
-//! fix every link, in which order the links can be found ([`Group`]), and which groups the scene's questions call for
-//! ([`Demand`]). Not decided here: where anything is.
+//! This module decides from topology alone (no length is used): the list of constraints; if they
+//! and the drivers determine every link; the order in which the links can be solved ([`Group`]);
+//! and the groups that the scene's requests need ([`Demand`]). It computes no positions.
 
 mod assur;
 mod demand;
@@ -32,36 +33,37 @@ pub use hodograph_scene::quantity::{Joined, Level, Need, joined};
 use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
 
-/// A thing whose place is to be found: a link (three freedoms) or a pin (two).
+/// A node with an unknown position: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Node {
     /// A link.
     Link(LinkId),
-    /// A pin: a point where links meet, that runs in a guide, or at which a cylinder ends.
+    /// A pin: a point at which links meet, that moves in a guide, or at which a cylinder ends.
     Pin(PointId),
 }
 
-/// A numbered link whose motion follows from others and which constrains nothing: a block with one pin, the barrel or
-/// the rod of a cylinder.
+/// A numbered link whose motion follows from others and which constrains nothing: a block with one
+/// pin, the barrel or the rod of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Passive {
     /// A block: turns with the link that carries its guide.
     Block(GuideId),
     /// Barrel or rod: turns with the line of the cylinder (index of the driver).
     Cylinder(usize),
-    /// A link that only repeats what the others fix, known by two of its pins: turns with their line. See [`Redundant`].
+    /// A link that only repeats other constraints, known by two of its pins: turns with their line.
+    /// See [`Redundant`].
     Held(PointId, PointId),
 }
 
-/// The mechanism: the scene's topology, worked out.
+/// The topology of a scene.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
     /// All constraints, in the order of the scene.
     pub constraints: Vec<Constraint>,
-    /// Which points are pins, in the order of the scene.
+    /// The points that are pins, in the order of the scene.
     pub pins: Vec<PointId>,
-    /// For each link: how it follows, if it is passive.
+    /// For each link the way it follows others, if it is passive.
     pub passive: Vec<Option<Passive>>,
     /// Mobility and pair counts.
     pub mobility: Mobility,
@@ -71,18 +73,20 @@ pub struct Mechanism {
     pub group_of_link: Vec<Option<usize>>,
     /// The group of each pin.
     pub group_of_pin: Vec<Option<usize>>,
-    /// The pairs that only repeat what the others fix, in the order in which they were opened. Whether they do is decided by lengths:
-    /// [`crate::position::redundant`].
+    /// The pairs that only repeat others, in the order in which they are opened. Lengths decide if
+    /// they do: [`crate::position::redundant`].
     pub redundant: Vec<Redundant>,
-    /// For each link, whether it is ground or keeps its direction for topological reasons (locked to ground by sliding pairs).
+    /// For each link, true if it is ground or keeps its direction for topological reasons (locked
+    /// to ground by sliding pairs).
     pub never_turns: Vec<bool>,
 }
 
 impl Mechanism {
-    /// Works out the topology of a scene.
+    /// Determines the topology of a scene.
     ///
     /// # Errors
-    /// Too few or too many drivers, overconstrained pairs, links joined to nothing: each with the links and joints named.
+    /// Too few or too many drivers, overconstrained pairs, links joined to nothing: each with the
+    /// links and joints named.
     pub fn new(scene: &Scene) -> Result<Warned<Mechanism>, Faults> {
         let passive = find_passive(scene);
         let mut faults = curved_sliders(scene, &passive);
@@ -98,14 +102,15 @@ impl Mechanism {
         let mut mechanism = Mechanism::opened(scene, opening.clone())?;
         let higher = |m: &Mechanism| m.groups.iter().any(|g| g.core == Core::Higher);
         if higher(&mechanism) {
-            // Another pair of gears may hold a distance that only one has to hold: that which leaves groups of a lower class.
+            // Another pair of gears may keep a distance that only one pair must keep: the one is
+            // chosen that leaves groups of a lower class.
             let other = |g| Mechanism::opened(scene, Opening { touches: Some(g), ..opening.clone() }).ok().filter(|m| !higher(m));
             mechanism = holding(scene).take(MOST_OPTIONAL).find_map(other).unwrap_or(mechanism);
         }
         Ok(Warned { value: mechanism, notes: Vec::new() })
     }
 
-    /// The mechanism without what is opened.
+    /// Creates the mechanism without the opened items.
     fn opened(scene: &Scene, opening: Opening) -> Result<Mechanism, Faults> {
         let (pins, constraints) = opening.pins_and_constraints(scene);
         let assignment = mobility::assign(scene, &opening.passive, &pins, &constraints)?;
@@ -129,17 +134,18 @@ impl Mechanism {
         Ok(mechanism)
     }
 
-    /// Whether a guide holds: one between gears may only say what other pairs say.
+    /// Returns true if a guide constrains: a guide between gears may only repeat other pairs.
     pub fn guide_holds(&self, guide: &Guide, id: GuideId) -> bool {
         self.keeps(id) && (guide.rolling.is_none() || self.constraints.iter().any(|c| c.item() == Item::Guide(id)))
     }
 
-    /// The path that keeps a rolling pair in touch, where it holds.
+    /// Returns the path that keeps a rolling pair in contact, if it constrains.
     pub fn path_of(&self, scene: &Scene, pair: RollingId) -> Option<GuideId> {
         scene.rolling[pair.0].guide().filter(|g| self.guide_holds(&scene.guides[g.0], *g))
     }
 
-    /// Guides between gears whose distance other pairs have to keep, without those along which a rack slides.
+    /// Returns the guides between gears whose distance other pairs must keep, without those along
+    /// which a rack slides.
     pub fn kept_apart<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = GuideId> + 'a {
         holding(scene).filter(|g| !self.guide_holds(&scene.guides[g.0], *g) && self.keeps(*g))
     }
@@ -148,17 +154,18 @@ impl Mechanism {
         !self.is_opened(&Opened::Guide(guide))
     }
 
-    /// Whether a link is a part of a pair, a block, a barrel or a rod, and has no form of its own.
+    /// Returns true if a link is a part of a pair (a block, a barrel or a rod) and has no form of
+    /// its own.
     pub fn is_passive(&self, l: LinkId) -> bool {
         matches!(self.passive[l.0], Some(Passive::Block(_) | Passive::Cylinder(_)))
     }
 
-    /// Whether a pair of the scene is opened because it only repeats what the others fix.
+    /// Returns true if a pair of the scene is opened because it only repeats others.
     pub fn is_opened(&self, what: &Opened) -> bool {
         self.redundant.iter().any(|r| r.opened == *what)
     }
 
-    /// The pins by which a link is known that only repeats what the others fix.
+    /// Returns the two pins of a link that only repeats other constraints.
     pub fn held(&self, l: LinkId) -> Option<(PointId, PointId)> {
         match self.passive[l.0] {
             Some(Passive::Held(a, b)) => Some((a, b)),
@@ -166,8 +173,9 @@ impl Mechanism {
         }
     }
 
-    /// The link whose turning a link shares for topological reasons: the carrier of its straight guide for a block, itself
-    /// otherwise. A block on a curved guide turns on its own account, see [`Mechanism::curved_block`].
+    /// Returns the link with which a link turns for topological reasons: for a block, the carrier
+    /// of its straight guide, otherwise the link itself. A block on a curved guide turns
+    /// separately, see [`Mechanism::curved_block`].
     pub fn turns_as(&self, scene: &Scene, l: LinkId) -> LinkId {
         match self.passive[l.0] {
             Some(Passive::Block(g)) if matches!(scene.guides[g.0].path, GuidePath::Line { .. }) => {
@@ -177,7 +185,8 @@ impl Mechanism {
         }
     }
 
-    /// For a block on a curved guide: its pin, the centre of curvature, and the link that carries the guide.
+    /// Returns, for a block on a curved guide, its pin, the centre of curvature, and the link that
+    /// carries the guide.
     pub fn curved_block(&self, scene: &Scene, l: LinkId) -> Option<(PointId, PointId, LinkId)> {
         let Some(Passive::Block(g)) = self.passive[l.0] else { return None };
         let guide = &scene.guides[g.0];
@@ -187,8 +196,8 @@ impl Mechanism {
         }
     }
 
-    /// The two pins with whose line a link turns, the first its own: the ends of its cylinder, or those by which it is known where it only repeats
-    /// others.
+    /// Returns the two pins with whose line a link turns, its own pin first: the ends of its
+    /// cylinder, or the two pins of a link that only repeats others.
     pub fn line_of(&self, scene: &Scene, l: LinkId) -> Option<(PointId, PointId)> {
         match (self.passive[l.0]?, self.held(l)) {
             (Passive::Cylinder(d), _) => scene.drivers[d].kind.ends_of(l).map(<(PointId, PointId)>::from),
@@ -196,7 +205,8 @@ impl Mechanism {
         }
     }
 
-    /// The group that places a node; ground and what only follows has none.
+    /// Returns the group that determines the position of a node; `None` for ground and passive
+    /// links.
     pub fn group_of(&self, n: Node) -> Option<usize> {
         match n {
             Node::Link(l) => self.group_of_link[l.0],
@@ -205,7 +215,7 @@ impl Mechanism {
     }
 }
 
-/// Up to so many gear pairs, each is tried as the one that keeps its centres apart.
+/// Number of gear pairs up to which each is tried as the one that keeps its centres apart.
 const MOST_OPTIONAL: usize = 16;
 
 fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
@@ -235,8 +245,8 @@ fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
     passive
 }
 
-/// On a curved guide only a block that carries nothing else is taken: any more of a link turns about the centre of
-/// curvature, which is a pin joint there and is to be written as one.
+/// A curved guide accepts only a block that carries nothing else: any other link turns about the
+/// centre of curvature, which is a pin joint there and must be written as one.
 fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
     let mut faults = Faults::default();
     for (i, guide) in scene.guides.iter().enumerate() {
@@ -263,7 +273,7 @@ fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
     faults
 }
 
-/// Barrel and rod of a cylinder only follow it: nothing else may be fixed by where they are.
+/// Barrel and rod of a cylinder only follow it: nothing else may depend on their position.
 fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Faults) {
     let part = |l: LinkId| matches!(passive[l.0], Some(Passive::Cylinder(_)));
     let guides = scene.guides.iter().map(|g| ([Some(g.on), g.slider], g.span));
@@ -303,7 +313,8 @@ fn find_pins(scene: &Scene, opening: &Opening) -> Vec<PointId> {
     (0..scene.points.len()).filter(|&p| is_pin[p]).map(PointId).collect()
 }
 
-/// The constraints of all items that stay closed. What joins a passive link is none: the link only follows.
+/// Returns the constraints of all items that stay closed. An item that joins a passive link is no
+/// constraint: the link only follows.
 fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<Constraint> {
     let on_links = pins.iter().flat_map(|&p| scene.carriers(p).map(move |l| Item::Pin(p, l)));
     let guides = scene.guides.iter().enumerate().filter(|(_, g)| !is_optional(scene, g)).map(|(i, _)| Item::Guide(GuideId(i)));
@@ -314,20 +325,20 @@ fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<C
     kept.flat_map(|item| constraints_of(scene, item)).filter(|c| !follows(c.ends().0) && !follows(c.ends().1)).collect()
 }
 
-/// Whether a guide keeps two gears in touch that other pairs may keep in touch already: their teeth touch on both sides, but the distance
-/// of their centres is, if anything holds it, not theirs.
+/// Returns true if a guide keeps two gears in contact that other pairs may already keep in contact:
+/// their teeth touch on both sides, but another pair may hold the distance of their centres.
 fn is_optional(scene: &Scene, guide: &Guide) -> bool {
     guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.leaves_distance())
 }
 
-/// The guides between gears that may have to keep them in touch.
+/// Returns the guides between gears that may be needed to keep them in contact.
 fn holding(scene: &Scene) -> impl Iterator<Item = GuideId> {
     let may = |g: &Guide| is_optional(scene, g) && !parallel::runs_along(scene, g);
     scene.guides.iter().enumerate().filter(move |(_, g)| may(g)).map(|(g, _)| GuideId(g))
 }
 
-/// Adds the guides that keep gears in touch where nothing else does: those whose equation can be matched besides all others. The one that the
-/// opening names comes first.
+/// Adds the guides that keep gears in contact if nothing else does: those whose equation can be
+/// matched in addition to all others. The guide that the opening names comes first.
 fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
     let passive = &opening.passive;
     let optional = holding(scene).filter(|g| opening.touches != Some(*g));

@@ -1,13 +1,18 @@
-//! Pairs that only repeat what the others fix 虚约束: which of them may be opened, so that every equation is matched.
+//! Selection of the pairs that only repeat others 虚约束 and may be opened, so that every equation
+//! is matched.
 //!
-//! Decided here, from topology alone: an equation that stays unmatched depends on its circuit; of the links, guides and
-//! double pins of that circuit the fewest are opened that leave as many equations as freedoms. Among several those are taken that leave no
-//! distance held twice by parallel guides ([`super::parallel`]), then those that leave the lowest class of groups, then the last in the
-//! file. Whether what is opened holds by itself is decided by lengths, in [`crate::position::redundant`]; topology cannot tell a third crank from a strut that locks the mechanism.
+//! This module decides from topology alone. An equation that stays unmatched depends on its
+//! circuit; of the links, guides and double pins of that circuit the fewest are opened that leave
+//! as many equations as freedoms. Of several such sets those are preferred that leave no distance
+//! held twice by parallel guides ([`super::parallel`]), then those that leave the lowest class of
+//! groups, then the last in the file. Lengths decide if an opened pair holds by itself, in
+//! [`crate::position::redundant`]: topology cannot distinguish a third crank from a strut that
+//! locks the mechanism.
 //!
-//! Where pairs leave some freedom by count, a circuit of two drivers or more has a driver too many, and is left to the diagnosis of that;
-//! but of equal planets on one arm all but the first repeat it whatever drives the train, and so does what holds a distance between parallel guides
-//! again.
+//! If pairs leave some freedom by count, a circuit of two drivers or more has a driver too many,
+//! which the diagnosis reports. Two kinds of pairs are redundant whatever drives the mechanism: of
+//! equal planets on one arm all but the first, and any pair that repeats a distance between
+//! parallel guides.
 
 use super::mobility::Matched;
 use super::{Constraint, Core, Item, Mechanism, Passive, find_constraints, find_pins, touching};
@@ -16,44 +21,46 @@ use hodograph_scene::{Guide, GuideId, LinkId, Normal, PointId, Rolling, RollingI
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
-/// What is opened.
+/// An opened item.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Opened {
-    /// A link, of which only two pins are looked at: it follows them ([`Passive::Held`]).
+    /// A link reduced to two pins: it follows them ([`Passive::Held`]).
     Link(LinkId),
-    /// A guide: its runner is held by others. That of a wheel on its track: its touching, the rolling stays.
+    /// A guide: its runner is held by others. For the guide of a wheel on its track the contact is
+    /// opened, the rolling remains.
     Guide(GuideId),
-    /// A rolling pair or a mesh: no slip follows from others.
+    /// A rolling pair or a mesh: the condition of no slip follows from others.
     Rolling(RollingId),
-    /// The second of two pins that join the same two links: both lie on one axis.
+    /// The second of two pins that join the same two links: both are on one axis.
     Pin(PointId, LinkId),
 }
 
-/// A pair that only repeats what the others fix, as far as topology can tell.
+/// A pair that only repeats others, as far as topology shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Redundant {
-    /// What is opened.
+    /// The opened item.
     pub opened: Opened,
-    /// How many equations it says too much.
+    /// Number of its redundant equations.
     pub equations: usize,
 }
 
-/// A scene's constraints with some of them opened.
+/// The constraints of a scene with some of them opened.
 #[derive(Clone)]
 pub(super) struct Opening {
     pub passive: Vec<Option<Passive>>,
     pub redundant: Vec<Redundant>,
-    /// The guide between gears that is the first to hold their distance, where another is.
+    /// The guide between gears that comes first in the selection of those that hold a distance;
+    /// `None` for the order of the scene.
     pub touches: Option<GuideId>,
 }
 
 impl Opening {
-    /// Whether a pair stays closed.
+    /// Returns true if a pair stays closed.
     pub fn keeps(&self, what: &Opened) -> bool {
         self.redundant.iter().all(|r| r.opened != *what)
     }
 
-    /// Whether an item's pair stays closed.
+    /// Returns true if an item's pair stays closed.
     pub fn keeps_item(&self, item: Item) -> bool {
         match item {
             Item::Pin(p, l) => self.keeps(&Opened::Pin(p, l)),
@@ -75,7 +82,7 @@ impl Opening {
         Matched::new(scene, &self.passive, &pins, &constraints)
     }
 
-    /// The same with one more pair opened.
+    /// Returns the opening with one more pair opened.
     fn with(&self, candidate: &Candidate) -> Opening {
         let mut opening = self.clone();
         if let (Opened::Link(l), [a, b, ..]) = (&candidate.opened, &candidate.pins[..]) {
@@ -86,7 +93,7 @@ impl Opening {
     }
 }
 
-/// What may be opened.
+/// A pair that may be opened.
 struct Candidate {
     opened: Opened,
     /// The pins of a link.
@@ -95,14 +102,16 @@ struct Candidate {
     span: Span,
 }
 
-/// At most so many equations are matched in all, which bounds the time whatever the size: a matching takes some microseconds for a
-/// textbook's mechanism of fifty equations, so some ten thousand sets of pairs are tried there.
+/// Greatest number of equations matched in all, which limits the time for any size: a matching
+/// takes some microseconds for a textbook mechanism of fifty equations, so some ten thousand sets
+/// of pairs are tried there.
 const MOST_MATCHED: usize = 500_000;
 
-/// At most so many pairs are opened together (the coupled axles of a locomotive repeat three).
+/// Greatest number of pairs opened together (the coupled axles of a locomotive repeat three).
 const MOST_OPENED: usize = 4;
 
-/// The fewest pairs whose opening leaves as many equations as freedoms; `None` where nothing but a driver can be left out.
+/// Returns the smallest set of opened pairs that leaves as many equations as freedoms; `None` if
+/// only a driver can be omitted.
 pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
     let matched = closed.matched(scene);
     let (pins, constraints) = closed.pins_and_constraints(scene);
@@ -125,7 +134,7 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
         let ranked = std::mem::take(&mut search.found)
             .into_iter()
             .filter_map(|o| Some((rank(scene, &Mechanism::opened(scene, o.clone()).ok()?), o)));
-        // The first of those of equal rank: candidates stand in the reverse order of the file.
+        // Of equal ranks the first is taken: candidates are in the reverse order of the file.
         if let Some((_, best)) = ranked.min_by_key(|r| r.0) {
             return Some(best);
         }
@@ -133,7 +142,8 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
     None
 }
 
-/// The same without guides that say a distance across parallel guides again, such as the touching of a roller and the second of two planks.
+/// Returns the opening without guides that repeat a distance across parallel guides, such as the
+/// contact of a roller or the second of two planks.
 fn between_parallels(scene: &Scene, mut opening: Opening, candidates: &[Candidate]) -> Opening {
     let still = scene.turning_with(scene.ground);
     let circles = |o: &Opening| super::parallel::circles(scene, &o.pins_and_constraints(scene).1, &still);
@@ -159,9 +169,10 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Finds all sets of `count` of the candidates whose opening leaves every equation matched, `unmatched` of which are not now, and no freedom open.
+    /// Finds all sets of `count` candidates whose opening leaves every equation matched and no
+    /// freedom open; `unmatched` is the number of equations not matched before.
     fn choose(&mut self, so_far: &Opening, candidates: &[Candidate], count: usize, unmatched: usize) {
-        // No `count` of them say more than this.
+        // No `count` candidates have more redundant equations than this.
         if count * candidates.iter().map(|c| c.equations).max().unwrap_or(0) < unmatched {
             return;
         }
@@ -188,18 +199,20 @@ impl Search<'_> {
     }
 }
 
-/// How many equations are repeated across parallel guides, how many groups are higher than class III, and how many are of class III: compared in this order.
+/// Returns the number of repeated distances across parallel guides, the number of groups above
+/// class III, and the number of groups of class III; compared in this order.
 fn rank(scene: &Scene, m: &Mechanism) -> [usize; 3] {
     let of = |class| m.groups.iter().filter(|g| g.class() == Some(class)).count();
     [super::parallel::circles(scene, &m.constraints, &m.never_turns), m.groups.iter().filter(|g| g.core == Core::Higher).count(), of("III")]
 }
 
-/// What may be opened, the last in the file first.
+/// Returns the items that may be opened, the last in the file first.
 fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidate> {
     let links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && closed.passive[l.0].is_none());
     let mut all: Vec<Candidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
     let driven = |g: usize| scene.drivers.iter().any(|d| d.kind.guide() == Some(GuideId(g)));
-    // Teeth keep a distance only where nothing else does; a wheel on its track may touch it because its axle keeps it there.
+    // Teeth keep a distance only if nothing else does; a wheel on its track may be in contact
+    // because its axle keeps it there.
     let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.leaves_distance());
     for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && !toothed(guide)) {
         let block = guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
@@ -226,7 +239,8 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
     all
 }
 
-/// The last mesh of every planet that has a fellow before it: on the same arm, in mesh with the same wheels, in the same ratios.
+/// Returns the last mesh of every planet that has an equal planet before it: on the same arm, in
+/// mesh with the same wheels, in the same ratios.
 fn equal_planets(scene: &Scene) -> Vec<Candidate> {
     let meshes = |l: LinkId| scene.rolling.iter().enumerate().filter(move |(_, r)| r.links.contains(&l));
     let ratios = |l: LinkId| -> Option<Vec<(LinkId, Option<usize>, f64)>> {
@@ -245,13 +259,14 @@ fn equal_planets(scene: &Scene) -> Vec<Candidate> {
     opened.map(|(r, span)| Candidate { opened: Opened::Rolling(r), pins: Vec::new(), equations: 1, span }).collect()
 }
 
-/// Whether a wheel has its axis on a link that is no wheel of a pair with it.
+/// Returns true if a wheel has its axis on a link that is no wheel of a pair with it.
 fn carries(scene: &Scene, arm: LinkId, wheel: LinkId) -> bool {
     let meets = scene.rolling.iter().any(|r| r.links.contains(&arm) && r.links.contains(&wheel));
     !meets && scene.links[wheel.0].points.iter().any(|p| scene.links[arm.0].points.contains(p))
 }
 
-/// The other wheel of a pair of circles, which of the two is hollow as this one sees it, and the ratio of their sizes.
+/// Returns the other wheel of a pair of circles, the index of the hollow wheel as seen from this
+/// one, and the ratio of their sizes.
 fn ratio(pair: &Rolling, wheel: LinkId) -> Option<(LinkId, Option<usize>, f64)> {
     let Touch::Point(Normal::Centres(_)) = pair.touch() else { return None };
     let radii = || pair.radii().map(|radii| radii.map(|r| r.value));
@@ -260,12 +275,12 @@ fn ratio(pair: &Rolling, wheel: LinkId) -> Option<(LinkId, Option<usize>, f64)> 
     Some((pair.links[1 - own], pair.hollow().map(|h| h ^ own), if own == 0 { a / b } else { b / a }))
 }
 
-/// A link that may be left to follow two of its pins: nothing but pins holds it, and nothing drives it.
+/// Returns a link that may be reduced to two of its pins: only pins hold it, and nothing drives it.
 fn as_follower(scene: &Scene, pins: &[PointId], l: LinkId) -> Option<Candidate> {
     let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l)) || scene.rolling.iter().any(|r| r.links.contains(&l));
     let driven = scene.drivers.iter().any(|d| d.kind.turns_link(l));
     let own: Vec<PointId> = scene.links[l.0].points.iter().copied().filter(|p| pins.contains(p)).collect();
-    // Two equations for each pin, and three freedoms go with the link.
+    // Each pin gives two equations, and the link takes three freedoms with it.
     let equations = (2 * own.len()).checked_sub(3).filter(|_| own.len() >= 2 && !slides && !driven)?;
     Some(Candidate { opened: Opened::Link(l), pins: own, equations, span: scene.links[l.0].span })
 }

@@ -1,8 +1,9 @@
-//! How many freedoms a mechanism has, counted from its links and pairs with every special case in a list of its own; and its groups for
-//! each possible driver.
+//! The degree of freedom of a mechanism, counted from its links and pairs with every special case
+//! listed separately; and its groups for each possible driver.
 //!
-//! F = 3n − (2 p_l + p_h − p′) − F′: a pin of k links counts k − 1 (compound hinge 复合铰链); F′ are local freedoms 局部自由度, of links that
-//! nothing else hangs on; p′ is what pairs say too much 虚约束, as far as topology can tell. No length is looked at here.
+//! F = 3n − (2 p_l + p_h − p′) − F′: a pin of k links counts k − 1 (compound hinge 复合铰链); F′
+//! are local freedoms 局部自由度, of links that carry nothing else; p′ is the number of redundant
+//! constraints 虚约束, as far as topology shows. No length is used here.
 //!
 //! # Source
 //! Sun Huan et al., *Mechanisms and Machine Theory* (机械原理), ch. 2.
@@ -11,18 +12,18 @@ use super::Mechanism;
 use super::redundant::{Opened, Opening, Redundant};
 use hodograph_scene::{Driver, DriverKind, Given, GuideId, LinkId, PointId, Scene};
 
-/// A link whose only pair is the pin about which it turns: its turning moves nothing else.
+/// A link whose only pair is the pin about which it turns: its rotation moves nothing else.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Local {
-    /// Its name.
+    /// Name of the link.
     pub link: String,
     /// The name of its pin.
     pub pin: String,
-    /// Whether it is the body of a bare pin that runs in two slots.
+    /// True if it is the body of a bare pin that moves in two slots.
     pub bare: bool,
 }
 
-/// What is counted.
+/// The counts of links and pairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Moving links n.
@@ -34,7 +35,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// F = 3n − (2 p_l + p_h − p′) − F′.
+    /// Returns F = 3n − (2 p_l + p_h − p′) − F′.
     ///
     /// ```
     /// use hodograph_mechanism::mechanism::Counts;
@@ -51,44 +52,47 @@ impl Counts {
 pub struct ForDrivers {
     /// The scene with these drivers.
     pub scene: Scene,
-    /// Whether they are those of the file.
+    /// True if they are the drivers of the file.
     pub given: bool,
     /// Its topology.
     pub mechanism: Mechanism,
 }
 
 impl ForDrivers {
-    /// The groups from the far end 拆杆组: the last that can be solved first; what is driven and what is only carried is none.
+    /// Returns the groups from the far end 拆杆组: the last group that can be solved comes first.
+    /// Driven and carried parts are no groups.
     pub fn from_the_far_end(&self) -> Vec<super::Assur<'_>> {
         self.mechanism.assur(&self.scene).into_iter().rev().filter(|g| g.class().is_some()).collect()
     }
 
-    /// The class of the mechanism: that of its highest group; `I` where there is none.
+    /// Returns the class of the mechanism: that of its highest group; `I` without groups.
     pub fn class(&self) -> &'static str {
         let groups = self.from_the_far_end();
         ["IV or higher", "III", "II"].into_iter().find(|c| groups.iter().any(|g| g.class() == Some(c))).unwrap_or("I")
     }
 
-    /// What the drivers move, one after the other: `2`, `slider C`; followers that cams lead are no drivers.
+    /// Returns the names of the parts that the drivers move: `2`, `slider C`; followers led by cams
+    /// are no drivers.
     pub fn names(&self) -> Vec<String> {
         (0..self.scene.drivers.len()).filter(|d| !self.scene.is_led(*d)).map(|d| self.scene.driver_name(d).0).collect()
     }
 }
 
-/// All that is counted.
+/// The results of the count.
 #[derive(Clone, Debug)]
 pub struct Survey {
-    /// As the pairs stand.
+    /// The counts before any special case.
     pub counts: Counts,
-    /// Pins that join three links or more, with how many.
+    /// Pins that join three links or more, with the number of links.
     pub compound: Vec<(PointId, usize)>,
-    /// Links that turn about their pin by themselves.
+    /// Links with a local freedom: they turn about their pin alone.
     pub local: Vec<Local>,
-    /// For each choice of drivers for which the mechanism moves as they say; the file's own first.
+    /// For each choice of drivers that determines the motion, the groups; the choice of the file
+    /// first.
     pub choices: Vec<ForDrivers>,
 }
 
-/// So many choices of drivers are tried at most.
+/// Greatest number of choices of drivers.
 const MOST_CHOICES: usize = 100;
 
 impl Survey {
@@ -97,11 +101,11 @@ impl Survey {
         Survey::driven_by(scene, 1)
     }
 
-    /// The same with so many drivers at least.
+    /// Counts a scene like [`Survey::of`], with at least `least` drivers.
     pub fn driven_by(scene: &Scene, least: usize) -> Survey {
         let (counts, compound, mut local) = counted(scene);
         let mut idle: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(|l| is_idle(scene, *l)).collect();
-        // Of discs on a pin that nothing else carries one stays, about which the others turn.
+        // Of discs on a pin that nothing else carries, one stays, about which the others turn.
         let on_nothing: Vec<LinkId> = (0..scene.points.len()).filter_map(|p| alone(scene, PointId(p), &idle)).collect();
         idle.retain(|l| !on_nothing.contains(l));
         local.extend(idle.iter().map(|l| {
@@ -125,20 +129,22 @@ impl Survey {
         Survey { counts, compound, local, choices }
     }
 
-    /// The counts without local freedoms and without those pairs of [`Survey::redundant`] that `repeat` others, every higher pair
-    /// replaced by a link with two lower pairs 高副低代.
+    /// Returns the counts without local freedoms and without those pairs of [`Survey::redundant`]
+    /// that `repeat` others, with every higher pair replaced by a link with two lower pairs
+    /// 高副低代.
     pub fn substituted(&self, repeat: impl Fn(usize) -> bool) -> Counts {
         let repeated: Vec<&Redundant> = self.redundant().iter().enumerate().filter(|(i, _)| repeat(*i)).map(|(_, r)| r).collect();
         substituted(self.choices.first().map(|c| &c.scene), self.counts, &self.local, &repeated)
     }
 
-    /// What only repeats others, as far as topology can tell.
+    /// Returns the pairs that only repeat others, as far as topology shows.
     pub fn redundant(&self) -> &[Redundant] {
         self.choices.first().map_or(&[], |c| &c.mechanism.redundant)
     }
 }
 
-/// Links and pairs as they stand. A bare pin in two slots is a body of its own, whose turning is a local freedom.
+/// Counts links and pairs as given. A bare pin in two slots is a separate body whose rotation is a
+/// local freedom.
 fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
     let closed = Opening { passive: super::find_passive(scene), redundant: Vec::new(), touches: None };
     let mobility = super::mobility::count(scene, &closed.pins_and_constraints(scene).1);
@@ -151,12 +157,13 @@ fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
             local.push(Local { link: pin.clone(), pin, bare: true });
         }
     }
-    // `count` takes the turning of such a pin for a pair more.
+    // `count` takes the rotation of such a pin as one more pair.
     let counts = Counts { moving: mobility.moving, lower: mobility.lower, higher: mobility.higher - local.len() };
     (counts, compound(scene), local)
 }
 
-/// Pins that join three links or more, with how many: each counts as one pair less than it joins links.
+/// Returns the pins that join three links or more, with the number of links: each counts as one
+/// pair less than the links that it joins.
 pub fn compound(scene: &Scene) -> Vec<(PointId, usize)> {
     let joined = |p: PointId| {
         let ends = scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p))).count();
@@ -166,8 +173,9 @@ pub fn compound(scene: &Scene) -> Vec<(PointId, usize)> {
     (0..scene.points.len()).map(PointId).map(|p| (p, joined(p))).filter(|(_, k)| *k > 2).collect()
 }
 
-/// Whether a link hangs on one pin of others and nothing else touches it: a roller about its own pin. It has no further point, as the
-/// last arm of an open chain has, and does not stand on the ground, where it may be driven.
+/// Returns true if a link is on one pin of others and nothing else touches it: a roller about its
+/// pin. It has no further point, unlike the last arm of an open chain, and is not pinned to the
+/// ground, where it may be driven.
 fn is_idle(scene: &Scene, l: LinkId) -> bool {
     let [pin] = scene.links[l.0].points[..] else { return false };
     let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l)) || scene.rolling.iter().any(|r| r.links.contains(&l));
@@ -177,14 +185,14 @@ fn is_idle(scene: &Scene, l: LinkId) -> bool {
     l != scene.ground && !grounded && scene.carriers(pin).count() > 1 && !slides && !driven
 }
 
-/// The first link on a pin that idle links alone carry.
+/// Returns the first link on a pin that only idle links carry.
 fn alone(scene: &Scene, pin: PointId, idle: &[LinkId]) -> Option<LinkId> {
     let first = scene.carriers(pin).next()?;
     let is_end = scene.drivers.iter().any(|d| d.kind.ends().is_some_and(|ends| ends.contains(&pin)));
     (!is_end && scene.carriers(pin).all(|l| idle.contains(&l))).then_some(first)
 }
 
-/// The same scene without some links, on which nothing hangs.
+/// Returns the scene without some links, which carry nothing.
 fn without(scene: &Scene, links: &[LinkId]) -> Scene {
     let mut rest = scene.clone();
     let place = |l: LinkId| LinkId(l.0 - links.iter().filter(|k| k.0 < l.0).count());
@@ -208,7 +216,8 @@ fn without(scene: &Scene, links: &[LinkId]) -> Scene {
     rest
 }
 
-/// What could be driven: every link that turns about a pivot on ground, every slider that runs on ground.
+/// Returns the possible drivers: every link that turns about a pivot on ground, every slider that
+/// runs on ground.
 fn possible(scene: &Scene) -> Vec<Driver> {
     let on_ground = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
     let span = scene.links[scene.ground.0].span;
@@ -231,7 +240,7 @@ fn same_drivers(a: &Scene, b: &Scene) -> bool {
     of(a) == of(b)
 }
 
-/// All sets of `count` of them, in order.
+/// Returns all sets of `count` drivers, in order.
 fn sets(all: &[Driver], count: usize) -> Vec<Vec<Driver>> {
     let mut found: Vec<Vec<usize>> = vec![Vec::new()];
     for _ in 0..count {
@@ -244,7 +253,7 @@ fn sets(all: &[Driver], count: usize) -> Vec<Vec<Driver>> {
     found.into_iter().map(|set| set.into_iter().map(|i| all[i].clone()).collect()).collect()
 }
 
-/// The scene is the one without idle links, in which the pairs are told.
+/// The scene is the one without idle links, which contains the pairs.
 fn substituted(scene: Option<&Scene>, counts: Counts, local: &[Local], repeated: &[&Redundant]) -> Counts {
     let Counts { mut moving, mut lower, mut higher } = counts;
     for _ in local.iter().filter(|l| !l.bare) {
@@ -252,7 +261,7 @@ fn substituted(scene: Option<&Scene>, counts: Counts, local: &[Local], repeated:
     }
     let Some(scene) = scene else { return replaced(Counts { moving, lower, higher }, local) };
     let opened: Vec<LinkId> = repeated.iter().filter_map(|r| if let Opened::Link(l) = r.opened { Some(l) } else { None }).collect();
-    // A pin joins so many links less; one alone it does not join.
+    // A pin joins one link less for each removed link; a single link is not joined.
     let gone = |p: PointId| scene.carriers(p).filter(|l| opened.contains(l)).count().min(scene.carriers(p).count().saturating_sub(1));
     moving -= opened.len();
     lower -= (0..scene.points.len()).map(|p| gone(PointId(p))).sum::<usize>();
@@ -273,7 +282,8 @@ fn substituted(scene: Option<&Scene>, counts: Counts, local: &[Local], repeated:
     replaced(Counts { moving, lower, higher }, local)
 }
 
-/// The same with every higher pair as a link with two lower pairs. The body of a bare pin becomes one of the two blocks.
+/// Returns the counts with every higher pair as a link with two lower pairs. The body of a bare pin
+/// becomes one of the two blocks.
 fn replaced(Counts { moving, lower, higher }: Counts, local: &[Local]) -> Counts {
     let bare = local.iter().filter(|l| l.bare).count().min(higher);
     Counts { moving: moving + higher - bare, lower: lower + 2 * higher - bare, higher: 0 }

@@ -1,19 +1,20 @@
-//! Locks of sliding pairs, each related to a link that is known instead of to the next one in the chain.
+//! Locks of sliding pairs, each related to a known link instead of the next link in the chain.
 //!
-//! A block in the slots of two links (Oldham's coupling) is locked to both. Pair by pair, the second link depends on the block and the
-//! block on the second link, which makes a group without a core. Both turn as the first link does; locked to that one, the group falls into
-//! dyads. The new equations are sums of the old ones, so the solutions are the same.
+//! A block in the slots of two links (Oldham's coupling) is locked to both. Pair by pair, the
+//! second link depends on the block and the block on the second link, which makes a group without a
+//! core. Both turn with the first link; locked to the first link, the group separates into dyads.
+//! The new equations are sums of the old ones, so the solutions are the same.
 
 use super::{Constraint, Core, Mechanism};
 use hodograph_scene::LinkId;
 
-/// The constraints with the locks of every group without a core said against a link that is known before the group; `None` where that
-/// changes nothing.
+/// Returns the constraints with the locks of every group without a core applied relative to a link
+/// that is known before the group; `None` if that changes nothing.
 pub(super) fn from_known_links(m: &Mechanism) -> Option<Vec<Constraint>> {
     let mut constraints = m.constraints.clone();
     for group in m.groups.iter().filter(|g| g.core == Core::Higher) {
         let of_group = |l: LinkId| group.links.contains(&l);
-        // For each link of the group that turns as a known one: that one.
+        // For each link of the group that turns with a known link: the known link.
         let mut turns_as: Vec<(LinkId, LinkId)> = Vec::new();
         loop {
             let before = turns_as.len();

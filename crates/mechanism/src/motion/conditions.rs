@@ -1,11 +1,13 @@
-//! The conditions that pairs and drivers put on the motion of one group, and their solution.
+//! The conditions of pairs and drivers on the motion of one group, and their solution.
 //!
-//! The forms of pairs ([`Form`]) come down to three: two points keep a distance, a point moves at a given rate along a direction of a
-//! body, a body turns against another at a given rate. Each is differentiated twice by hand; the same coefficients serve velocities,
-//! accelerations, and the derivatives of the closure equations.
+//! The forms of pairs ([`Form`]) reduce to three: two points keep a distance; a point moves at a
+//! given rate along a direction of a body; a body turns relative to another at a given rate. Each
+//! is differentiated twice by hand. The same coefficients serve velocities, accelerations, and the
+//! derivatives of the closure equations.
 //!
-//! Lengths are multiplied by a power of two near 1/(size of the group), so that the choice of pivots depends neither on the
-//! unit nor on what else is placed: scaling a scene by 2^k changes no digit, and neither does asking for more.
+//! Lengths are multiplied by a power of two near 1/(size of the group), so that the choice of
+//! pivots depends neither on the unit nor on other placed groups: scaling a scene by 2^k changes no
+//! digit, nor do further requests.
 
 mod reactions;
 
@@ -20,10 +22,10 @@ use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
 use hodograph_scene::{LinkId, PointId, RollingId, Scene, Touch};
 
-/// A point of a body: of one whose motion is known, or of an unknown of the group.
+/// A point of a body: of a body with known motion, or of an unknown of the group.
 #[derive(Clone, Copy)]
 enum Handle<N> {
-    /// Motion of the point, turning of its body, and what it is a point of.
+    /// Motion of the point, rotation of its body, and the node of the body.
     Known(LinkMotion<N>, Node),
     /// Unknowns (vx, vy, ω) from this index on, and the arm from the body's own point.
     Link(usize, Vec2<N>),
@@ -32,7 +34,7 @@ enum Handle<N> {
 }
 
 impl<N: Real> Handle<N> {
-    /// Adds ±k·v to a row; what is known goes to the other side, whose sum is returned.
+    /// Adds ±k·v to a row; returns the sum of the known terms, which belong to the other side.
     fn add(&self, row: &mut [N], k: Vec2<N>) -> N {
         match *self {
             Handle::Known(m, _) => return -k.dot(m.v),
@@ -65,7 +67,7 @@ impl<N: Real> Handle<N> {
         }
     }
 
-    /// The part of the acceleration that is not linear in the unknown accelerations.
+    /// Returns the part of the acceleration that is not linear in the unknown accelerations.
     fn bias(&self, q: &[N]) -> Vec2<N> {
         match *self {
             Handle::Known(m, _) => m.a,
@@ -77,17 +79,18 @@ impl<N: Real> Handle<N> {
 
 /// One scalar condition.
 enum Condition<N> {
-    /// k·(P relative to the body of Q, at Q's place) changes at `rate`, `acceleration`; k is fixed in the body of Q, and P
-    /// and Q are at one place: k·(v_P − v_Q) = ṡ, k·(a_P − a_Q − 2ω_Q × (v_P − v_Q)) = s̈.
+    /// k·(P relative to the body of Q, at the position of Q) changes at `rate`, `acceleration`; k
+    /// is fixed in the body of Q, and P and Q coincide: k·(v_P − v_Q) = ṡ, k·(a_P − a_Q − 2ω_Q ×
+    /// (v_P − v_Q)) = s̈.
     Along { p: Handle<N>, q: Handle<N>, k: Vec2<N>, rate: N, acceleration: N },
     /// The distance P − Q, times a weight w: u = w (P − Q), u·(v_P − v_Q) = w l l̇, u·(a_P − a_Q) + w |v_P − v_Q|² = w (l̇² + l l̈).
     Distance { p: Handle<N>, q: Handle<N>, u: Vec2<N>, weight: N, rate: N, acceleration: N },
-    /// The sum of the angular velocities of bodies, each times a number that stays.
+    /// The sum of the angular velocities of bodies, each multiplied by a constant factor.
     Turning { bodies: Vec<(Handle<N>, N)>, rate: N, acceleration: N },
 }
 
 impl<N: Real> Condition<N> {
-    /// The coefficients into `row`; returns the right-hand side of the velocities.
+    /// Writes the coefficients into `row` and returns the right-hand side of the velocities.
     fn row(&self, row: &mut [N]) -> N {
         match self {
             Condition::Along { p, q, k, rate, .. } => *rate + p.add(row, *k) + q.add(row, -*k),
@@ -106,7 +109,7 @@ impl<N: Real> Condition<N> {
         }
     }
 
-    /// The right-hand side of the accelerations, with the velocities `q`.
+    /// Returns the right-hand side of the accelerations, with the velocities `x`.
     fn acceleration(&self, x: &[N]) -> N {
         match self {
             Condition::Along { p, q, k, acceleration, .. } => {
@@ -133,7 +136,7 @@ pub(crate) struct Conditions<N> {
     list: Vec<Condition<N>>,
     /// For each condition its constraint (index into [`Mechanism::constraints`]).
     of: Vec<usize>,
-    /// Power of two that makes lengths of about one.
+    /// Power of two that scales lengths to about one.
     scale: f64,
     unknowns: usize,
 }
@@ -149,10 +152,11 @@ struct Builder<'a, N> {
 }
 
 impl<N: Real> Conditions<N> {
-    /// The conditions of a group whose upstream motion is known.
+    /// Creates the conditions of a group with known upstream motion.
     ///
     /// # Panics
-    /// If the group or what it rests on is not placed; it is asked for only where the demand placed it.
+    /// If the group or a part on which it depends is not placed; it is requested only where the
+    /// demand places it.
     pub(super) fn of_group(
         scene: &Scene,
         m: &Mechanism,
@@ -174,7 +178,7 @@ impl<N: Real> Conditions<N> {
         Conditions { links, pins, list, of, scale, unknowns }
     }
 
-    /// Velocities, and accelerations where they are wanted; `None` where a pivot may be zero.
+    /// Returns velocities, and accelerations if requested; `None` if a pivot may be zero.
     pub(super) fn solve(&self, accelerations: bool) -> Option<(Vec<N>, Vec<N>)> {
         let n = self.unknowns;
         let zero = N::from_f64(0.0);
@@ -195,7 +199,7 @@ impl<N: Real> Conditions<N> {
         Some((rhs, second))
     }
 
-    /// Hands the solution on to the groups that rest on this one.
+    /// Stores the solution for the groups that depend on this one.
     pub(super) fn store(&self, (v, a): &(Vec<N>, Vec<N>), motion: &mut Motion<N>) {
         let back = N::from_f64(1.0 / self.scale);
         let vec = |x: &[N], i: usize| Vec2::new(x[i], x[i + 1]) * back;
@@ -210,7 +214,8 @@ impl<N: Real> Conditions<N> {
     }
 }
 
-/// The largest distance of two points of the group (m), those on which it rests among them.
+/// Returns the largest distance of two points of the group (m), including those on which it
+/// depends.
 fn extent<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, group: &Group) -> f64 {
     let of_links = group.links.iter().flat_map(|l| scene.links[l.0].points.iter().copied());
     let of_pairs = group.constraints.iter().flat_map(|c| {
@@ -225,8 +230,8 @@ fn extent<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, group: &
     if lo.x > hi.x { 0.0 } else { (hi - lo).norm() }
 }
 
-/// The point of a link by whose motion it is described: one of its own, so that arms are short and an offset of all
-/// coordinates takes no digits.
+/// Returns the reference point of a link's motion: one of its own points, so that arms are short
+/// and an offset of all coordinates costs no digits.
 fn own_point<N: Real>(scene: &Scene, at: &Configuration<N>, l: LinkId) -> Point<N> {
     let points = scene.links[l.0].points.iter().find_map(|p| at.points[p.0]);
     let guided = || scene.guides.iter().filter(|g| g.on == l).find_map(|g| at.points[g.pin?.0]);
@@ -234,7 +239,7 @@ fn own_point<N: Real>(scene: &Scene, at: &Configuration<N>, l: LinkId) -> Point<
 }
 
 impl<N: Real> Builder<'_, N> {
-    /// The point of a link at a place.
+    /// Returns the point of a link at a position.
     fn body(&self, l: LinkId, place: Point<N>) -> Handle<N> {
         if let Some(i) = self.links.iter().position(|(k, _)| *k == l) {
             return Handle::Link(3 * i, (place - self.links[i].1) * self.scale);
@@ -256,22 +261,23 @@ impl<N: Real> Builder<'_, N> {
         LinkMotion { v: m.v * self.scale, a: m.a * self.scale, ..m }
     }
 
-    /// Both components of v_P = v_Q.
+    /// Adds both components of v_P = v_Q.
     fn together(&self, p: Handle<N>, q: Handle<N>, list: &mut Vec<Condition<N>>) {
         let zero = N::from_f64(0.0);
         for k in [Vec2::unit_x(), Vec2::unit_x().perp()] {
-            // P and Q stay at one place: whatever turns, nothing moves against it.
+            // P and Q stay coincident: no body moves relative to the other there, whatever turns.
             list.push(Condition::Along { p, q, k, rate: zero, acceleration: zero });
         }
     }
 
-    /// The turning of a link, times a number.
+    /// Returns the rotation of a link, multiplied by a factor.
     fn turns(&self, l: LinkId, factor: N) -> (Handle<N>, N) {
         (self.body(l, Point::origin()), factor)
     }
 
-    /// Both points at a contact have one velocity, and accelerations that differ along the normal only. Both wheels in a belt have one speed
-    /// at their rims, seen from the link that carries their centres.
+    /// Returns the condition of a rolling pair. Both points at a contact have equal velocities, and
+    /// accelerations that differ along the normal only. Both wheels in a belt have equal rim speeds
+    /// relative to the link that carries their centres.
     fn rolls(&self, pair: RollingId, links: [LinkId; 2]) -> Condition<N> {
         let (rolling, zero) = (&self.scene.rolling[pair.0], N::from_f64(0.0));
         match rolling.touch() {
@@ -289,7 +295,7 @@ impl<N: Real> Builder<'_, N> {
         }
     }
 
-    /// What runs in a guide, and where it is: its pin, or the slider itself.
+    /// Returns the runner of a guide, and its position: its pin, or the slider itself.
     fn runner(&self, runner: Runner) -> (Handle<N>, Point<N>) {
         match runner {
             Runner::Pin(p) => (self.pin(p), self.at.point(p)),
@@ -347,14 +353,14 @@ impl<N: Real> Builder<'_, N> {
     }
 }
 
-/// The condition of a distance, weighed with a power of two that makes u of about one: pivots compare with those of other
-/// conditions whatever the unit, and nothing is rounded.
+/// Returns the condition of a distance, weighted with a power of two that scales u to about one:
+/// pivots are then comparable with those of other conditions in any unit, and nothing is rounded.
 fn distance<N: Real>(p: Handle<N>, q: Handle<N>, u: Vec2<N>, rate: N, acceleration: N) -> Condition<N> {
     let weight = N::from_f64(power_of_two_scale(u.approx().norm()));
     Condition::Distance { p, q, u: u * weight, weight, rate: rate * weight, acceleration: acceleration * weight }
 }
 
-/// A matrix decomposed with row pivots; zeros that are exact cost nothing and add no error.
+/// A matrix decomposed with row pivots; exact zeros cost nothing and add no error.
 struct Lu<N> {
     n: usize,
     a: Vec<N>,
@@ -362,13 +368,14 @@ struct Lu<N> {
 }
 
 impl<N: Real> Lu<N> {
-    /// `None` where a pivot may be zero.
+    /// Decomposes a matrix; `None` if a pivot may be zero.
     fn of(mut a: Vec<N>, n: usize) -> Option<Lu<N>> {
         let mut rows: Vec<usize> = (0..n).collect();
         for k in 0..n {
             let pivot = (k..n).max_by(|&i, &j| {
                 let size = |i: usize| a[rows[i] * n + k].approx().abs();
-                // The first of equal ones: results do not depend on how a maximum is searched.
+                // Of equal pivots the first is taken: results do not depend on the order of a
+                // search.
                 size(i).total_cmp(&size(j)).then(j.cmp(&i))
             })?;
             rows.swap(k, pivot);
@@ -418,7 +425,7 @@ impl<N: Real> Lu<N> {
     }
 }
 
-/// Whether a coefficient is zero and nothing else.
+/// Returns true if a coefficient is exactly zero.
 fn is_zero<N: Real>(x: N) -> bool {
     x.approx() == 0.0 && x.radius() == 0.0
 }

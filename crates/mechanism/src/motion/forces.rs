@@ -1,10 +1,12 @@
-//! Reactions and balancing moments, group after group in the reverse of the kinematic order, in any number.
+//! Reactions and balancing moments, group by group in the reverse of the kinematic order, for any
+//! number type.
 //!
-//! The last group is solved first: its loads are known. What its outer pairs carry acts on the groups that it rests on, and so on to the drivers,
-//! whose moments and forces are the balancing ones. Each group is its kinematic system transposed ([`Conditions::reactions`]).
+//! The last group is solved first: its loads are known. The forces in its outer pairs act on the
+//! groups on which it depends, and so on to the drivers, whose moments and forces are the balancing
+//! ones. Each group is its transposed kinematic system ([`Conditions::reactions`]).
 //!
-//! A link that only follows (a block, barrel and rod of a cylinder) hands its loads to what it follows, by the same virtual power; its own reactions
-//! are found from its equilibrium afterwards.
+//! A passive link (a block, barrel and rod of a cylinder) passes its loads to the links that it
+//! follows, by the same virtual power; its own reactions follow from its equilibrium afterwards.
 
 use super::Motion;
 use super::conditions::{Acting, Conditions, Reaction};
@@ -19,13 +21,13 @@ use hodograph_scene::exact::Inputs;
 use hodograph_scene::quantity::{Forces, Wrench};
 use hodograph_scene::{GuideId, LinkId, Normal, PointId, RollingId, Scene, Touch};
 
-/// The mechanism in a pose, and how far it is asked for.
+/// The mechanism in a pose, with the demand.
 struct Posed<'a, N> {
     scene: &'a Scene,
     m: &'a Mechanism,
     at: &'a Configuration<N>,
     demand: &'a Demand,
-    /// All at rest: equilibrium asks no velocity.
+    /// A motion at rest: equilibrium needs no velocities.
     rest: Motion<N>,
 }
 
@@ -33,18 +35,19 @@ struct Posed<'a, N> {
 #[derive(Clone)]
 struct Found<N> {
     pins: Vec<(PointId, LinkId, Vec2<N>)>,
-    /// Force on what runs in a guide, and couple on a slider about its place.
+    /// Force on the runner of a guide, and couple on a slider about its position.
     guides: Vec<Option<Wrench<N>>>,
-    /// Force by which a driver pushes what runs in a guide.
+    /// Force by which a driver pushes the runner of a guide.
     pushes: Vec<Vec2<N>>,
     rolling: Vec<Option<Vec2<N>>>,
     drivers: Vec<N>,
 }
 
-/// The forces of an instant.
+/// Returns the forces at an instant.
 ///
 /// # Errors
-/// The group that has no equilibrium in the pose (a dead centre); none where what a load needs is not known, or the balancing force does no work.
+/// The group that has no equilibrium in the pose (a dead centre); `None` if a quantity that a load
+/// needs is not known, the forces are not determined, or the balancing force does no work.
 pub(super) fn forces<N: Real>(
     scene: &Scene,
     m: &Mechanism,
@@ -68,7 +71,7 @@ pub(super) fn forces<N: Real>(
     Ok(Forces { smooth: Some(power), ..posed.told(rough, &rubbing) })
 }
 
-/// The reactions under all loads, with the force that keeps the balance.
+/// The reactions under all loads, with the force that maintains the balance.
 struct Whole<N> {
     loads: Vec<Load<N>>,
     teeth: Vec<Load<N>>,
@@ -84,7 +87,8 @@ impl<N: Real> Found<N> {
 }
 
 impl<N: Real> Posed<'_, N> {
-    /// The reactions under loads and the balancing force, teeth pressed apart.
+    /// Returns the reactions under loads, the balancing force and the forces that press teeth
+    /// apart.
     fn whole(&self, loads: &[Load<N>]) -> Result<Whole<N>, Option<usize>> {
         let Posed { scene, at, .. } = *self;
         let mut loads = loads.to_vec();
@@ -93,7 +97,7 @@ impl<N: Real> Posed<'_, N> {
         let power = scene.drivers.iter().zip(&found.drivers).fold(N::from_f64(0.0), |sum, (d, x)| sum + *x * rate.number(&d.rate));
         let mut balance = None;
         if let Some(unit) = unit_balance(scene, at) {
-            // One driver: its moment is taken over by the load that does the same work.
+            // One driver: the load that does the same work replaces its moment.
             let (own, by_unit) = (*found.drivers.first().ok_or(None)?, *self.balanced(&[unit])?.drivers.first().ok_or(None)?);
             if by_unit.approx().abs() <= by_unit.radius() || by_unit.approx() == 0.0 {
                 return Err(None);
@@ -114,7 +118,7 @@ impl<N: Real> Posed<'_, N> {
         Ok(Whole { loads, teeth, found, balance, power })
     }
 
-    /// The reactions under loads.
+    /// Returns the reactions under loads.
     fn balanced(&self, loads: &[Load<N>]) -> Result<Found<N>, Option<usize>> {
         let Posed { scene, m, at, .. } = *self;
         let zero = N::from_f64(0.0);
@@ -174,7 +178,7 @@ impl<N: Real> Posed<'_, N> {
                         }
                     }
                     (Form::Related { pair, .. }, Reaction::Force(force)) => found.rolling[pair.0] = Some(force),
-                    // The moment that a belt or a chain passes on is no force at a place.
+                    // The moment that a belt or a chain transmits is no force at a point.
                     (Form::Related { .. }, Reaction::Couple(_)) => {}
                     (Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. }, Reaction::Couple(_))
                     | (Form::Angles { .. }, Reaction::Force(_)) => {}
@@ -183,7 +187,7 @@ impl<N: Real> Posed<'_, N> {
         }
         self.share(&couples, &mut found);
         for (g, guide) in scene.guides.iter().enumerate() {
-            // The pin of a slider is pressed on by the slider; the guide presses on the slider.
+            // The slider presses on its pin; the guide presses on the slider.
             if let (Some(p), Some(s), Some(w)) = (guide.pin, guide.slider, found.guides[g])
                 && m.passive[s.0].is_none()
                 && let Some(pin) = found.pins.iter_mut().find(|(at, l, _)| (*at, *l) == (p, s))
@@ -197,7 +201,7 @@ impl<N: Real> Posed<'_, N> {
         Ok(found)
     }
 
-    /// The place of what runs in a guide.
+    /// Returns the position of the runner of a guide.
     fn place(&self, runner: Runner, guide: GuideId) -> Option<hodograph_base::geom::Point<N>> {
         match runner {
             Runner::Pin(p) => self.at.points[p.0],
@@ -208,8 +212,8 @@ impl<N: Real> Posed<'_, N> {
         }
     }
 
-    /// The couples of guides on their sliders, from those of the locks: a lock may stand for another pair of the links that turn together, which
-    /// are a tree.
+    /// Computes the couples of guides on their sliders from those of the locks: a lock may
+    /// represent another pair of the links that turn together, which form a tree.
     fn share(&self, couples: &[(GuideId, LinkId, LinkId, N)], found: &mut Found<N>) {
         let zero = N::from_f64(0.0);
         let mut net = vec![zero; self.scene.links.len()];
@@ -230,7 +234,7 @@ impl<N: Real> Posed<'_, N> {
         }) {
             let (g, slider, on) = open[k];
             let leaf = open.iter().filter(|(_, s, o)| *s == slider || *o == slider).count() == 1;
-            // Only this guide's couple acts on the leaf.
+            // Only the couple of this guide acts on the leaf.
             let couple = if leaf { net[slider.0] } else { -net[on.0] };
             net[slider.0] = net[slider.0] - couple;
             net[on.0] = net[on.0] + couple;
@@ -240,7 +244,7 @@ impl<N: Real> Posed<'_, N> {
         }
     }
 
-    /// Hands the loads of a link that only follows to what it follows.
+    /// Passes the loads of a passive link to the links that it follows.
     fn handed_on(&self, l: LinkId, kind: Passive, own: &Acting<N>, acting: &mut Acting<N>) -> Option<()> {
         match kind {
             Passive::Block(g) => {
@@ -272,7 +276,7 @@ impl<N: Real> Posed<'_, N> {
         Some(())
     }
 
-    /// The reactions on a link that only follows.
+    /// Computes the reactions on a passive link.
     fn follower(&self, l: LinkId, kind: Passive, own: &Acting<N>, pulls: &[(PointId, Vec2<N>)], found: &mut Found<N>) -> Option<()> {
         match kind {
             Passive::Block(g) => {
@@ -289,7 +293,8 @@ impl<N: Real> Posed<'_, N> {
             }
             Passive::Cylinder(d) => {
                 let [a, _] = self.scene.drivers[d].kind.ends_of(l)?;
-                // All that the parts of the cylinder do at this pin, of which only this one is held there.
+                // The total force of the cylinder's parts at this pin, where only this part is
+                // held.
                 let mut at_pin = pulls.iter().filter(|(p, _)| *p == a).fold(Vec2::zero(), |sum, (_, f)| sum + *f);
                 for part in self.scene.drivers[d].kind.parts() {
                     let [p, q] = self.scene.drivers[d].kind.ends_of(*part)?;
@@ -310,7 +315,7 @@ impl<N: Real> Posed<'_, N> {
         let guides = with_friction(found.guides(), rubbing);
         let rolling = found.rolling.into_iter().enumerate().filter_map(|(r, force)| {
             let pair = RollingId(r);
-            // A guide of its own holds the wheels in touch: the two parts are one force.
+            // A separate guide holds the wheels in contact: the two parts are one force.
             let apart = self.scene.rolling[r].guide().and_then(|g| guides.iter().find(|(own, _)| *own == g)).map(|(_, w)| w.force);
             let toward = match self.scene.rolling[r].touch() {
                 Touch::Point(Normal::Centres(_) | Normal::Square { .. }) => apart.unwrap_or(Vec2::zero()),
@@ -332,7 +337,8 @@ impl<N: Real> Posed<'_, N> {
     }
 }
 
-/// The force at the end of the line d which, with its opposite at the start, has the moment of a couple: d⊥ C/d².
+/// Returns the force at the end of the line d which, with its opposite at the start, has the moment
+/// of a couple: d⊥ C/d².
 fn pair_of<N: Real>(d: Vec2<N>, couple: N) -> Vec2<N> {
     d.perp() * (couple / d.norm2())
 }

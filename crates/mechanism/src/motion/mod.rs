@@ -1,11 +1,13 @@
-//! The Assur program: velocities and accelerations group after group, in any number.
+//! The Assur program: velocities and accelerations group after group, for any number type.
 //!
-//! Each group's links and pins are the unknowns of one small linear system ([`conditions`]); what lies upstream is known.
-//! The cost grows with the number of groups, not with its cube, and only what the demand reaches is solved. The formulas
-//! are written over [`Real`]: in numbers that know their error every answer comes with a bound of it.
+//! The links and pins of a group are the unknowns of one small linear system ([`conditions`]);
+//! everything upstream is known. The cost grows linearly with the number of groups, and only the
+//! groups that the demand covers are solved. The formulas are written over [`Real`]: in numbers
+//! that know their error every answer has an error bound.
 //!
-//! The loop equations of `analytic` are not used here, nor is this used there: all rows at once in `f64` are the
-//! check of the drawing, group by group in a ladder of numbers is what certifies the printed digits.
+//! This module and the loop equations of `analytic` do not use each other: all rows at once in
+//! `f64` check the drawing, and the solution group by group in the precision ladder certifies the
+//! printed digits.
 
 pub(crate) mod conditions;
 mod forces;
@@ -23,56 +25,58 @@ use hodograph_scene::{LinkId, PointId, Scene};
 /// Motion of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkMotion<N = f64> {
-    /// A place of the link (m).
+    /// A point of the link (m).
     pub at: Point<N>,
-    /// Its velocity (m/s).
+    /// Velocity of the point (m/s).
     pub v: Vec2<N>,
-    /// ω (rad/s), counter-clockwise plus.
+    /// ω (rad/s), counter-clockwise positive.
     pub omega: N,
-    /// Its acceleration (m/s²).
+    /// Acceleration of the point (m/s²).
     pub a: Vec2<N>,
-    /// α (rad/s²), counter-clockwise plus.
+    /// α (rad/s²), counter-clockwise positive.
     pub alpha: N,
 }
 
 impl<N: Real> LinkMotion<N> {
-    /// Nothing moves.
+    /// Returns a motion at rest.
     pub fn rest(at: Point<N>) -> Self {
         let zero = N::from_f64(0.0);
         LinkMotion { at, v: Vec2::zero(), omega: zero, a: Vec2::zero(), alpha: zero }
     }
 
-    /// v of the link's point at a place: v + ω × r.
+    /// Returns the velocity of the link's point at a position: v + ω × r.
     pub fn velocity_at(&self, place: Point<N>) -> Vec2<N> {
         self.v + (place - self.at).perp() * self.omega
     }
 
-    /// a of the link's point at a place: a + α × r − ω² r.
+    /// Returns the acceleration of the link's point at a position: a + α × r − ω² r.
     pub fn acceleration_at(&self, place: Point<N>) -> Vec2<N> {
         let r = place - self.at;
         self.a + r.perp() * self.alpha - r * (self.omega * self.omega)
     }
 }
 
-/// Motion of everything the demand reaches.
+/// Motion of everything that the demand covers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion<N = f64> {
     links: Vec<Option<LinkMotion<N>>>,
-    /// For each pin (m/s, m/s²).
+    /// For each pin velocity and acceleration (m/s, m/s²).
     pins: Vec<Option<(Vec2<N>, Vec2<N>)>>,
     points: Vec<Option<Point<N>>>,
     carriers: Vec<Vec<LinkId>>,
-    /// How many groups were solved, for velocities and for accelerations.
+    /// Number of groups solved, for velocities and for accelerations.
     pub groups: [usize; 2],
-    /// Groups (indices into [`Mechanism::groups`]) that have no single solution in the numbers used.
+    /// Groups (indices into [`Mechanism::groups`]) without a unique solution in these numbers.
     pub singular: Vec<usize>,
-    /// Reactions and balancing moments, where they are asked for and determined.
+    /// Reactions and balancing moments, if requested and determined.
     forces: Option<Forces<N>>,
-    /// The group that has no equilibrium in the pose, where forces are asked for: its reactions are unbounded, or not determined.
+    /// The group that has no equilibrium in the pose, if forces are requested: its reactions are
+    /// unbounded, or not determined.
     pub unbalanced: Option<usize>,
 }
 
-/// A number in which motions are solved: [`solve`] as a method of it, compiled here once and not in every crate that asks (see [`Placed`]).
+/// A number type in which motions are solved: [`solve`] as a method of it, compiled here once and
+/// not in every calling crate (see [`Placed`]).
 pub trait Moved: Placed {
     /// See [`solve`].
     fn solve(scene: &Scene, m: &Mechanism, at: &Configuration<Self>, demand: &Demand) -> Motion<Self>;
@@ -90,10 +94,11 @@ macro_rules! compiled {
 
 compiled!(f32, f64, Dd, Big, Ball<f64>, Ball<Dd>, Ball<Big>);
 
-/// Solves the groups that the demand reaches, each up to the level at which it is asked for.
+/// Solves the groups that the demand covers, each up to its requested level.
 ///
-/// A group whose matrix has a pivot that may be zero (a dead centre, a change point, or a pose too close to one for the
-/// numbers used) is left without motion and listed in [`Motion::singular`], and so is all that rests on it.
+/// A group with a pivot that may be zero (a dead centre, a change point, or a pose too close to one
+/// for the number type) stays without motion and is listed in [`Motion::singular`], as is
+/// everything that depends on it.
 pub fn solve<N: Moved>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> Motion<N> {
     N::solve(scene, m, at, demand)
 }
@@ -145,7 +150,7 @@ fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: 
 }
 
 impl<N: Real> Motion<N> {
-    /// A pose in which nothing moves.
+    /// Returns the motion of a pose at rest.
     fn at_rest(scene: &Scene, at: &Configuration<N>) -> Motion<N> {
         Motion {
             links: vec![Some(LinkMotion::rest(Point::origin())); scene.links.len()],
@@ -159,7 +164,7 @@ impl<N: Real> Motion<N> {
         }
     }
 
-    /// Velocity and acceleration of a pin, or of a point that only one link carries.
+    /// Returns velocity and acceleration of a pin, or of a point that only one link carries.
     fn at_point(&self, p: PointId) -> Option<(Vec2<N>, Vec2<N>)> {
         self.pins[p.0].or_else(|| {
             let place = self.points[p.0]?;
@@ -168,7 +173,8 @@ impl<N: Real> Motion<N> {
         })
     }
 
-    /// A block turns with its guide, or with the radius to its pin; barrel and rod turn with the line of their cylinder, each about its own pin.
+    /// Returns the motion of a passive link: a block turns with its guide, or with the radius to
+    /// its pin; barrel and rod turn with the line of their cylinder, each about its own pin.
     fn following(&self, scene: &Scene, at: &Configuration<N>, (l, passive): (LinkId, Passive)) -> Option<LinkMotion<N>> {
         match passive {
             Passive::Block(g) => {
@@ -191,7 +197,7 @@ impl<N: Real> Motion<N> {
         }
     }
 
-    /// The motion of the line of two points.
+    /// Returns the motion of the line of two points.
     fn of_line(&self, at: &Configuration<N>, a: PointId, b: PointId) -> Option<LinkMotion<N>> {
         let ((va, aa), (vb, ab)) = (self.at_point(a)?, self.at_point(b)?);
         let place = at.points[a.0]?;
@@ -200,7 +206,8 @@ impl<N: Real> Motion<N> {
     }
 }
 
-/// (ω, α) of the line d whose end moves by v and a against its start: ω d² = d × v, α d² = d × a − 2 ω d·v.
+/// Returns (ω, α) of the line d whose end moves with v and a relative to its start: ω d² = d × v, α
+/// d² = d × a − 2 ω d·v.
 fn turning_of_line<N: Real>(d: Vec2<N>, v: Vec2<N>, a: Vec2<N>) -> (N, N) {
     let d2 = d.norm2();
     let omega = d.cross(v) / d2;

@@ -1,4 +1,4 @@
-//! Assembles a configuration: places the groups one after the other in solving order.
+//! Assembly of a configuration: places the groups one after the other in solving order.
 
 use super::branch::{self, Trial};
 use super::shape::{self, Frame, LinkShape, given_place};
@@ -33,7 +33,7 @@ pub(super) fn later<'a, N: Real>(
     let moving = |p: &PointId| !scene.links[scene.ground.0].points.contains(p);
     let posed = (0..scene.points.len()).map(PointId).find(|p| moving(p) && matches!(scene.points[p.0].place, Place::At(_)));
     let silent = scene.drivers.iter().any(|d| d.kind.position().is_none());
-    // A link that only glides, without a point of its own, is laid anywhere along its guide.
+    // A link that only glides, without a point, has an arbitrary position along its guide.
     let pointless = mechanism.groups.iter().flat_map(|g| &g.links).any(|l| scene.links[l.0].points.is_empty());
     if posed.is_some() || silent || pointless {
         return Err(Diagnostic::error(
@@ -49,24 +49,25 @@ pub(super) fn later<'a, N: Real>(
     Ok(a.place(demand)?.settled().into_configuration())
 }
 
-/// An assembly under way: what is placed so far.
+/// An assembly in progress: the parts placed so far.
 pub(super) struct Assembly<'a, N> {
     pub scene: &'a Scene,
     pub m: &'a Mechanism,
     pub inputs: Inputs<'a, N>,
-    /// The assembly that is meant, where it is known already and only its numbers are wanted better.
+    /// The known assembly, if only its numbers are to be improved.
     pub meant: Option<&'a Configuration>,
-    /// The configuration at the scene's instant, where the assembly is one of a later time.
+    /// The configuration at the scene's instant, for an assembly at a later time.
     pub instant: Option<&'a Configuration<N>>,
     pub shapes: Vec<LinkShape<N>>,
     pub points: Vec<Option<Point<N>>>,
     pub poses: Vec<Option<Pose<N>>>,
     pub guides: Vec<Option<Path<N>>>,
-    /// For each group the closure taken.
+    /// For each group the index of the closure taken.
     pub closures: Vec<usize>,
-    /// Groups whose closure nothing in the scene decides, with the number of their closures.
+    /// Groups with a closure that nothing in the scene determines, with the number of their
+    /// closures.
     pub open: Vec<(usize, usize)>,
-    /// One of them, and which of its closures is taken instead of the first.
+    /// One of these groups, and the index of the closure that is taken instead of the first.
     pub instead: Option<(usize, usize)>,
     pub faults: Faults,
     pub notes: Vec<Diagnostic>,
@@ -119,17 +120,17 @@ impl<'a, N: Real> Assembly<'a, N> {
         a
     }
 
-    /// Group after group.
+    /// Places group after group.
     pub(super) fn place(self, demand: &Demand) -> Result<Self, Faults> {
         self.go(demand).closed()
     }
 
-    /// Itself, where nothing went wrong.
+    /// Returns the assembly if there are no errors.
     pub(super) fn closed(self) -> Result<Self, Faults> {
         if self.faults.has_errors() { Err(self.faults) } else { Ok(self) }
     }
 
-    /// Group after group, as far as it goes.
+    /// Places group after group, as far as possible.
     pub(super) fn go(mut self, demand: &Demand) -> Self {
         if self.faults.has_errors() {
             return self;
@@ -151,12 +152,13 @@ impl<'a, N: Real> Assembly<'a, N> {
         self
     }
 
-    /// The pose of a link in the assembly that is meant.
+    /// Returns the pose of a link in the known assembly.
     pub(super) fn known_pose(&self, link: LinkId) -> Option<Pose> {
         self.meant.and_then(|m| m.poses[link.0])
     }
 
-    /// A guide in the plane; where its link's form alone does not give it, from the pose and the pin's place.
+    /// Returns a guide in the plane: from the shape of its link if that suffices, otherwise from
+    /// the pose and the position of the pin.
     pub(super) fn guide_in_plane(&self, g: GuideId) -> Option<Path<N>> {
         let guide = &self.scene.guides[g.0];
         let pose = self.poses[guide.on.0]?;
@@ -194,7 +196,7 @@ impl<'a, N: Real> Assembly<'a, N> {
                 let through = match through {
                     Through::Point(p) => pose.to_world(self.shapes[guide.on.0].local(*p)?),
                     Through::At([x, y]) => Point::new(self.inputs.number(x), self.inputs.number(y)),
-                    // A slider without a pin of its own keeps whatever distance it has: the line may lie anywhere.
+                    // A slider without a pin keeps any distance that it has: the line is arbitrary.
                     Through::Pin if guide.pin.is_none() => pose.origin,
                     Through::Pin => pin?,
                 };
@@ -204,7 +206,7 @@ impl<'a, N: Real> Assembly<'a, N> {
         }
     }
 
-    /// The guide in the plane, or what is missing.
+    /// Returns the guide in the plane, or a diagnostic about the missing data.
     pub(super) fn need_guide(&self, g: GuideId) -> Result<Path<N>, Diagnostic> {
         self.guide_in_plane(g).ok_or_else(|| {
             let message = both!(
@@ -224,7 +226,8 @@ impl<'a, N: Real> Assembly<'a, N> {
     }
 
     pub(super) fn solve(&mut self, index: usize, group: &Group) -> Result<(), Diagnostic> {
-        // What the scene gives by coordinates is taken as given; links with two such points lie in the plane's own frame.
+        // Coordinates in the scene are taken as given; the frame of a link with two such points is
+        // that of the plane.
         let given_pins: Vec<(PointId, Point<N>)> =
             group.pins.iter().filter_map(|p| given_place(self.scene, &self.inputs, *p).map(|at| (*p, at))).collect();
         for &(p, at) in &given_pins {
@@ -263,7 +266,8 @@ impl<'a, N: Real> Assembly<'a, N> {
         let scene = self.scene;
         let names = || names_of(scene, group);
         let pick = match self.meant {
-            // Where `f64` could not see which closure is which, these numbers choose again, by the same rules.
+            // If `f64` cannot distinguish the closures, these numbers choose again, by the same
+            // rules.
             Some(meant) => {
                 let again = N::refines() && branch::alike(&trials, meant.extent());
                 let chosen = if again { branch::choose(self.scene, &self.points, &trials, 0, &names).ok() } else { None };
@@ -278,7 +282,7 @@ impl<'a, N: Real> Assembly<'a, N> {
             }
         };
         self.closures[index] = pick;
-        // Coordinates may have left one of several closures only.
+        // Coordinates may leave only one of several closures.
         let pick = pick.min(trials.len() - 1);
         let chosen = trials.into_iter().nth(pick).expect("the chosen closure is one of the trials");
         for (l, pose) in chosen.poses {
@@ -292,7 +296,7 @@ impl<'a, N: Real> Assembly<'a, N> {
         Ok(())
     }
 
-    /// Where pins of the group have coordinates, only the pose that puts the link there is meant.
+    /// If pins of the group have coordinates, returns only the pose that puts the link there.
     pub(super) fn nearest_to_given(&self, link: LinkId, given: &[(PointId, Point<N>)], poses: Vec<Pose<N>>) -> Vec<Pose<N>> {
         let off = |pose: &Pose<N>| -> f64 {
             given.iter().filter_map(|(p, at)| Some((pose.to_world(self.shapes[link.0].local(*p)?) - *at).approx().norm2())).sum()
@@ -303,7 +307,7 @@ impl<'a, N: Real> Assembly<'a, N> {
         poses.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).into_iter().collect()
     }
 
-    /// Collects a closure: adds the points of all its links.
+    /// Returns a closure with the points of all its links.
     pub(super) fn trial(&self, pins: Vec<(PointId, Point<N>)>, poses: Vec<(LinkId, Pose<N>)>) -> Trial<N> {
         let mut points = pins;
         points.reserve(poses.iter().map(|(l, _)| self.shapes[l.0].points.len()).sum());
@@ -317,7 +321,7 @@ impl<'a, N: Real> Assembly<'a, N> {
         Trial { points, poses }
     }
 
-    /// The pose of a link from two of its points.
+    /// Returns the pose of a link from two of its points.
     pub(super) fn pose_from_points(&self, l: LinkId, a: (PointId, Point<N>), b: (PointId, Point<N>)) -> Result<Pose<N>, Diagnostic> {
         if self.shapes[l.0].frame == Frame::Plane {
             return Ok(Pose::ground());
@@ -350,7 +354,8 @@ impl<'a, N: Real> Assembly<'a, N> {
                     let pose = if let Some(pose) = self.poses[link.0] {
                         pose
                     } else if !stated && matches!(self.scene.points[pin.0].place, Place::At(_)) {
-                        // Coordinates of the pin show how far the slider is: the slot is laid over them.
+                        // Coordinates of the pin determine the slider's position: the slot is
+                        // placed over them.
                         let poses = self.poses_of_lever(link, far, pin, guide)?;
                         poses.into_iter().next().ok_or_else(|| self.no_closure(link))?
                     } else {
@@ -385,7 +390,7 @@ impl<'a, N: Real> Assembly<'a, N> {
         Ok(self.trial(pins, poses))
     }
 
-    /// Place of a pin that an earlier group placed.
+    /// Returns the position of a pin that an earlier group placed.
     pub(super) fn known(&self, p: PointId) -> Point<N> {
         self.points[p.0].expect("groups come after those they need")
     }
@@ -396,7 +401,7 @@ impl<'a, N: Real> Assembly<'a, N> {
             .at(self.scene.guides[g.0].span)
     }
 
-    /// Where a driven runner is in the frame of the link that carries its guide.
+    /// Returns the position of a driven runner in the frame of the link that carries its guide.
     pub(super) fn runner_in_link(&self, link: LinkId, guide: GuideId, driver: usize) -> Result<Point<N>, Diagnostic> {
         let path = self.guides[guide.0].ok_or_else(|| {
             Diagnostic::error(
@@ -422,7 +427,7 @@ impl<'a, N: Real> Assembly<'a, N> {
     }
 }
 
-/// The links of a group for a sentence that begins with "link".
+/// Returns the links of a group for a sentence that begins with "link".
 pub(super) fn names_of(scene: &Scene, group: &Group) -> Both {
     let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();
     match names[..] {

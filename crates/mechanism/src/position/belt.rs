@@ -1,4 +1,5 @@
-//! The strand between two wheels of a belt or chain: where it runs off the one and onto the other; and the direction of a rope.
+//! The strand between two wheels of a belt or chain, with its points of tangency; and the direction
+//! of a rope.
 
 use super::{Configuration, Path};
 use hodograph_base::diag::{Diagnostic, both};
@@ -7,16 +8,17 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::{Given, Guide, GuideId, PointId, Rolling, Scene};
 
-/// The normal m of the strand left of the line of centres, away from the first of them, as cosine and sine of its angle from that line: the strand
-/// lies at the radius from either centre, so that (B − A)·m = ρ₁ + ρ₂ with the signed sizes of [`Rolling::sizes`]. `None` for wheels that lie
-/// one inside the other.
+/// Returns the normal m of the strand on the left of the line of centres, pointing away from the
+/// first centre, as cosine and sine of its angle from that line. The distance of the strand from
+/// either centre is the radius, so (B − A)·m = ρ₁ + ρ₂ with the signed sizes of [`Rolling::sizes`].
+/// `None` if one wheel is inside the other.
 pub fn normal<N: Real>([r1, r2]: [N; 2], distance: N) -> Option<[N; 2]> {
     let cos = (r1 + r2) / distance;
     let square = N::from_f64(1.0) - cos * cos;
     (square.approx() > 0.0).then(|| [cos, square.sqrt()])
 }
 
-/// Both ends of a strand: A + ρ₁m and B − ρ₂m.
+/// Returns both ends of a strand: A + ρ₁m and B − ρ₂m.
 pub(super) fn strand<N: Real>(sizes: [N; 2], right: bool, a: Point<N>, b: Point<N>) -> Option<[Point<N>; 2]> {
     let line = b - a;
     let [cos, sin] = normal(sizes, line.norm())?;
@@ -25,8 +27,8 @@ pub(super) fn strand<N: Real>(sizes: [N; 2], right: bool, a: Point<N>, b: Point<
     Some([a + m * r1, b - m * r2])
 }
 
-/// What is wrong with three wheels or more that are named counter-clockwise: the strand left of each line of centres would run inside. It is said
-/// of the last one.
+/// Returns the fault of three or more wheels named counter-clockwise: the strand on the left of
+/// each line of centres would be inside. The last wheel is reported.
 fn misordered(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
     let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| r.belt() == pair.belt()).collect();
     let ends = strands.iter().filter_map(|r| c.points[r.round()?[1].0]);
@@ -40,7 +42,7 @@ fn misordered(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagno
     (doubled_area > 0.0).then(|| Diagnostic::error("belt-order", message).at(pair.span).help(help))
 }
 
-/// What is wrong with wheels that overlap, or are not named as the belt runs.
+/// Returns the fault of wheels that overlap, or are not named in the order of the belt.
 pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]: [&Given; 2], c: &Configuration) -> Option<Diagnostic> {
     if let Some(fault) = misordered(scene, pair, c) {
         return Some(fault);
@@ -60,10 +62,11 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]
     Some(Diagnostic::error("belt-overlap", message).at(pair.span).help(both!("correct a radius or a centre", "请改正半径或圆心")))
 }
 
-/// Two directions that a person types are one within this part of a turn.
+/// Tolerance of two equal directions typed by a person, as a part of a turn.
 const SAME_DIRECTION: f64 = 1e-9;
 
-/// What is wrong with a rope that does not run along the guide of its load: it would have to lengthen.
+/// Returns the fault of a rope that is not parallel to the guide of its load: its length would
+/// change.
 pub(super) fn slack(scene: &Scene, pair: &Rolling, rope: GuideId, c: &Configuration) -> Option<Diagnostic> {
     let direction = |g: usize| match c.guides[g]? {
         Path::Line { direction, .. } => Some(direction),

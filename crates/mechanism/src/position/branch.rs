@@ -1,4 +1,5 @@
-//! Which of the closures of a group is meant: by the sides the scene names, by its sketch, else by a stated default.
+//! Selection of the closure of a group: by the sides in the scene, by its sketch, otherwise by a
+//! stated default.
 
 use super::Pose;
 use super::shape::given_at;
@@ -8,12 +9,12 @@ use hodograph_base::geom::Point;
 use hodograph_base::number::Real;
 use hodograph_scene::{LinkId, PointId, Scene, Side};
 
-/// One closure of a group: where its pins and links (and the points on them) would be.
+/// One closure of a group: positions of its pins, links and points.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Trial<N> {
     /// All points placed by this closure: pins first, then the points of the links.
     pub points: Vec<(PointId, Point<N>)>,
-    /// The links' poses.
+    /// Poses of the links.
     pub poses: Vec<(LinkId, Pose<N>)>,
 }
 
@@ -23,27 +24,28 @@ impl<N: Real> Trial<N> {
     }
 }
 
-/// Whether all closures lie so close together, relative to the size of the mechanism, that rounding may have hidden from
-/// `f64` which is which: near a limit they differ by the root of the distance from it, and `f64` leaves of that root some 1e-8 in doubt.
+/// Returns true if all closures are so close together, relative to the size of the mechanism, that
+/// `f64` may not distinguish them: near a limit they differ by the square root of the distance from
+/// it, and rounding in `f64` makes some 1e-8 of that root uncertain.
 pub(super) fn alike<N: Real>(trials: &[Trial<N>], extent: f64) -> bool {
     const CLOSE: f64 = 1e-7;
     let near = |t: &Trial<N>| t.points.iter().zip(&trials[0].points).all(|(a, b)| (a.1 - b.1).approx().norm() <= CLOSE * extent);
     trials.len() > 1 && trials.iter().all(near)
 }
 
-/// The closure that is taken.
+/// The selected closure.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Choice {
     /// Its index.
     pub pick: usize,
-    /// In how many ways it could have been chosen, where nothing in the scene decided; else 0.
+    /// Number of closures from which it is selected if nothing in the scene decides; otherwise 0.
     pub open: usize,
-    /// The note for the reader: that nothing in the scene decided, or that a side did not.
+    /// A note for the reader: nothing in the scene decides, or a side does not.
     pub note: Option<Diagnostic>,
 }
 
-/// Picks one of several closures. `placed` are the points known before the group. Where nothing in the scene decides, the one
-/// numbered `instead` of those left is taken, and a note says so.
+/// Selects one of several closures. `placed` contains the points known before the group. If nothing
+/// in the scene decides, the remaining closure with the index `instead` is taken, with a note.
 pub(super) fn choose<N: Real>(
     scene: &Scene,
     placed: &[Option<Point<N>>],
@@ -55,7 +57,7 @@ pub(super) fn choose<N: Real>(
         return Ok(Choice::default());
     }
     let mut left: Vec<usize> = (0..trials.len()).collect();
-    // The last side that concerns this group and excluded no closure.
+    // The last side that concerns this group but excludes no closure.
     let mut idle: Option<&Side> = None;
     for side in &scene.sides {
         let mine = |t: &Trial<N>, p: PointId| t.at(p).or(placed[p.0]);
@@ -68,7 +70,7 @@ pub(super) fn choose<N: Real>(
             .iter()
             .copied()
             .filter(|&i| {
-                // Enclosures decide a side only where zero lies outside them.
+                // Enclosures decide a side only if zero is outside them.
                 let area = known(&trials[i]).map(|(p, a, b)| (b - a).cross(p - a));
                 area.is_some_and(|area| area.approx() * if side.left { 1.0 } else { -1.0 } > area.radius())
             })
@@ -89,7 +91,7 @@ pub(super) fn choose<N: Real>(
             )
             .at(side.span));
         }
-        // Three points of one link say how the link is made, not where it lies.
+        // Three points of one link describe the shape of the link, not its position.
         let of_one_link = scene.links.iter().any(|l| [side.point, side.from, side.to].iter().all(|p| l.points.contains(p)));
         if kept.len() == left.len() && !of_one_link {
             idle = Some(side);
@@ -97,7 +99,7 @@ pub(super) fn choose<N: Real>(
         left = kept;
     }
     let stands = |p: PointId| trials[0].at(p).or(placed[p.0]).map(Point::approx);
-    // What a cam on a moving link holds has its rough place there.
+    // A point held by a cam on a moving link has an approximate position on it.
     let held = |p: PointId| scene.cams.iter().filter_map(|c| c.disc.as_ref()).find_map(|t| t.rough_in_plane(scene, p, &stands));
     let sketch = |p: PointId| scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, p)).or_else(|| held(p));
     if left.len() > 1 {
@@ -118,7 +120,7 @@ pub(super) fn choose<N: Real>(
     if left.len() == 1 {
         return Ok(Choice { pick: left[0], open: 0, note: None });
     }
-    // Assemblies in which two joints coincide come last: they are rarely meant.
+    // Assemblies with two coincident joints come last: they are rarely intended.
     left.sort_by_key(|&i| falls_together(placed, &trials[i]));
     let (pick, other) = (left[instead % left.len()], left[(instead + 1) % left.len()]);
     let note = {
@@ -137,7 +139,7 @@ pub(super) fn choose<N: Real>(
                 both!("a rough place of {p} in \"sketch\"", "\"sketch\" 中 {p} 的大致位置"),
             ),
             None => {
-                // A link known by one pin shows by its direction alone which assembly it is.
+                // The assembly of a link known by one pin is described by its direction alone.
                 let turned = trials[pick].poses.iter().find_map(|(l, pose)| {
                     let there = trials[other].poses.iter().find(|(k, _)| k == l)?.1.axis.approx();
                     let [mine, there] = [pose.axis.approx(), there].map(|u| significant(direction_degrees(u.angle()), 5));
@@ -175,9 +177,9 @@ pub(super) fn choose<N: Real>(
     Ok(Choice { pick, open: left.len(), note: Some(note) })
 }
 
-/// Whether a closure puts a point where another one is.
+/// Returns true if a closure puts a point where another one is.
 fn falls_together<N: Real>(placed: &[Option<Point<N>>], trial: &Trial<N>) -> bool {
-    /// Part of the distances within which two places are one: the rounding of what a person types.
+    /// Relative distance below which two positions are one: the rounding of typed numbers.
     const SAME: f64 = 1e-9;
     let size = |p: Point| p.to_vec2().norm();
     let there = placed.iter().enumerate().filter_map(|(q, at)| Some((q, at.as_ref()?.approx())));
@@ -186,7 +188,7 @@ fn falls_together<N: Real>(placed: &[Option<Point<N>>], trial: &Trial<N>) -> boo
     trial.points.iter().any(|(p, at)| there.iter().any(|(q, other)| *q != p.0 && at.approx().distance(*other) <= SAME * largest))
 }
 
-/// That a side is true of all the assemblies that are left.
+/// Returns the word for a side, left or right.
 fn turned(side: &Side) -> Both {
     if side.left { both!("left", "左侧") } else { both!("right", "右侧") }
 }

@@ -1,7 +1,8 @@
-//! Assembling compiled once for each number in which it is asked for.
+//! Assembly compiled once for each number type.
 //!
-//! A generic function is compiled anew in every crate that calls it: the assembly of groups, in seven numbers, was a third of what the program
-//! took to build. Calls go through a method of the number, which is compiled here.
+//! A generic function is compiled anew in every crate that calls it: the assembly of groups, in
+//! seven number types, would take a third of the program's build time. Calls go through a method of
+//! the number type, which is compiled here.
 
 use super::{Configuration, assemble};
 use crate::mechanism::{Demand, Mechanism};
@@ -9,7 +10,7 @@ use hodograph_base::diag::Faults;
 use hodograph_base::number::{Ball, Big, Dd, Real};
 use hodograph_scene::Scene;
 
-/// A number in which mechanisms are assembled: [`recompute`] and [`later`] as methods of it.
+/// A number type in which mechanisms are assembled: [`recompute`] and [`later`] as its methods.
 pub trait Placed: Real {
     /// See [`recompute`].
     #[expect(clippy::missing_errors_doc, reason = "said there")]
@@ -50,13 +51,15 @@ macro_rules! compiled {
 
 compiled!(f32, f64, Dd, Big, Ball<f64>, Ball<Dd>, Ball<Big>);
 
-/// The same assembly in other numbers: nothing is chosen or checked again, only computed.
+/// Returns the same assembly in another number type: nothing is chosen or checked again, only
+/// computed.
 ///
-/// Closed forms are evaluated in `N`; a group that has none is refined from `meant` and, where `N` knows its error, its
-/// existence and uniqueness near by are proved.
+/// Closed forms are evaluated in `N`; a group without one is refined from `meant` and, if `N` knows
+/// its error, its existence and local uniqueness are proved.
 ///
 /// # Errors
-/// A group that cannot be closed in these numbers: as written it misses by less than `f64` can tell, or the proof fails.
+/// A group that cannot be closed in these numbers: as written it misses by less than `f64` can
+/// show, or the proof fails.
 pub fn recompute<N: Placed>(
     scene: &Scene,
     mechanism: &Mechanism,
@@ -66,13 +69,13 @@ pub fn recompute<N: Placed>(
     N::recompute(scene, mechanism, demand, meant)
 }
 
-/// The configuration a short time `t` (s) after the scene's instant, the drivers having gone on at their rates. `now` is the
-/// one at the instant, in the same numbers; what is given in the pose (guides that run through a pin where it is) is
-/// carried along in the links.
+/// Returns the configuration a short time `t` (s) after the scene's instant, with the drivers moved
+/// on at their rates. `now` is the configuration at the instant, in the same numbers; quantities
+/// given in the pose (guides through the position of a pin) move with their links.
 ///
 /// # Errors
-/// As [`recompute`]; and `pose-given`, where the pose is given by coordinates, a driver says no position, or a gliding link
-/// has no point of its own, so that nothing tells it at another time.
+/// As [`recompute`]; and `pose-given` if the pose is given by coordinates, a driver has no
+/// position, or a gliding link has no point, so that nothing determines it at another time.
 pub fn later<N: Placed>(
     scene: &Scene,
     mechanism: &Mechanism,

@@ -1,5 +1,5 @@
-//! The configuration of a scene: assembled in `f64`; again in longer numbers where `f64` cannot tell closures apart; with other closures
-//! of groups for which the scene does not say which is meant.
+//! The configuration of a scene: assembled in `f64`; in longer numbers if `f64` cannot distinguish
+//! closures; with other closures of groups that the scene does not determine.
 
 use super::Configuration;
 use super::assemble::{Assembly, names_of};
@@ -8,11 +8,12 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
 use hodograph_base::number::{Ball, Big, Dd, Real, within};
 use hodograph_scene::Scene;
 
-/// Finds where everything is that the demand calls for.
+/// Computes the positions of everything that the demand requests.
 ///
 /// # Errors
-/// Missing and contradictory lengths, groups that cannot be assembled (with the links and the amount by which they miss),
-/// poses that nothing fixes. All faults of independent groups are reported together.
+/// Missing and contradictory lengths, groups that cannot be assembled (with the links and the
+/// amount by which they miss), undetermined poses. All faults of independent groups are reported
+/// together.
 pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Result<Warned<Configuration>, Faults> {
     let first = Assembly::new(scene, mechanism, demand, None).go(demand);
     if !first.faults.has_errors() {
@@ -25,8 +26,9 @@ pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Resul
     if first.open.is_empty() || !first.faults.list.iter().any(does_not_close) {
         return first.closed()?.finish();
     }
-    // What one group leaves open may keep a later one from closing (in Peaucellier's inversor two dyads on the same pivots fall
-    // together): another assembly of one of the groups that nothing decided is tried, the last of them first.
+    // A group that the scene leaves open may prevent a later group from closing (in Peaucellier's
+    // inversor two dyads on the same pivots coincide): another assembly of one of the open groups
+    // is tried, the last group first.
     let others = first.open.iter().rev().flat_map(|&(group, ways)| (1..ways).map(move |instead| (group, instead)));
     let found = others.take(MOST_TRIED).find_map(|other| {
         let mut a = Assembly::new(scene, mechanism, demand, None);
@@ -49,8 +51,9 @@ pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Resul
     })
 }
 
-/// The assembly in longer numbers, where its faults may be none there: two points less than a unit in the last place apart are one in
-/// `f64`, and the direction between them is that of longer numbers. `None` where these cannot tell it either.
+/// Returns the assembly in longer numbers, in which its faults may disappear: two points less than
+/// a unit in the last place apart are one in `f64`, and longer numbers give the direction between
+/// them. `None` if longer numbers do not decide either.
 fn in_longer_numbers(
     scene: &Scene,
     mechanism: &Mechanism,
@@ -69,13 +72,14 @@ fn in_longer_numbers(
     Some(if checked.faults.has_errors() { Err(checked.faults) } else { Ok(Warned { value: at, notes: [notes, checked.notes].concat() }) })
 }
 
-/// Faults that may be none in longer numbers.
+/// Faults that may disappear in longer numbers.
 const HIDDEN: [&str; 2] = ["degenerate-guide", "coincident-points"];
 
 /// Bits of the longer numbers beyond double-double.
 const BITS: [usize; 3] = [192, 384, 768];
 
-/// The whole assembly in numbers of another kind, rounded; `None` where these cannot tell it either.
+/// Returns the whole assembly in another number type, rounded; `None` if that type does not decide
+/// either.
 fn placed_in<N: Real>(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Option<Warned<Configuration>> {
     let mut placed = Assembly::<N>::new(scene, mechanism, demand, None).place(demand).ok()?.settled();
     let notes = std::mem::take(&mut placed.notes);
@@ -88,5 +92,6 @@ fn placed_in<N: Real>(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> 
 /// Codes of faults of a group that cannot be closed on the groups before it.
 const DOES_NOT_CLOSE: [&str; 3] = ["cannot-assemble", "coincident-points", "degenerate-guide"];
 
-/// Other assemblies that are tried where the first does not close: each costs as much as the first.
+/// Greatest number of other assemblies tried if the first does not close: each costs as much as the
+/// first.
 const MOST_TRIED: usize = 32;

@@ -1,7 +1,8 @@
-//! A group without a core, refined and proved from the pose that Newton's method found in `f64`.
+//! A group without a core, refined and proved from the pose found by Newton's method in `f64`.
 //!
-//! The unknowns are the poses of its links and the places of its pins. Residuals are lengths (an angle's times the size of
-//! the mechanism) by the equations that all ways share ([`super::equations`]), their derivatives are written by hand.
+//! The unknowns are the poses of its links and the positions of its pins. Residuals are lengths
+//! (those of angles are multiplied by the size of the mechanism) by the shared equations
+//! ([`super::equations`]); their derivatives are written by hand.
 
 mod phase;
 
@@ -16,7 +17,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
-/// Poses of the group's links and places of its pins.
+/// Poses of the group's links and positions of its pins.
 #[derive(Clone)]
 struct State<N> {
     poses: Vec<Pose<N>>,
@@ -30,24 +31,25 @@ struct Coupled<'a, N> {
     forms: Vec<Form>,
     scale: f64,
     aside: Option<Aside>,
-    /// The pose that is meant.
+    /// The known pose.
     meant: &'a Configuration,
 }
 
-/// A driver that stands elsewhere than at the instant: by so much (rad or m) farther on. The others hold what they held then.
+/// A driver that is moved from its value at the instant by a given amount (rad or m). The other
+/// drivers keep their values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Aside {
     pub driver: usize,
     pub by: f64,
 }
 
-/// One equation: what it is off by, and its coefficients.
+/// One equation: its residual and its coefficients.
 struct Equation<N> {
     off: N,
     row: Vec<N>,
 }
 
-/// The group in a state, among what is placed already.
+/// The group in a state, with the parts that are already placed.
 struct Placed<'a, N> {
     system: &'a Coupled<'a, N>,
     at: &'a State<N>,
@@ -86,13 +88,14 @@ impl<N: Real> Assembly<'_, N> {
         self.coupled_aside(group, meant, None)
     }
 
-    /// The same with a driver elsewhere than at the instant, whose configuration the assembly must know.
+    /// Returns the group like [`Self::coupled_trial`], with a driver moved from the instant, whose
+    /// configuration the assembly must know.
     pub(super) fn coupled_aside(&self, group: &Group, meant: &Configuration, aside: Option<Aside>) -> Result<Trial<N>, Diagnostic> {
         let unproven = |why| self.unproven(&group.links, why);
         let mut start = State { poses: Vec::new(), pins: Vec::new() };
         for l in &group.links {
             let pose = meant.poses[l.0].ok_or_else(|| unproven(Unproven::NoRoot))?.lift::<N>();
-            // An axis that was rounded to f64 is a unit vector only to f64.
+            // An axis rounded to f64 is a unit vector only to f64.
             let axis = if N::refines() { pose.axis.unit().ok_or_else(|| unproven(Unproven::NoRoot))? } else { pose.axis };
             start.poses.push(Pose { axis, ..pose });
         }
@@ -129,7 +132,7 @@ impl<N: Real> Coupled<'_, N> {
         }
     }
 
-    /// Adds ±k·(motion of a link's point at a place).
+    /// Adds ±k·(motion of the point of a link at a position).
     fn add_link(&self, at: &State<N>, row: &mut [N], l: LinkId, place: Point<N>, k: Vec2<N>) {
         if let Some(i) = self.links.iter().position(|q| *q == l) {
             let turn = k.dot((place - at.poses[i].origin).perp()) / N::from_f64(self.scale);
@@ -151,20 +154,21 @@ impl<N: Real> Coupled<'_, N> {
         }
     }
 
-    /// Adds the turning of a link, in the length by which its step is counted.
+    /// Adds the rotation of a link, as a length in which its step is measured.
     fn add_turn(&self, row: &mut [N], l: LinkId, k: N) {
         if let Some(i) = self.links.iter().position(|q| *q == l) {
             row[3 * i + 2] = row[3 * i + 2] + k;
         }
     }
 
-    /// By how much a driver stands farther on than at the instant.
+    /// Returns the amount by which a driver is moved from its value at the instant.
     fn by(&self, driver: usize) -> N {
         N::from_f64(self.aside.filter(|a| a.driver == driver).map_or(0.0, |a| a.by))
     }
 
-    /// What is given of a form: a driver's value, that of the instant and how much more where a driver stands elsewhere, or what the
-    /// instant shows of a slider; `None` where nothing tells it.
+    /// Returns the given value of a form: the value of a driver, its value at the instant plus the
+    /// amount by which the driver is moved, or the value of a slider at the instant; `None` if
+    /// nothing determines it.
     fn given(&self, form: Form) -> Option<Given<N>> {
         let a = self.assembly;
         let then = a.instant.map(|then| (a.scene, then));
@@ -177,13 +181,15 @@ impl<N: Real> Coupled<'_, N> {
             })
         };
         match form {
-            // The distance of a link's origin from its guide changes no answer: at the instant it is put on the guide, and stays there.
+            // The distance of a link's origin from its guide changes no answer: at the instant the
+            // origin is put on the guide, and it stays there.
             Form::Meet { .. } | Form::OnPath { .. } | Form::Related { .. } => Some(Given::Nothing),
             Form::AlongPath { driver, .. } | Form::Distance { driver, .. } => match aside {
                 Some(then) => farther(then, driver),
                 None => a.driven_length(driver).map(Given::Length),
             },
-            // At the instant a slider's frame lies as the plane's; later it stands against the other link as it stood then.
+            // At the instant a slider's frame is parallel to the plane's; later it keeps its angle
+            // to the other link from the instant.
             Form::Angles { driver: None, .. } => match then {
                 Some(then) => equations::kept(form, &then),
                 None => match form.ends().0 {
@@ -199,7 +205,7 @@ impl<N: Real> Coupled<'_, N> {
         }
     }
 
-    /// The equations at a state; `None` where one of them is not written.
+    /// Returns the equations at a state; `None` if one of them is not available.
     fn equations(&self, at: &State<N>) -> Option<Vec<Equation<N>>> {
         let (view, scale) = (Placed { system: self, at }, N::from_f64(self.scale));
         let mut list = Vec::new();
@@ -218,8 +224,8 @@ impl<N: Real> Coupled<'_, N> {
         (list.len() == self.zeros().len()).then_some(list)
     }
 
-    /// The coefficients of a form's equations, of an angle's in the length by which its step is counted; the second only of a form that
-    /// is two.
+    /// Returns the coefficients of a form's equations, with angles as lengths in which their steps
+    /// are measured; the second list is used only for a form with two equations.
     fn rows(&self, form: Form, given: Given<N>, view: &Placed<N>) -> Option<[Vec<N>; 2]> {
         let mut rows = [self.zeros(), Vec::new()];
         let row = &mut rows[0];
@@ -268,7 +274,7 @@ impl<N: Real> Coupled<'_, N> {
     }
 }
 
-/// The unit vector from one place toward another.
+/// Returns the unit vector from one point toward another.
 fn direction_from<N: Real>(from: Point<N>, to: Point<N>) -> Vec2<N> {
     let d = to - from;
     d * (N::from_f64(1.0) / d.norm())
@@ -326,7 +332,8 @@ mod tests {
         }
     }
 
-    /// All groups of a scene as one, in a state a little off its root, at the instant and with a driver elsewhere.
+    /// Checks all groups of a scene as one, in a state slightly off its root, at the instant and
+    /// with a driver moved.
     fn check(name: &str, text: &str, seen: &mut BTreeSet<(&'static str, bool)>) {
         let Some(scene) = scene::read(text).ok().map(|s| s.value) else { return };
         let Some(m) = Mechanism::new(&scene).ok().map(|m| m.value) else { return };
@@ -379,7 +386,7 @@ mod tests {
         "sketch": {"B": [0.1, 0.11], "C": [0.19, 0.1]}, "gears": [{"links": ["3", "5"], "centres": ["B", "C"], "teeth": [30, 45], "at": "K", "phase": "10 deg"}],
         "driver": {"link": "2", "angle": "60 deg", "omega": "10 rad/s"}, "find": ["omega_3", "omega_5"]}"#;
 
-    /// A pin that a driver moves along a fixed arc, and one along an arc of a link that turns.
+    /// A pin that a driver moves along a fixed arc, and one along an arc of a rotating link.
     const ALONG_ARCS: [&str; 2] = [
         r#"{"links": {"0": ["K", "A"], "1": ["A", "B"], "2": ["B", "C"]}, "ground": "0", "units": {"length": "m"},
         "points": {"K": [0, 0], "A": [5, 0]}, "lengths": {"AB": 2, "BC": 3.2}, "sketch": {"B": [5, 2]},
@@ -390,14 +397,14 @@ mod tests {
         "driver": [{"link": "1", "omega": "1 rad/s"}, {"slide": "P", "velocity": "1 m/s"}], "find": ["omega_2", "omega_3"]}"#,
     ];
 
-    /// A root stays a root whatever the derivatives are, but what is proved of it does not.
+    /// The root does not depend on the derivatives, but its proof does.
     #[test]
     fn derivatives_are_the_slopes_of_the_equations() {
         let mut seen = BTreeSet::new();
         for t in templates::list() {
             check(t.name, templates::get(t.name).expect("its name is of the list"), &mut seen);
         }
-        // Rolling is told at the instant by phases alone.
+        // At the instant only phases determine the rolling.
         check("five-bar with gears on its floating links", GEARED, &mut seen);
         ALONG_ARCS.iter().for_each(|text| check("driven along an arc", text, &mut seen));
         let all = [

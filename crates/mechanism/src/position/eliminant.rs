@@ -1,13 +1,17 @@
-//! The eliminant of a link on three legs: a trigonometric polynomial in the link's angle that vanishes at every assembly.
+//! The eliminant of a link on three legs: a trigonometric polynomial in the link's angle that
+//! vanishes at every assembly.
 //!
-//! Each leg is an equation q|p|² + 2g·p + h = 0 for the link's origin p, with q = 1 for a circle and 0 for a line, g and h of the first degree in
-//! cos φ and sin φ. A circle less another circle is linear in p; two linear equations give p = N/D, and the third eliminates p. The degree is
-//! three for three circles (six assemblies), four at most. Its values at equally spaced angles are its coefficients (discrete Fourier transform),
-//! and with t = tan(φ/2) it is a polynomial whose roots are the eigenvalues of its companion matrix.
+//! Each leg is an equation q|p|² + 2g·p + h = 0 for the link's origin p, with q = 1 for a circle
+//! and 0 for a line; g and h are of the first degree in cos φ and sin φ. The difference of two
+//! circles is linear in p; two linear equations give p = N/D, and the third eliminates p. The
+//! degree is three for three circles (six assemblies), four at most. The values at equally spaced
+//! angles determine the coefficients (discrete Fourier transform), and with t = tan(φ/2) the result
+//! is a polynomial with roots that are the eigenvalues of its companion matrix.
 //!
 //! # Source
-//! The degree of three circles: coupler curves are tricircular sextics, so that a circle about a fixed pivot meets one in six finite points at most
-//! (K. H. Hunt, *Kinematic Geometry of Mechanisms*, §7). Roots by companion matrices: A. Edelman, H. Murakami, Math. Comp. 64 (1995).
+//! The degree of three circles: coupler curves are tricircular sextics, so that a circle about a
+//! fixed pivot meets one in six finite points at most (K. H. Hunt, *Kinematic Geometry of
+//! Mechanisms*, §7). Roots by companion matrices: A. Edelman, H. Murakami, Math. Comp. 64 (1995).
 
 use super::triad::TriadLeg;
 use hodograph_base::geom::{Point, Vec2};
@@ -16,13 +20,14 @@ use std::f64::consts::TAU;
 
 /// The largest degree in the angle.
 const DEGREE: usize = 4;
-/// As many values as there are coefficients of that degree.
+/// Number of coefficients, and of values, for that degree.
 const VALUES: usize = 2 * DEGREE + 1;
 /// Coefficients below this part of the largest are rounding: a polynomial of lower degree.
 const ROUNDING: f64 = 1e-12;
-/// A root is real, or one of two that nearly coincide, whose imaginary parts are the root of the rounding: then it is tried.
+/// Imaginary part up to which a root is tried: that of a real root is zero, that of two nearly
+/// coincident roots is of the size of the square root of the rounding.
 const NEARLY_REAL: f64 = 1e-3;
-/// Steps of the QR algorithm for each root; it takes two or three.
+/// Greatest number of steps of the QR algorithm for each root; it takes two or three.
 const PATIENCE: usize = 100;
 
 /// q|p|² + 2g·p + h.
@@ -34,7 +39,7 @@ struct Quadric {
 }
 
 impl Quadric {
-    /// A leg at an angle of the link, lengths divided by `scale`.
+    /// Returns the equation of a leg at an angle of the link, with lengths divided by `scale`.
     fn of(leg: &TriadLeg, axis: Vec2, scale: f64) -> Quadric {
         let turned = |local: Point| local.to_vec2().rotate_by(axis);
         let line = |direction: Vec2, from: Vec2| Quadric { q: 0.0, g: direction.perp() * 0.5, h: direction.cross(from) / scale };
@@ -53,7 +58,7 @@ impl Quadric {
     }
 }
 
-/// The eliminant at an angle.
+/// Returns the eliminant at an angle.
 fn value(legs: &[TriadLeg; 3], angle: f64, scale: f64) -> f64 {
     let all = legs.each_ref().map(|leg| Quadric::of(leg, Vec2::from_angle(angle), scale));
     let base = all.iter().position(|e| e.q != 0.0).unwrap_or(2);
@@ -65,11 +70,11 @@ fn value(legs: &[TriadLeg; 3], angle: f64, scale: f64) -> f64 {
     third.q * n.norm2() + 2.0 * d * third.g.dot(n) + d * d * third.h
 }
 
-/// All angles (rad) of the link at which the three legs may hold it.
+/// Returns all angles (rad) of the link at which the three legs may hold it.
 pub(super) fn angles(legs: &[TriadLeg; 3], scale: f64) -> Vec<f64> {
     let step = TAU / VALUES as f64;
     let values: [f64; VALUES] = std::array::from_fn(|i| value(legs, i as f64 * step, scale));
-    // Where the half-angle's tangent is infinite the eliminant is as large as it gets.
+    // The half-angle's tangent is put at infinity where the eliminant is largest.
     let largest = (0..VALUES).max_by(|&i, &k| values[i].abs().total_cmp(&values[k].abs())).unwrap_or(0);
     let infinite = largest as f64 * step;
     let cosines = |k: usize, part: fn(f64) -> f64| -> f64 {
@@ -86,9 +91,9 @@ pub(super) fn angles(legs: &[TriadLeg; 3], scale: f64) -> Vec<f64> {
     found
 }
 
-/// Σ a_k cos kφ + b_k sin kφ times (1 + t²)ⁿ, as coefficients of 1, t, t², ...
+/// Returns Σ a_k cos kφ + b_k sin kφ times (1 + t²)ⁿ, as coefficients of 1, t, t², ...
 ///
-/// With w = (1 + it)², whose angle is φ: cos kφ + i sin kφ = wᵏ/(1 + t²)ᵏ.
+/// With w = (1 + it)², of angle φ: cos kφ + i sin kφ = wᵏ/(1 + t²)ᵏ.
 fn in_half_tangents(series: &[(f64, f64)]) -> Vec<f64> {
     let times = |a: &[f64], b: &[f64]| {
         let mut out = vec![0.0; a.len() + b.len() - 1];
@@ -118,7 +123,7 @@ fn at(p: &[f64], i: usize) -> f64 {
     p.get(i).copied().unwrap_or(0.0)
 }
 
-/// The roots of a polynomial that are real, or nearly so.
+/// Returns the roots of a polynomial that are real, or nearly real.
 fn real_roots(coefficients: &[f64]) -> Vec<f64> {
     let n = coefficients.len() - 1;
     let leading = coefficients[n];
@@ -152,7 +157,7 @@ mod tests {
         }
     }
 
-    /// Of three circles the fourth coefficient vanishes: six assemblies at most.
+    /// For three circles the fourth coefficient vanishes: six assemblies at most.
     #[test]
     fn three_circles_are_of_the_third_degree() {
         let circle =

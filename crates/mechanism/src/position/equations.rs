@@ -1,8 +1,10 @@
-//! The equations between positions that forms stand for, written once for every number type.
+//! The position equations of forms, written once for every number type.
 //!
-//! Decided here: what a form measures in a pose ([`measured`]), and by how much that misses what is given ([`off`]). Newton's method in
-//! `f64` takes differences of it, the proofs in enclosures have coefficients of their own ([`super::coupled`]), driver values are what a
-//! form measures without anything given. Not decided here: what is given, by drivers or by the pose of the instant.
+//! This module computes the quantity that a form measures in a pose ([`measured`]), and its
+//! deviation from the given value ([`off`]). Newton's method in `f64` takes differences of it; the
+//! proofs in enclosures have separate coefficients ([`super::coupled`]); the value of a driver is
+//! the measured quantity of its form. The given values, from drivers or from the pose at the
+//! instant, come from the callers.
 
 use super::{Configuration, Path, Pose};
 use crate::mechanism::{Form, Runner};
@@ -10,20 +12,21 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
-/// Where links and points are, and their rigid shapes; `None` for what is not placed.
+/// Positions of links and points, and their rigid shapes; `None` for parts that are not placed.
 pub(super) trait View<N: Real> {
-    /// The pose of a link, ground among them.
+    /// Returns the pose of a link, or of the ground.
     fn pose(&self, l: LinkId) -> Option<Pose<N>>;
-    /// The place of a point in the plane.
+    /// Returns the position of a point in the plane.
     fn point(&self, p: PointId) -> Option<Point<N>>;
-    /// A point in the frame of a link.
+    /// Returns a point in the frame of a link.
     fn local(&self, l: LinkId, p: PointId) -> Option<Point<N>>;
-    /// A guide in the frame of its link.
+    /// Returns a guide in the frame of its link.
     fn path(&self, g: GuideId) -> Option<Path<N>>;
-    /// By how much a pair misses rolling without slip since the pose from which it counts, as an angle of the second link.
+    /// Returns the deviation of a pair from rolling without slip since its reference pose, as an
+    /// angle of the second link.
     fn slip(&self, r: RollingId) -> Option<N>;
 
-    /// What runs in a guide: a link by the origin of its frame.
+    /// Returns the position of the runner of a guide; for a link, the origin of its frame.
     fn runner(&self, runner: Runner) -> Option<Point<N>> {
         match runner {
             Runner::Pin(p) => self.point(p),
@@ -49,16 +52,16 @@ impl<N: Real> View<N> for (&Scene, &Configuration<N>) {
         self.1.shapes.guides[g.0]
     }
 
-    /// What a configuration has rolled, it has rolled without slip.
+    /// A configuration has rolled without slip.
     fn slip(&self, _: RollingId) -> Option<N> {
         None
     }
 }
 
-/// What is given of a form, by a driver or by the pose of the instant.
+/// The given value of a form, from a driver or from the pose at the instant.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Given<N> {
-    /// Nothing: what is measured is to be zero.
+    /// Nothing: the measured quantity must be zero.
     Nothing,
     /// The direction of one link in the frame of the other.
     Turned(Vec2<N>),
@@ -68,9 +71,9 @@ pub(super) enum Given<N> {
     Length(N),
 }
 
-/// What a form measures, and by how much it is off.
+/// The quantity that a form measures, or its deviation.
 pub(super) enum Measured<N> {
-    /// From the place where a pin should be to where it is (m).
+    /// The vector from the required position of a pin to its actual position (m).
     Apart(Vec2<N>),
     /// A length or a coordinate (m).
     Length(N),
@@ -78,13 +81,13 @@ pub(super) enum Measured<N> {
     Angle(N),
 }
 
-/// What a form measures.
+/// Returns the quantity that a form measures.
 pub(super) fn measured<N: Real>(form: Form, view: &impl View<N>) -> Option<Measured<N>> {
     off(form, Given::Nothing, view)
 }
 
-/// What a pose gives of a form to others: what a driver holds there, the direction and the distance that a slider keeps. Nothing of what
-/// is zero in every pose.
+/// Returns the value that a pose gives of a form: the value of a driver, the direction or the
+/// distance that a slider keeps. Quantities that are zero in every pose have no value.
 pub(super) fn kept<N: Real>(form: Form, then: &impl View<N>) -> Option<Given<N>> {
     match form {
         Form::Angles { of, against, .. } => Some(Given::Turned(then.pose(of)?.axis.divide_by(then.pose(against)?.axis))),
@@ -96,7 +99,7 @@ pub(super) fn kept<N: Real>(form: Form, then: &impl View<N>) -> Option<Given<N>>
     }
 }
 
-/// By how much a form is off what is given.
+/// Returns the deviation of a form from its given value.
 pub(super) fn off<N: Real>(form: Form, given: Given<N>, view: &impl View<N>) -> Option<Measured<N>> {
     let length = |x: N| match given {
         Given::Length(given) => x - given,

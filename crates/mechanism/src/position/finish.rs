@@ -1,4 +1,5 @@
-//! Completes a configuration from placed groups: adds links and points that only follow, and checks that what is given twice agrees.
+//! Completion of a configuration from placed groups: adds passive links and points, and checks that
+//! values given twice agree.
 
 use super::assemble::Assembly;
 use super::{Configuration, Path, Pose, Rolled, Shapes, rolling, touch};
@@ -10,7 +11,7 @@ use hodograph_base::number::Real;
 use hodograph_scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene};
 
 impl<N: Real> Assembly<'_, N> {
-    /// Adds the points that only follow, and lays into their links the guides that needed the pose.
+    /// Adds the passive points, and places the guides that depend on the pose in their links.
     pub(super) fn settled(mut self) -> Self {
         for l in (0..self.scene.links.len()).map(LinkId) {
             let Some(pose) = self.poses[l.0] else { continue };
@@ -38,8 +39,9 @@ impl<N: Real> Assembly<'_, N> {
         self
     }
 
-    /// Coordinates take precedence: an arc has the radius at which its pin lies by them. A radius that is given besides agrees within the
-    /// rounding of typed numbers; used as well, it would contradict the coordinates in the tenth digit.
+    /// Coordinates take precedence: the radius of an arc follows from the coordinates of its pin. A
+    /// radius that is given in addition agrees within the rounding of typed numbers; used as well,
+    /// it would contradict the coordinates in the tenth digit.
     fn fit_arcs(&mut self) {
         for (g, guide) in self.scene.guides.iter().enumerate() {
             let given = guide.pin.filter(|p| matches!(self.scene.points[p.0].place, Place::At(_)));
@@ -50,7 +52,7 @@ impl<N: Real> Assembly<'_, N> {
         }
     }
 
-    /// The sizes of all rolling pairs.
+    /// Returns the sizes of all rolling pairs.
     pub(super) fn sizes(&self) -> Vec<[N; 2]> {
         self.scene.rolling.iter().map(|r| r.sizes(&self.inputs)).collect()
     }
@@ -78,7 +80,7 @@ impl Assembly<'_, f64> {
         if a.faults.has_errors() { Err(a.faults) } else { Ok(Warned { value: configuration, notes: a.notes }) }
     }
 
-    /// The radii of two circles in touch make up the distance of their centres.
+    /// Checks that the radii of two circles in contact match the distance of their centres.
     fn check_rolling(&mut self, c: &Configuration) {
         let mut found = Faults::default();
         for pair in &self.scene.rolling {
@@ -87,7 +89,8 @@ impl Assembly<'_, f64> {
         self.faults.list.extend(found.list);
     }
 
-    /// Where a guide's carrier and its runner are placed, so must be the guide: coordinates may have placed both past it.
+    /// Checks that a guide is placed if its carrier and its runner are: coordinates may place both
+    /// without the guide.
     pub(super) fn check_placed(&mut self, g: GuideId) {
         let guide = &self.scene.guides[g.0];
         let runner = match (guide.pin, guide.slider) {
@@ -110,12 +113,14 @@ impl Assembly<'_, f64> {
         self.faults.push(d);
     }
 
-    /// Pins given by coordinates must lie on their guides and links, and driver angles must agree with the pose.
+    /// Checks that pins given by coordinates are on their guides and links, and that driver angles
+    /// agree with the pose.
     pub(super) fn check(&mut self, c: &Configuration) {
         let extent = c.extent();
         for (g, guide) in self.scene.guides.iter().enumerate() {
             let (Some(p), Some(path)) = (guide.pin, c.guides[g]) else { continue };
-            // Of two circles that roll the sizes are checked as such; what is opened is looked at by itself.
+            // Sizes of two rolling circles are checked as such; opened items are checked
+            // separately.
             if guide.rolling.is_some() && matches!(path, Path::Arc { .. }) || self.m.is_opened(&Opened::Guide(GuideId(g))) {
                 continue;
             }
@@ -242,26 +247,29 @@ impl Assembly<'_, f64> {
     }
 }
 
-/// Two descriptions of one place may differ by the rounding of what a person types (ten digits), relative to the size of
-/// the mechanism. Coarser contradictions would show as a disagreement between drawing and analysis.
+/// Relative difference of two descriptions of one position up to the rounding of typed numbers (ten
+/// digits), relative to the size of the mechanism. Larger contradictions would appear as a
+/// disagreement between drawing and analysis.
 const SAME_PLACE: f64 = 1e-9;
 
-/// How far two descriptions of the place `at` may be apart: see [`SAME_PLACE`], and a few units in the last place of the
-/// coordinates themselves (a single point has no size of its own, and one far from the origin is rounded coarsely).
+/// Returns the permitted distance of two descriptions of the position `at`: see [`SAME_PLACE`], and
+/// a few units in the last place of the coordinates themselves (a single point has no size, and a
+/// point far from the origin has a coarse rounding).
 pub(super) fn same_place(extent: f64, at: Point) -> f64 {
     SAME_PLACE * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
 }
 
-/// Of two descriptions that differ by more than this (relative to the mechanism's size, in radians) twelve digits of an answer
-/// tell which of them was taken.
+/// Difference of two descriptions (relative to the mechanism's size, in radians) above which twelve
+/// digits of an answer show which of them is used.
 const TOLD_APART: f64 = 1e-13;
 
-/// The same for the place `at`: see [`same_place`].
+/// Returns [`TOLD_APART`] as a length for the position `at`: see [`same_place`].
 fn told_apart(extent: f64, at: Point) -> f64 {
     TOLD_APART * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
 }
 
-/// The note on two descriptions that agree within the rounding of typed numbers, but not to the digits that are certified.
+/// Returns the note on two descriptions that agree within the rounding of typed numbers, but not to
+/// the certified digits.
 fn given_twice(how: Both, so: Both, span: Span) -> Diagnostic {
     Diagnostic::note(
         "given-twice",
@@ -275,10 +283,11 @@ fn given_twice(how: Both, so: Both, span: Span) -> Diagnostic {
     .at(span)
 }
 
-/// Poses of links and places of points, as far as they are known.
+/// Poses of links and positions of points, as far as they are known.
 type Placed<N> = (Vec<Option<Pose<N>>>, Vec<Option<Point<N>>>);
 
-/// A configuration from poses and pins, next to one in which the rolling pairs have rolled as far as `before` says: adds tracer points, guides in the plane, and the links that only follow.
+/// Returns a configuration from poses and pins, close to one with the rolling records `before`:
+/// adds tracer points, guides in the plane, and passive links.
 pub(super) fn complete<N: Real>(
     scene: &Scene,
     m: &Mechanism,
@@ -291,7 +300,7 @@ pub(super) fn complete<N: Real>(
     for (pose, carried) in poses.iter().zip(&shapes.points) {
         let Some(pose) = pose else { continue };
         for (p, local) in carried {
-            // Pins keep their own place; every other point follows its link.
+            // Pins keep their positions; every other point follows its link.
             if !m.pins.contains(p) || points[p.0].is_none() {
                 points[p.0] = Some(pose.to_world(*local));
             }

@@ -1,11 +1,15 @@
-//! The limit of a mechanism that is followed by Newton's method: the fold of its equations, by pseudo-arclength continuation.
+//! The limit of a mechanism that Newton's method follows: the fold of its equations, by
+//! pseudo-arclength continuation.
 //!
-//! Poses and driver value together run along a curve that is smooth through the limit: there the driver value is extreme, while the links
-//! move on. The curve is therefore parametrised by its length along a tangent, and the zero of the driver's derivative by it is sought. The
-//! equations are those of [`newton`]; what holds the mechanism there is told by [`super::toggle`].
+//! Poses and driver value together move along a curve that is smooth through the limit: there the
+//! driver value is extreme, while the links continue to move. The curve is therefore parametrized
+//! by its length along a tangent, and the zero of the driver's derivative with respect to this
+//! length is solved. The equations are those of [`newton`]; [`super::toggle`] describes the links
+//! that hold the mechanism there.
 //!
 //! # Source
-//! H. B. Keller, *Numerical solution of bifurcation and nonlinear eigenvalue problems*, in: Applications of Bifurcation Theory (1977).
+//! H. B. Keller, *Numerical solution of bifurcation and nonlinear eigenvalue problems*, in:
+//! Applications of Bifurcation Theory (1977).
 
 use super::newton::{self, DriverValues, System};
 use super::{Configuration, finish};
@@ -13,32 +17,34 @@ use crate::mechanism::Mechanism;
 use hodograph_scene::Scene;
 use nalgebra::DVector;
 
-/// Most corrections of a place on the curve, and of the zero on it: from next to the fold both converge in less than ten.
+/// Greatest number of corrections of a point on the curve, and of the zero on it: close to the fold
+/// both converge in less than ten.
 const PATIENCE: usize = 30;
 
-/// The first step along the curve (radians, parts of the mechanism's size): large against the rounding of a rate (1e-10), small against
-/// the curve's bends.
+/// The first step along the curve (radians, parts of the mechanism's size): large compared with the
+/// rounding of a rate (1e-10), small compared with the curve's bends.
 const FIRST: f64 = 1.0 / 1024.0;
 
-/// A fold farther away than this along the curve is not the one that stopped the mechanism.
+/// A fold farther away than this along the curve is not the limit that stops the mechanism.
 const NEAR: f64 = 0.25;
 
-/// Steps along the curve below this are rounding: the rate's derivatives are differences.
+/// Steps along the curve below this are rounding: the derivatives of the rate are differences.
 const SLIGHT: f64 = 1e-10;
 
-/// The curve of all poses about one of them, cut by planes square to its direction there.
+/// The curve of all poses near one of them, intersected by planes square to its direction there.
 struct Curve<'a> {
     system: System<'a>,
     drivers: DriverValues,
     driver: usize,
-    /// What the driver's value is counted in: a radian, or the mechanism's size (m).
+    /// Unit of the driver's value: a radian, or the mechanism's size (m).
     unit: f64,
     base: DVector<f64>,
     along: DVector<f64>,
 }
 
 impl Curve<'_> {
-    /// The unknowns of the system, and the driver's value behind them.
+    /// Returns the residuals; `z` contains the unknowns of the system, and the driver's value after
+    /// them.
     fn residuals(&self, z: &DVector<f64>) -> DVector<f64> {
         let n = z.len() - 1;
         let mut drivers = self.drivers.clone();
@@ -46,7 +52,8 @@ impl Curve<'_> {
         self.system.residuals(&self.system.unpack(&z.rows(0, n).into_owned()), &drivers)
     }
 
-    /// The place on the curve in the plane at a distance from the base, and the driver's rate with that distance.
+    /// Returns the point on the curve in the plane at a distance from the base, and the driver's
+    /// rate with respect to that distance.
     fn at(&self, guess: &DVector<f64>, distance: f64) -> Option<(DVector<f64>, f64)> {
         let n = guess.len() - 1;
         let mut z = guess.clone();
@@ -67,7 +74,7 @@ impl Curve<'_> {
                 return None;
             }
             z += step;
-            // As small as rounding makes it.
+            // The correction is within rounding.
             if size < 4.0 * f64::EPSILON || (size < 1e-9 && size >= last) {
                 let mut one = DVector::zeros(n + 1);
                 one[n] = 1.0;
@@ -80,10 +87,11 @@ impl Curve<'_> {
     }
 }
 
-/// The fold next to a pose: the value of a driver there, counted as [`newton::driver_values`] counts, and the pose.
+/// Returns the fold close to a pose: the value of a driver there, measured like
+/// [`newton::driver_values`], and the pose.
 ///
-/// The value is exact to second order in the pose: it is as good as the rounding of the equations. `None` where the driver's rate
-/// has no simple zero near by on the curve.
+/// The value is exact to second order in the pose: it is as accurate as the rounding of the
+/// equations. `None` if the driver's rate has no simple zero nearby on the curve.
 pub fn fold(
     scene: &Scene,
     mechanism: &Mechanism,
@@ -101,7 +109,8 @@ pub fn fold(
     if slopes.nrows() != n || slopes.iter().any(|v| !v.is_finite()) {
         return None;
     }
-    // The direction in which nothing is missed: with a row of zeros it belongs to the smallest singular value.
+    // The direction with zero residuals: with a row of zeros it belongs to the smallest singular
+    // value.
     let svd = slopes.insert_row(n, 0.0).svd(false, true);
     let smallest = svd.singular_values.imin();
     curve.along = svd.v_t?.row(smallest).transpose();
@@ -131,8 +140,10 @@ mod tests {
     use crate::position::{configure, newton};
     use hodograph_scene as scene;
 
-    /// A crank-rocker (AB, BC, CD, AD) driven by its rocker, whose angle stands so far (rad) inside the limit at which crank and coupler are
-    /// stretched out (1) or fold (−1), so far from the origin (m); the fold that is found, and the limit by the cosine law.
+    /// A crank-rocker (AB, BC, CD, AD) driven by its rocker, with an angle that is inside the
+    /// limit, at which crank and coupler are stretched out (1) or fold (−1), by `inside` (rad), and
+    /// at a distance `off` (m) from the origin. Returns the fold that is found, and the limit by
+    /// the cosine law.
     fn found([a, b, c, d]: [f64; 4], sense: f64, inside: f64, off: f64) -> (Option<f64>, f64) {
         let reach = b + sense * a;
         let limit = std::f64::consts::PI - libm::acos((c * c + d * d - reach * reach) / (2.0 * c * d));
@@ -157,7 +168,8 @@ mod tests {
         )
     }
 
-    /// Next to a limit the fold is found, to the rounding of the equations; from afar it is found or nothing is.
+    /// Close to a limit the fold is found to the rounding of the equations; far from it the result
+    /// is the fold or `None`.
     #[test]
     fn the_fold_is_the_limit_by_the_cosine_law() {
         let (mut near, mut far, mut shifted) = (0, 0, 0);
@@ -165,12 +177,13 @@ mod tests {
             for lengths in [[1.0, 2.5, 2.0, 3.0], [0.5, 3.0, 1.7, 3.1], [0.9, 1.4, 1.6, 1.5], [0.05, 2.0, 1.3, 2.2]] {
                 for sense in [1.0, -1.0] {
                     for inside in [1e-9, 1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.2, 0.4] {
-                        // Half of the swing is as near to the other limit.
+                        // Half of the swing is as close to the other limit.
                         if inside > 0.4 * lengths[0] {
                             continue;
                         }
                         let (fold, limit) = found(lengths.map(|l| l * size), sense, inside, off);
-                        // Far from the origin the rate, which is a difference, is not always told.
+                        // Far from the origin the rate, which is a difference, is not always
+                        // accurate enough.
                         assert!(fold.is_some() || off > 0.0 || inside > 1e-3 * lengths[0], "{lengths:?} {sense}: none from {inside} rad");
                         let Some(value) = fold else { continue };
                         match (off > 0.0, inside > 1e-3) {

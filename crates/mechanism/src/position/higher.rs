@@ -1,6 +1,7 @@
-//! Groups without a closed form: Newton's method on their own equations, from the sketch.
+//! Groups without a closed form: Newton's method on their equations, from the sketch.
 //!
-//! The direction of a slider is not taken from the sketch: at the instant its frame is parallel to the plane's, as in the closed forms.
+//! The direction of a slider is not taken from the sketch: at the instant its frame is parallel to
+//! the plane's, as in the closed forms.
 
 use super::assemble::Assembly;
 use super::branch::Trial;
@@ -13,7 +14,7 @@ use hodograph_base::number::Real;
 use hodograph_scene::{GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
-    /// A group for which only Newton's method from a sketch remains.
+    /// Returns the closure of a group that only Newton's method from a sketch can solve.
     pub(super) fn newton_trial(&self, index: usize, group: &Group) -> Result<Trial<N>, Diagnostic> {
         if let Some(meant) = self.meant {
             return self.coupled_trial(group, meant);
@@ -37,7 +38,8 @@ impl<N: Real> Assembly<'_, N> {
         let sliders: Vec<(LinkId, LinkId)> = group.constraints.iter().filter_map(|&c| self.m.constraints[c].form().locks()).collect();
         for &l in &group.links {
             if let Some((_, on)) = sliders.iter().find(|(s, _)| *s == l) {
-                // Its frame lies as the plane's, unless its own points tell it a direction that nothing puts in relation to the guide.
+                // The frame is parallel to the plane's, unless the slider's points give a direction
+                // unrelated to the guide.
                 let axis = self.axis_of(l, *on, None)?.approx();
                 let seen =
                     self.shapes[l.0].points.iter().find_map(|(p, local)| Some(rough(*p)? - local.to_vec2().approx().rotate_by(axis)));
@@ -47,7 +49,8 @@ impl<N: Real> Assembly<'_, N> {
             }
             let known: Vec<(Point, Point)> =
                 self.shapes[l.0].points.iter().filter_map(|(p, local)| rough(*p).map(|at| (local.approx(), at))).collect();
-            // A wheel that is only its centre lies as the plane does: nothing tells one of its lines from another.
+            // The frame of a wheel with only its centre is parallel to the plane's: its lines
+            // cannot be distinguished.
             if let ([(local, at)], [_]) = (&known[..], &self.shapes[l.0].points[..])
                 && self.shapes[l.0].frame == Frame::Loose
                 && self.scene.rolling.iter().any(|r| r.links.contains(&l))
@@ -94,14 +97,15 @@ impl<N: Real> Assembly<'_, N> {
         Ok(self.trial(pins, poses))
     }
 
-    /// Where points are, or are sketched; of a link with two such points the others too.
+    /// Returns the positions of points, placed or sketched; for a link with two such points also
+    /// those of its other points.
     fn rough_places(&self, group: &Group) -> Vec<Option<Point>> {
         let told = |p: PointId| {
             let sketched = || self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1]));
             self.points[p.0].map(Point::approx).or_else(|| given_at(self.scene, p)).or_else(sketched)
         };
         let mut places: Vec<Option<Point>> = (0..self.scene.points.len()).map(|p| told(PointId(p))).collect();
-        // As many rounds as there are links: each places one at least.
+        // As many rounds as there are links: each round places at least one.
         for _ in &group.links {
             for l in &group.links {
                 let points: Vec<(PointId, Point)> = self.shapes[l.0].points.iter().map(|(p, local)| (*p, local.approx())).collect();
@@ -128,7 +132,7 @@ impl<N: Real> Assembly<'_, N> {
         for (d, driver) in self.scene.drivers.iter().enumerate() {
             if let Some((link, against)) = driver.kind.turned() {
                 let known = || Some(self.axis_of(link, against, Some(d)).ok()?.divide_by(self.poses[against.0]?.axis));
-                // Of two links of the group it says how they stand to one another.
+                // The driver gives the angle between two links of the group.
                 if let Some(apart) = known().or_else(|| self.driven_apart(d)) {
                     values.0[d] = apart.approx().angle();
                 }
@@ -139,7 +143,7 @@ impl<N: Real> Assembly<'_, N> {
         values
     }
 
-    /// What is placed so far, in `f64`.
+    /// Returns the parts placed so far, in `f64`.
     fn snapshot(&self) -> Configuration {
         Configuration {
             points: self.points.iter().map(|p| p.map(Point::approx)).collect(),

@@ -1,10 +1,12 @@
-//! Closures of the dyads in closed form. Both closures are returned; which one is meant is decided elsewhere.
+//! Closures of the dyads in closed form. Both closures are returned; another module selects one.
 //!
-//! A pin that is held by two legs lies on two loci, each a circle or a line; a lever pinned at one place and running over
-//! a pin at another is turned until its slot meets the pin. That makes the five dyads: RRR two circles, RRP circle and
-//! line, PRP two lines, RPP two lines (or a line and a circle) for a link that keeps its direction, RPR the lever.
+//! A pin held by two legs is on two loci, each a circle or a line; a lever pinned at one point,
+//! with a slot over a pin at another, is turned until its slot meets the pin. That makes the five
+//! dyads: RRR two circles, RRP circle and line, PRP two lines, RPP two lines (or a line and a
+//! circle) for a link that keeps its direction, RPR the lever.
 //!
-//! No tolerance is in this file: what cannot be closed is reported with the amount by which it misses.
+//! Loci that do not meet are reported with the amount by which they miss; the only tolerances are
+//! those of rounding.
 
 use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_base::number::Real;
@@ -28,22 +30,24 @@ pub enum Locus<N = f64> {
     },
 }
 
-/// Why two loci do not meet.
+/// The reason why two loci do not meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Miss {
     /// Two circles, or a circle and a line, too far apart by this much (m).
     TooFar(f64),
-    /// One circle inside the other, by this much (m).
+    /// One circle inside the other, with this gap (m).
     TooNear(f64),
-    /// Two parallel lines this far apart, or two circles about one centre.
+    /// Two parallel lines at this distance (m), or two circles about one centre.
     Parallel(f64),
 }
 
-/// The meeting points of two loci, at most two: first the one to the left of the line from the first locus's centre to
-/// the second's (two circles), or the one further along the line's direction (circle and line).
+/// Returns the intersections of two loci, at most two: first the one on the left of the line from
+/// the first locus's centre to the second's (two circles), or the one further along the line's
+/// direction (circle and line).
 ///
-/// Two coinciding solutions (the loci touch) are returned as two equal points. In numbers that know their error a miss is
-/// a statement about the numbers as written; in plain ones, what rounding explains is taken for a touch.
+/// Two coinciding solutions (the loci touch) are returned as two equal points. In numbers that know
+/// their error a miss is a statement about the numbers as written; in plain numbers, a miss within
+/// rounding counts as contact.
 pub fn meet<N: Real>(a: Locus<N>, b: Locus<N>) -> Result<Vec<Point<N>>, Miss> {
     match (a, b) {
         (Locus::Circle { centre: p, radius: r }, Locus::Circle { centre: q, radius: s }) => circles(p, r, q, s),
@@ -51,7 +55,8 @@ pub fn meet<N: Real>(a: Locus<N>, b: Locus<N>) -> Result<Vec<Point<N>>, Miss> {
         | (Locus::Line { through, direction }, Locus::Circle { centre, radius }) => circle_line(centre, radius, through, direction),
         (Locus::Line { through: p, direction: u }, Locus::Line { through: q, direction: w }) => {
             let c = cross_lines(p, u, q, w);
-            // The sine of two unit vectors that are parallel as written is zero to the last bit or two.
+            // The sine of two unit vectors that are parallel as written is zero to the last bit or
+            // two.
             if c.sine.approx().abs() <= PARALLEL || !c.at.is_finite() {
                 Err(Miss::Parallel(u.cross(q - p).approx().abs()))
             } else {
@@ -61,44 +66,49 @@ pub fn meet<N: Real>(a: Locus<N>, b: Locus<N>) -> Result<Vec<Point<N>>, Miss> {
     }
 }
 
-/// Below this sine two directions cannot be told from parallel ones: each is a unit vector rounded by a few units in
-/// the last place (u = 1.1e-16); a smaller bound would take rounding for geometry, a larger one refuse what double
-/// precision can still answer to a digit.
+/// Sine below which two directions cannot be distinguished from parallel ones: each is a unit
+/// vector rounded by a few units in the last place (u = 1.1e-16). A smaller bound takes rounding
+/// for geometry, a larger one refuses poses that double precision can still solve to a digit.
 const PARALLEL: f64 = 1e-15;
 
-/// Rounding slack of a radicand that is a product of two differences of squares: where the written numbers make the loci
-/// touch exactly, rounding may leave −4u of its terms. A radicand below that is a miss, not a touch.
+/// Rounding tolerance of a radicand that is a product of two differences of squares: if the written
+/// numbers make the loci touch exactly, rounding may leave −4u of its terms. A radicand below that
+/// is a miss, not contact.
 const TOUCH: f64 = 8.0 * f64::EPSILON;
 
-/// By how many times the distance of the centres may be smaller than the size of two circles before the slack of their inner touch is counted by that
-/// distance: where it is not small, the two measures differ by less than this.
+/// Ratio of the size of two circles to the distance of their centres above which the tolerance of
+/// their inner contact is measured by that distance: below it, the two measures differ by less than
+/// this factor.
 const CLOSE: f64 = 16.0;
 
-/// Part of the radius by which the point where two circles touch may be off them: rounding makes some 1e-8 of it, circles about one centre miss by all of it.
+/// Relative distance, as a part of the radius, of the contact point of two circles from the
+/// circles: rounding gives some 1e-8, circles about one centre miss by the whole radius.
 const COINCIDE: f64 = 1e-6;
 
-/// Whether a radicand is negative beyond what its rounding explains; `size` is that of its terms. Numbers that know their error
-/// say so themselves: a middle is nothing to judge by where the bound is wide.
+/// Returns true if a radicand is negative beyond its rounding; `size` is that of its terms. Numbers
+/// that know their error decide by their bound: with a wide bound the midpoint is not conclusive.
 fn misses<N: Real>(radicand: N, size: N) -> bool {
     if N::knows_its_error() { radicand.is_surely_negative() } else { radicand.approx() < -TOUCH * size.approx() }
 }
 
-/// A radicand that its rounding alone may have moved off zero is zero in numbers that cannot tell better: the loci touch,
-/// and their crossing does not move by the square root of the rounding (1e-8 of the size, a dead centre missed by a hair).
+/// Returns a radicand, set to zero in plain numbers if it is zero within rounding: the loci touch,
+/// and their intersection does not move by the square root of the rounding (1e-8 of the size:
+/// a dead centre would be missed by as much).
 fn touching<N: Real>(radicand: N, size: N) -> N {
     if !N::refines() && radicand.approx().abs() <= 0.25 * TOUCH * size.approx() { N::from_f64(0.0) } else { radicand }
 }
 
-/// The factors (r+s)²−d² and d²−(r−s)² of m: two circles meet where neither is negative.
+/// Returns the factors (r+s)²−d² and d²−(r−s)² of m: two circles meet if neither is negative.
 ///
 /// # Source
-/// m = ((r+s)²−d²)(d²−(r−s)²), the squared quadruple area after Heron; 12 forms were measured, this is the fastest and
-/// as stable as Kahan's.
+/// m = ((r+s)²−d²)(d²−(r−s)²), the squared quadruple area after Heron; of 12 measured forms this is
+/// the fastest, and as stable as Kahan's.
 fn factors<N: Real>(d2: N, r: N, s: N) -> [N; 2] {
     [(r + s) * (r + s) - d2, d2 - (r - s) * (r - s)]
 }
 
-/// From the first centre to the middle of the common chord, and half of the chord, left of `d`; `m` as above.
+/// Returns the vector from the first centre to the middle of the common chord, and half of the
+/// chord, on the left of `d`; `m` as above.
 fn chord<N: Real>(d: Vec2<N>, d2: N, m: N, r: N, s: N) -> [Vec2<N>; 2] {
     let two = N::from_f64(2.0);
     let f = (d2 + (r - s) * (r + s)) / (two * d2);
@@ -106,10 +116,12 @@ fn chord<N: Real>(d: Vec2<N>, d2: N, m: N, r: N, s: N) -> [Vec2<N>; 2] {
     [d * f, d.perp() * h]
 }
 
-/// Where circles about `p` and `q` meet, first the point to the left of the line from `p` to `q`; `None` where they do not.
+/// Returns the intersections of circles about `p` and `q`, first the point on the left of the line
+/// from `p` to `q`; `None` if there are none.
 ///
-/// What a search asks millions of times, in plain numbers and lengths of like size: as [`meet`], without its scaling, without the slack for
-/// rounding where they touch, and without saying by how much they miss.
+/// For searches with millions of calls, in plain numbers and lengths of similar size: like
+/// [`meet`], but without its scaling, without the rounding tolerance at contact, and without the
+/// amount of a miss.
 pub fn crossing(p: Point, r: f64, q: Point, s: f64) -> Option<[Point; 2]> {
     let d = q - p;
     let d2 = d.norm2();
@@ -121,10 +133,11 @@ pub fn crossing(p: Point, r: f64, q: Point, s: f64) -> Option<[Point; 2]> {
     Some([p + (foot + side), p + (foot - side)])
 }
 
-/// Two circles in any number, scaled, with what rounding explains taken for a touch.
+/// Intersects two circles in any number type, scaled; a miss within rounding counts as contact.
 fn circles<N: Real>(p: Point<N>, r: N, q: Point<N>, s: N) -> Result<Vec<Point<N>>, Miss> {
     let d = q - p;
-    // Scaled by a power of two so that squares of very small or large lengths neither vanish nor overflow.
+    // Scaled by a power of two so that squares of very small or large lengths neither vanish nor
+    // overflow.
     let k = power_of_two_scale(r.approx().max(s.approx()).max(d.approx().norm()));
     let (up, back) = (N::from_f64(k), N::from_f64(1.0 / k));
     let (d, r, s) = (d * up, r * up, s * up);
@@ -140,11 +153,13 @@ fn circles<N: Real>(p: Point<N>, r: N, q: Point<N>, s: N) -> Result<Vec<Point<N>
     if misses(inner, terms) {
         return Err(Miss::TooNear(((r - s).approx().abs() - d2.approx().sqrt()) / k));
     }
-    // d² − (r−s)² is off by what a rounded d makes of it: of circles about nearly one centre far less than their squares.
+    // The rounding of d affects d² − (r−s)²: for circles with nearly one centre by far less than
+    // their squares.
     let close = N::from_f64(terms.approx().min(CLOSE * d2.approx().sqrt() * terms.approx().sqrt()));
     let m = touching(outer, terms) * touching(inner, close);
     let [foot, side] = chord(d, d2, m, r, s);
-    // Circles that touch do so at their radius from the centre; otherwise they coincide but for rounding, and meet everywhere.
+    // The point of contact of two circles has the radius as its distance from the centre; otherwise
+    // the circles coincide within rounding, and meet everywhere.
     if m.approx() == 0.0 && (foot.approx().norm() - r.approx()).abs() > COINCIDE * r.approx() {
         return Err(Miss::Parallel((r - s).approx().abs() / k));
     }
@@ -170,14 +185,15 @@ fn circle_line<N: Real>(c: Point<N>, r: N, q: Point<N>, t: Vec2<N>) -> Result<Ve
 
 /// Turns a lever about its pivot until its slot meets the pin.
 ///
-/// In the lever's frame: pivot `d`, slot along the unit vector `t` through `q`. `to_pin` leads from the pivot to the pin
-/// in the plane. Returns, for each closure, the pin's place in the lever's frame: first the one further along the slot's
-/// direction.
+/// In the lever's frame: pivot `d`, slot along the unit vector `t` through `q`. `to_pin` is the
+/// vector from the pivot to the pin in the plane. Returns, for each closure, the position of the
+/// pin in the lever's frame: first the one further along the slot's direction.
 pub fn lever<N: Real>(d: Point<N>, q: Point<N>, t: Vec2<N>, to_pin: Vec2<N>) -> Result<Vec<Point<N>>, Miss> {
     circle_line(d, to_pin.norm(), q, t)
 }
 
-/// 2^−e with e the binary exponent of `x`, so that `x` times it lies in [1, 2); 1 for zero and non-finite values.
+/// Returns 2^−e with e the binary exponent of `x`, so that the product with `x` is in [1, 2); 1 for
+/// zero and non-finite values.
 pub fn power_of_two_scale(x: f64) -> f64 {
     if !(x.is_normal()) {
         return 1.0;

@@ -1,4 +1,4 @@
-//! Poses of a link that its legs hold: at a given angle, as a lever over a pin, or on three legs.
+//! Poses of a link held by its legs: at a given angle, as a lever over a pin, or on three legs.
 
 use super::assemble::Assembly;
 use super::kernel::{self, Locus, Miss};
@@ -13,7 +13,7 @@ use hodograph_base::number::Real;
 use hodograph_scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, RollingId};
 
 impl<N: Real> Assembly<'_, N> {
-    /// The possible poses of a core link.
+    /// Returns the possible poses of a core link.
     pub(super) fn poses_of_link(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
         let Entry { pivot, angle, holds, .. } = Entry::of(legs);
         if angle.is_none() && holds.iter().any(|h| matches!(h, Hold::Rolls { .. })) {
@@ -40,9 +40,10 @@ impl<N: Real> Assembly<'_, N> {
         }
     }
 
-    /// A driven link without a stated angle whose guide runs over a pin with given coordinates: the pin shows its angle; so it does of a
-    /// link without a line of its own that turns with another. A guide about the pivot itself shows nothing: it looks the same at every
-    /// angle; nor does one whose angle is told on a link that never turns.
+    /// Returns the pin and the guide that determine the angle of a link: the guide of a driven link
+    /// without a stated angle over a pin with given coordinates, or that of a link without a line
+    /// that turns with another link. Two guides determine no angle: one about the pivot itself,
+    /// which is the same at every angle, and one with a given angle on a link that never turns.
     pub(super) fn posed_by_runner(&self, link: LinkId, pivot: PointId, driver: Option<usize>) -> Option<(PointId, GuideId)> {
         let shown = match driver.map(|d| &self.scene.drivers[d].kind) {
             Some(kind) => kind.turns() && kind.angle().is_none(),
@@ -74,12 +75,13 @@ impl<N: Real> Assembly<'_, N> {
         .help(both!("give the coordinates of its joints at the instant in \"points\"", "请在 \"points\" 中给出该时刻各铰链的坐标"))
     }
 
-    /// Direction of a link's frame, from the link whose turning it shares or against which a driver turns it.
+    /// Returns the direction of a link's frame, from the link with which it turns or relative to
+    /// which a driver turns it.
     pub(super) fn axis_of(&self, link: LinkId, of: LinkId, driver: Option<usize>) -> Result<Vec2<N>, Diagnostic> {
         let name = self.scene.link_name(link);
         let shape = &self.shapes[link.0];
         let Some(d) = driver else {
-            // At a later time a slider stands against the other link as it stood at the instant.
+            // At a later time a slider keeps its angle to the other link from the instant.
             let stood = self.instant.and_then(|c| c.poses[link.0].zip(c.poses[of.0]));
             if let (Some((own, other)), Some(now)) = (stood, self.poses[of.0]) {
                 return Ok(own.axis.divide_by(other.axis).rotate_by(now.axis));
@@ -105,7 +107,7 @@ impl<N: Real> Assembly<'_, N> {
         };
         let [line, against_line] = self.scene.drivers[d].kind.lines();
         let Some(angle) = self.scene.drivers[d].kind.angle() else {
-            // What has no line of its own, a wheel or a block, may stand at any angle.
+            // A wheel or a block without a line may have any angle.
             let lines = self.scene.guides.iter().any(|g| g.on == link);
             let wheel = self.scene.rolling.iter().any(|r| r.links.contains(&link));
             if shape.frame == Frame::Loose && (wheel || !lines) && self.instant.is_none() {
@@ -138,13 +140,14 @@ impl<N: Real> Assembly<'_, N> {
         })
     }
 
-    /// Whether the frame of a sliding link lies along the guide in which it slides: a guide of its own counts from that.
+    /// Returns true if the frame of a sliding link is aligned with the guide in which it slides:
+    /// the angle of a guide on the link is measured from it.
     pub(super) fn lies_along_its_guide(&self, link: LinkId) -> bool {
         let counts = |g: &Guide| matches!(g.path, GuidePath::Line { direction: Direction::Slid(_), .. });
         self.shapes[link.0].frame == Frame::Loose && self.scene.guides.iter().any(|g| g.on == link && counts(g))
     }
 
-    /// The direction in the plane of the guide in which a link slides.
+    /// Returns the direction in the plane of the guide in which a link slides.
     pub(super) fn slid_along(&self, link: LinkId) -> Option<Vec2<N>> {
         let guide = self.scene.guides.iter().position(|g| g.slider == Some(link)).map(GuideId)?;
         match self.guide_in_plane(guide)? {
@@ -153,7 +156,8 @@ impl<N: Real> Assembly<'_, N> {
         }
     }
 
-    /// The line of a link from which a driver's angle counts, in the link's frame: that of two points, else of its first two, else its x axis.
+    /// Returns the line of a link from which a driver's angle is measured, in the link's frame: the
+    /// line of two points if given, otherwise that of its first two points, otherwise its x axis.
     fn line_in(&self, link: LinkId, line: Option<(PointId, PointId)>) -> Option<Vec2<N>> {
         let shape = &self.shapes[link.0];
         let between = |a, b| shape.local(a).zip(shape.local(b)).map(|(a, b)| b - a);
@@ -164,7 +168,8 @@ impl<N: Real> Assembly<'_, N> {
         }
     }
 
-    /// The direction of the frame of a driven link in the frame of the link against which it turns, wherever that is.
+    /// Returns the direction of the frame of a driven link in the frame of the link relative to
+    /// which it turns, for any pose of the latter.
     pub(super) fn driven_apart(&self, driver: usize) -> Option<Vec2<N>> {
         let kind = &self.scene.drivers[driver].kind;
         let ((link, against), [line, against_line]) = (kind.turned()?, kind.lines());
@@ -173,13 +178,14 @@ impl<N: Real> Assembly<'_, N> {
         Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit()
     }
 
-    /// A link on a known pivot whose slot runs over a known pin.
+    /// Returns the poses of a link on a known pivot with a slot over a known pin.
     pub(super) fn poses_of_lever(&self, link: LinkId, pivot: PointId, runner: PointId, guide: GuideId) -> Result<Vec<Pose<N>>, Diagnostic> {
         let (pivot_at, pin_at) = (self.known(pivot), given_place(self.scene, &self.inputs, runner).unwrap_or_else(|| self.known(runner)));
         let d = self.shapes[link.0].local(pivot).expect("a link's points have local places");
         let to_pin = pin_at - pivot_at;
         let Some(path) = self.guides[guide.0] else {
-            // The guide's direction is given at the instant, or it runs through the pin where that is.
+            // The guide's direction is given at the instant, or the guide runs through the position
+            // of the pin.
             return if self.shapes[link.0].frame == Frame::Loose {
                 Ok(vec![Pose { origin: pivot_at - d.to_vec2(), axis: Vec2::unit_x() }])
             } else {
@@ -199,7 +205,8 @@ impl<N: Real> Assembly<'_, N> {
             };
         };
         let places = match path {
-            // A link that is nothing but its pivot and its slot has no front: pin ahead or behind is the same thing.
+            // A link that has only its pivot and its slot has no front: a pin ahead or behind is
+            // equivalent.
             Path::Line { through, direction } if self.shapes[link.0].frame == Frame::Loose && through == d => {
                 let mut places = kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
                 places.truncate(1);
@@ -263,18 +270,19 @@ impl<N: Real> Assembly<'_, N> {
         {
             return Ok(vec![Pose { origin: self.driven_place(guide, driver)?, axis }]);
         }
-        // A point with given coordinates shows the place of a link whose direction is known.
+        // A point with given coordinates determines the position of a link with a known direction.
         let shape = &self.shapes[link.0];
         if let Some((local, at)) = shape.points.iter().find_map(|(p, local)| Some((*local, given_place(self.scene, &self.inputs, *p)?))) {
             return Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }]);
         }
-        // A driven carriage that has no point of its own is laid anywhere along its guide.
+        // A driven carriage without a point has an arbitrary position along its guide.
         let driven = |h: &Hold| matches!(h, Hold::Glide { driver: Some(_), .. });
         if shape.points.is_empty() && holds.iter().any(driven) {
             return Ok(vec![Pose { origin: Point::origin(), axis }]);
         }
-        // A slot that passes "through the pin where it is" is met wherever the link is put along its guide. Where the link
-        // only translates its place changes no vector: its first point is put at the pin.
+        // A slot with `through` at the pin's own position meets the pin wherever the link is along
+        // its guide. If the link only translates, its position changes no vector: its first point
+        // is put at the pin.
         let unplaced = |h: &Hold| if let Hold::Slot { guide, pin } = *h { self.guides[guide.0].is_none().then_some(pin) } else { None };
         let met = holds.iter().find_map(unplaced);
         if let Some(pin) = met
@@ -287,7 +295,7 @@ impl<N: Real> Assembly<'_, N> {
         if let Some((pair, kept)) = rolling_beside(a, b) {
             let line = self.triad_leg(link, kept)?.locus(axis);
             let Some(rolled) = self.origin_of_rack(link, axis, pair) else {
-                // At the instant a rack stands anywhere along its guide.
+                // At the instant a rack may be anywhere along its guide.
                 return match (line, self.instant) {
                     (Locus::Line { through, .. }, None) => Ok(vec![Pose { origin: through, axis }]),
                     _ => Err(self.no_closure(link)),
@@ -338,7 +346,8 @@ impl<N: Real> Assembly<'_, N> {
                         _ => return Err(self.no_closure(link)),
                     },
                 };
-                // The distance of the link's own origin from the guide changes no answer: it is put on the guide.
+                // The distance of the link's origin from the guide changes no answer: the origin is
+                // put on the guide.
                 let through = match self.guide_in_plane(guide) {
                     Some(Path::Line { through, .. }) => through,
                     _ => Point::origin(),
@@ -351,7 +360,7 @@ impl<N: Real> Assembly<'_, N> {
         })
     }
 
-    /// The pose that the sketch (or coordinates) of two of a link's points gives it.
+    /// Returns the pose of a link from the sketch (or coordinates) of two of its points.
     pub(super) fn sketched_pose(&self, link: LinkId) -> Option<(Point, Vec2)> {
         let rough = |p: PointId| given_at(self.scene, p).or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])));
         let mut known = self.shapes[link.0].points.iter().filter_map(|(p, local)| Some((local.approx(), rough(*p)?)));
@@ -360,7 +369,7 @@ impl<N: Real> Assembly<'_, N> {
         Some((pose.origin, pose.axis))
     }
 
-    /// A group without a closed form that these numbers cannot vouch for.
+    /// Returns the diagnostic for a group without a closed form that these numbers cannot prove.
     pub(super) fn unproven(&self, links: &[LinkId], why: Unproven) -> Diagnostic {
         let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
         let why = match why {
@@ -403,7 +412,7 @@ impl<N: Real> Assembly<'_, N> {
     }
 }
 
-/// Of two holds the rolling pair, where one of them rolls, and the other hold.
+/// Returns the rolling pair of two holds, if one of them rolls, and the other hold.
 fn rolling_beside<'a>(a: &'a Hold, b: &'a Hold) -> Option<(RollingId, &'a Hold)> {
     match (a, b) {
         (Hold::Rolls { pair, .. }, other) | (other, Hold::Rolls { pair, .. }) => Some((*pair, other)),

@@ -1,11 +1,13 @@
-//! Where everything is at the instant: from lengths and driver angles, or from the coordinates that the scene gives.
+//! Positions at the instant: from lengths and driver angles, or from the coordinates in the scene.
 //!
-//! Group after group in solving order ([`assemble`]: a pin on its loci, [`pins`]; a link on its legs, [`links`]). Each dyad is closed in closed form ([`kernel`]), the closure chosen by what the
-//! scene says (side, sketch) or by a stated default; a triad takes the assembly nearest its sketch ([`triad`]); a higher
-//! group is solved by Newton's method on its own equations ([`higher`], [`newton`]); where these let it go no farther is its [`fold`]. [`finish`] adds what only follows and
-//! checks what was given twice.
+//! The groups are placed one after the other in solving order ([`assemble`]: a pin on its loci,
+//! [`pins`]; a link on its legs, [`links`]). Each dyad is closed in closed form ([`kernel`]); the
+//! scene (side, sketch) or a stated default selects the closure. A triad takes the assembly nearest
+//! its sketch ([`triad`]). A higher group is solved by Newton's method on its equations
+//! ([`higher`], [`newton`]); its limit of motion is the [`fold`]. [`finish`] adds the passive parts
+//! and checks values that are given twice.
 //!
-//! The result is a [`Configuration`]: all that the drawing board and the loop equations share.
+//! The result is a [`Configuration`]: the data that the drawing board and the loop equations share.
 
 mod assemble;
 pub mod belt;
@@ -42,7 +44,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through};
 
-/// Place and direction of a link: its local frame in the plane.
+/// Position and direction of a link: its local frame in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<N = f64> {
     /// The frame's origin (m).
@@ -57,44 +59,45 @@ impl Pose {
 }
 
 impl Pose {
-    /// The same in other numbers.
+    /// Converts the pose to another number type.
     pub fn lift<N: Real>(&self) -> Pose<N> {
         Pose { origin: self.origin.lift(), axis: self.axis.lift() }
     }
 }
 
 impl<N: Real> Pose<N> {
-    /// The frame of ground: the plane's own.
+    /// Returns the frame of ground: the plane's own.
     pub fn ground() -> Self {
         Pose { origin: Point::origin(), axis: Vec2::unit_x() }
     }
 
-    /// The nearest pose in `f64`.
+    /// Returns the nearest pose in `f64`.
     pub fn approx(&self) -> Pose {
         Pose { origin: self.origin.approx(), axis: self.axis.approx() }
     }
 
-    /// From the link to the plane.
+    /// Converts a point from the link to the plane.
     pub fn to_world(&self, local: Point<N>) -> Point<N> {
         self.origin + self.turn(local.to_vec2())
     }
 
-    /// A direction of the link, in the plane.
+    /// Converts a direction from the link to the plane.
     pub fn turn(&self, local: Vec2<N>) -> Vec2<N> {
         local.rotate_by(self.axis)
     }
 
-    /// From the plane to the link.
+    /// Converts a point from the plane to the link.
     pub fn to_local(&self, world: Point<N>) -> Point<N> {
         self.turn_back(world - self.origin).to_point()
     }
 
-    /// A direction of the plane, in the link.
+    /// Converts a direction from the plane to the link.
     pub fn turn_back(&self, world: Vec2<N>) -> Vec2<N> {
         Vec2::new(self.axis.dot(world), self.axis.cross(world))
     }
 
-    /// The pose at which local `a` lies on `world_a` and local a→b points along `direction`.
+    /// Returns the pose that puts local `a` at `world_a` and turns the local direction `toward`
+    /// into `direction`.
     pub fn from_point_and_direction(a: Point<N>, toward: Vec2<N>, world_a: Point<N>, direction: Vec2<N>) -> Option<Self> {
         let axis = direction.divide_by(toward).unit()?;
         Some(Pose { origin: world_a - a.to_vec2().rotate_by(axis), axis })
@@ -106,7 +109,7 @@ impl<N: Real> Pose<N> {
 pub enum Path<N = f64> {
     /// A straight guide.
     Line {
-        /// A point of it, from which positions are counted.
+        /// The point from which coordinates are measured.
         through: Point<N>,
         /// Unit vector of positive sliding.
         direction: Vec2<N>,
@@ -121,7 +124,7 @@ pub enum Path<N = f64> {
 }
 
 impl<N: Real> Path<N> {
-    /// The nearest path in `f64`.
+    /// Returns the nearest path in `f64`.
     pub fn approx(&self) -> Path {
         match *self {
             Path::Line { through, direction } => Path::Line { through: through.approx(), direction: direction.approx() },
@@ -136,7 +139,8 @@ impl<N: Real> Path<N> {
         }
     }
 
-    /// The place at a coordinate along the path: metres from the start, of arc on a curved guide.
+    /// Returns the point at a coordinate along the path: metres from the start, of arc on a curved
+    /// guide.
     pub fn point_at(&self, s: N) -> Point<N> {
         match *self {
             Path::Line { through, direction } => through + direction * s,
@@ -144,7 +148,7 @@ impl<N: Real> Path<N> {
         }
     }
 
-    /// The coordinate of a place along the path, as [`Path::point_at`] counts it.
+    /// Returns the coordinate of a point along the path, as in [`Path::point_at`].
     pub fn coordinate_of(&self, at: Point<N>) -> N {
         match *self {
             Path::Line { through, direction } => direction.dot(at - through),
@@ -152,7 +156,8 @@ impl<N: Real> Path<N> {
         }
     }
 
-    /// Unit tangent at the pin, in the positive sense of sliding (counter-clockwise about the centre on an arc).
+    /// Returns the unit tangent at the pin, in the positive sense of sliding (counter-clockwise
+    /// about the centre on an arc).
     pub fn tangent_at(&self, pin: Point<N>) -> Vec2<N> {
         match *self {
             Path::Line { direction, .. } => direction,
@@ -161,24 +166,25 @@ impl<N: Real> Path<N> {
     }
 }
 
-/// All positions at one instant. Entries are `None` for what the questions do not call for.
+/// All positions at one instant. Entries are `None` for parts that the demand does not cover.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Configuration<N = f64> {
     /// Each point (m).
     pub points: Vec<Option<Point<N>>>,
-    /// Each link's frame; blocks and cylinder parts have that of the line they follow.
+    /// Each link's frame; blocks and cylinder parts have the frame of the line that they follow.
     pub poses: Vec<Option<Pose<N>>>,
     /// Each guide in the plane.
     pub guides: Vec<Option<Path<N>>>,
     /// Each link's points in its own frame, and each guide in the frame of the link that carries it.
     pub shapes: Shapes<N>,
-    /// For each group, which of its closures was taken, in the order of the closed forms (0 where there is one).
+    /// For each group the index of the closure taken, in the order of the closed forms (0 if there
+    /// is one).
     pub closures: Vec<usize>,
-    /// How far each rolling pair has rolled since the scene's instant.
+    /// The rolling of each pair since the scene's instant.
     pub rolled: Vec<Option<Rolled>>,
 }
 
-/// The rigid forms, in the links' own frames.
+/// The rigid shapes, in the frames of the links.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shapes<N = f64> {
     /// For each link, its points.
@@ -190,27 +196,28 @@ pub struct Shapes<N = f64> {
 }
 
 impl<N: Real> Shapes<N> {
-    /// A point in its link's frame.
+    /// Returns a point in its link's frame.
     pub fn local(&self, link: LinkId, p: PointId) -> Option<Point<N>> {
         self.points[link.0].iter().find(|(q, _)| *q == p).map(|(_, at)| *at)
     }
 }
 
 impl<N: Real> Configuration<N> {
-    /// The place of a point by its name; `None` of one that the scene does not have or that is not placed.
+    /// Returns the position of a point by its name; `None` if the scene has no such point or the
+    /// point is not placed.
     pub fn named(&self, scene: &Scene, name: &str) -> Option<Point<N>> {
         self.points[scene.points.iter().position(|p| p.name == name)?]
     }
 
-    /// A point that is known to be placed.
+    /// Returns the position of a point that is known to be placed.
     ///
     /// # Panics
-    /// If the point was not called for; the stages ask only for what their plan needs.
+    /// If the point is not placed; the stages request only the points that their plan needs.
     pub fn point(&self, p: PointId) -> Point<N> {
         self.points[p.0].expect("a planned point is placed")
     }
 
-    /// A guide that is known to be placed.
+    /// Returns a guide that is known to be placed.
     ///
     /// # Panics
     /// As [`Configuration::point`].
@@ -218,7 +225,7 @@ impl<N: Real> Configuration<N> {
         self.guides[g.0].expect("a planned guide is placed")
     }
 
-    /// The nearest configuration in `f64`.
+    /// Returns the nearest configuration in `f64`.
     pub fn approx(&self) -> Configuration {
         let guides = |list: &[Option<Path<N>>]| list.iter().map(|g| g.map(|g| g.approx())).collect();
         Configuration {
@@ -235,7 +242,8 @@ impl<N: Real> Configuration<N> {
         }
     }
 
-    /// The largest distance of two placed points (m), the size of the mechanism; 0 for a single point.
+    /// Returns the largest distance of two placed points (m), the size of the mechanism; 0 for a
+    /// single point.
     pub fn extent(&self) -> f64 {
         let mut lo = Vec2::new(f64::INFINITY, f64::INFINITY);
         let mut hi = Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY);
@@ -246,8 +254,8 @@ impl<N: Real> Configuration<N> {
         if lo.x > hi.x { 0.0 } else { (hi - lo).norm() }
     }
 
-    /// The direction whose angle a link's is: from its first point to its second; of a link that has fewer than two, that of its guide, else of its
-    /// frame's axis.
+    /// Returns the direction that defines the angle of a link: from its first point to its second;
+    /// for a link with fewer points that of its guide, otherwise that of its frame's axis.
     pub fn direction(&self, scene: &Scene, l: LinkId) -> Option<Vec2<N>> {
         let of_guide = || match self.guides[guide_of(scene, l)?.0]? {
             Path::Line { direction, .. } => Some(direction),
@@ -256,7 +264,8 @@ impl<N: Real> Configuration<N> {
         self.link_direction(scene, l).or_else(of_guide).or_else(|| self.poses[l.0].map(|p| p.axis))
     }
 
-    /// Direction of a link from its first point to its second; `None` where it has fewer than two.
+    /// Returns the direction of a link from its first point to its second; `None` if it has fewer
+    /// than two.
     pub fn link_direction(&self, scene: &Scene, l: LinkId) -> Option<Vec2<N>> {
         let pts = &scene.links[l.0].points;
         let (a, b) = (self.points[pts.first()?.0]?, self.points[pts.get(1)?.0]?);
@@ -264,8 +273,8 @@ impl<N: Real> Configuration<N> {
     }
 }
 
-/// The configuration of these poses and points, completed by what follows from them. Shapes, closures and the records of what rolls are those
-/// of `meant`.
+/// Returns the configuration of these poses and points, completed with the passive parts. Shapes,
+/// closures and rolling records are those of `meant`.
 pub fn laid(
     scene: &Scene,
     mechanism: &Mechanism,
@@ -276,8 +285,9 @@ pub fn laid(
     finish::complete(scene, mechanism, meant.shapes.clone(), (poses, points), meant.closures.clone(), &meant.rolled)
 }
 
-/// The straight guide whose direction is that of a link without a line of its own: one that lies on it at an angle told for the instant and has a
-/// place of its own (one through its pin is placed only where that is asked for), else the first along which it slides.
+/// Returns the straight guide that gives the direction of a link without a line: a guide on the
+/// link with an angle given for the instant and a position of its own (a guide through its pin is
+/// placed only on request), otherwise the first guide along which the link slides.
 pub fn guide_of(scene: &Scene, l: LinkId) -> Option<GuideId> {
     let straight = |told: bool, g: &Guide| match &g.path {
         GuidePath::Line { through, direction, .. } => !told || matches!(direction, Direction::Instant(_)) && *through != Through::Pin,

@@ -1,9 +1,11 @@
-//! Newton's method on the constraint equations of a set of links, from a rough pose: for groups that no closed form
-//! solves, and to move a placed mechanism by a small step.
+//! Newton's method on the constraint equations of a set of links, from a rough pose: for groups
+//! without a closed form, and for small motions of a placed mechanism.
 //!
-//! Unknown are the poses of the chosen links (x, y, angle each) and the places of pins that sit on none of them. The residuals are written for all kinds of
-//! constraint; their derivatives are taken by differences, which shares nothing with the analytic check, and for each unknown only in the
-//! equations of the constraints that touch its link or pin: the others are not changed by it.
+//! The unknowns are the poses of the chosen links (x, y, angle each) and the positions of pins that
+//! are on none of them. The residuals are written for all kinds of constraint. Their derivatives
+//! are differences, which are independent of the analytic check; for each unknown they are taken
+//! only in the equations of the constraints of its link or pin, since the other equations do not
+//! change.
 
 use super::equations::{self, Given, Measured, View};
 use super::rolling::{self, Rolled, Seen};
@@ -14,11 +16,11 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::{DMatrix, DVector};
 
-/// Poses of all links and places of all points, as far as they are known.
+/// Poses of all links and positions of all points, as far as they are known.
 pub type Solved = (Vec<Option<Pose>>, Vec<Option<Point>>);
 
-/// The values that the drivers hold, in the order of the scene: radians from the pose in which the link frames were laid,
-/// metres along the guide, metres of length.
+/// The values of the drivers, in the order of the scene: radians from the pose in which the link
+/// frames are defined, metres along the guide, metres of length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DriverValues(pub Vec<f64>);
 
@@ -28,20 +30,22 @@ pub struct System<'a> {
     shapes: &'a Shapes,
     links: Vec<LinkId>,
     pins: Vec<PointId>,
-    /// Each with what it keeps of the start, where no driver gives it.
+    /// Each form with its value at the start, unless a driver gives the value.
     forms: Vec<(Form, Given<f64>)>,
-    /// How far each rolling pair has rolled at the start.
+    /// The rolling of each pair at the start.
     rolled: Vec<Option<Rolled>>,
-    /// By how much each rolling pair is off the phase that the scene gives at the start, as an angle of its second link.
+    /// Deviation of each rolling pair from the phase in the scene at the start, as an angle of its
+    /// second link.
     out_of_phase: Vec<f64>,
-    /// Poses and points outside the system, which stay.
+    /// Poses and points outside the system, which are constant.
     poses: Vec<Option<Pose>>,
     points: Vec<Option<Point>>,
     scale: f64,
 }
 
 impl<'a> System<'a> {
-    /// The equations of the given groups. Lock angles and glide offsets are those of `start`.
+    /// Creates the equations of the given groups. Lock angles and glide offsets are those of
+    /// `start`.
     pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, shapes: &'a Shapes, start: &Configuration, groups: &[usize]) -> System<'a> {
         let mut links = Vec::new();
         let mut pins = Vec::new();
@@ -65,7 +69,7 @@ impl<'a> System<'a> {
         };
         for i in 0..system.forms.len() {
             let (form, _) = system.forms[i];
-            // A driver's is told with each solution.
+            // The value of a driver is given with each solution.
             if form.driver().is_none() {
                 let placed = Placed { system: &system, poses: &system.poses, points: &system.points };
                 system.forms[i].1 = equations::kept(form, &placed).unwrap_or(Given::Nothing);
@@ -79,8 +83,9 @@ impl<'a> System<'a> {
         system
     }
 
-    /// The same at the scene's instant: the frames of sliders lie as the plane's, the origins of gliding ones on their guides, gears have
-    /// the phase that is given, however roughly `start` shows them.
+    /// Converts the system to the scene's instant: the frames of sliders are parallel to the
+    /// plane's, the origins of gliding links are on their guides, and gears have the given phase,
+    /// however rough `start` is.
     pub fn at_instant(mut self) -> System<'a> {
         for r in (0..self.rolled.len()).filter(|r| self.rolled[*r].is_some()) {
             let now = self.seen(RollingId(r), &self.poses, &self.points);
@@ -95,11 +100,11 @@ impl<'a> System<'a> {
         self
     }
 
-    /// A rolling pair in a pose; `None` where it is not placed.
+    /// Returns a rolling pair in a pose; `None` if it is not placed.
     fn seen(&self, r: RollingId, poses: &[Option<Pose>], points: &[Option<Point>]) -> Option<Seen> {
         let pose = |l: LinkId| if l == self.scene.ground { Some(Pose::GROUND) } else { poses[l.0] };
         let place = |l: LinkId, p: PointId| {
-            // A centre moves with its link, whose pose is what is varied.
+            // A centre moves with its link, whose pose is varied.
             self.shapes.local(l, p).and_then(|local| Some(pose(l)?.to_world(local))).or(points[p.0])
         };
         rolling::seen(&self.scene.rolling[r.0], self.shapes, &pose, &place)
@@ -113,7 +118,8 @@ impl<'a> System<'a> {
         solved
     }
 
-    /// Where the unknowns of a body (a link, or after all links a pin) begin, and how many it has.
+    /// Returns the index of the first unknown of a body (a link, or after all links a pin), and the
+    /// number of its unknowns.
     fn unknowns(&self, body: usize) -> (usize, usize) {
         match body.checked_sub(self.links.len()) {
             None => (3 * body, 3),
@@ -121,7 +127,7 @@ impl<'a> System<'a> {
         }
     }
 
-    /// Writes a body's pose or place.
+    /// Writes the pose or position of a body.
     fn put(&self, body: usize, x: impl Fn(usize) -> f64, to: &mut Solved) {
         let (k, _) = self.unknowns(body);
         let origin = Point::new(x(k) * self.scale, x(k + 1) * self.scale);
@@ -144,14 +150,15 @@ impl<'a> System<'a> {
         Some(DVector::from_vec(x))
     }
 
-    /// Residuals, each a length or an angle divided by the mechanism's size or one radian.
+    /// Returns the residuals, each a length or an angle divided by the mechanism's size or one
+    /// radian.
     pub(super) fn residuals(&self, at: &Solved, drivers: &DriverValues) -> DVector<f64> {
         let mut r = Vec::with_capacity(2 * self.forms.len());
         self.forms.iter().for_each(|f| self.residual(f, at, drivers, |v| r.push(v)));
         DVector::from_vec(r)
     }
 
-    /// Those of one form.
+    /// Reports the residuals of one form.
     fn residual(&self, (form, kept): &(Form, Given<f64>), (poses, points): &Solved, drivers: &DriverValues, mut told: impl FnMut(f64)) {
         let given = match (form.driver(), form) {
             (Some(d), Form::Angles { .. }) => Given::Turned(Vec2::from_angle(drivers.0[d])),
@@ -169,7 +176,8 @@ impl<'a> System<'a> {
         }
     }
 
-    /// For each body (see [`System::unknowns`]) the forms (index) that it is part of, with the first of their equations.
+    /// Returns for each body (see [`System::unknowns`]) the forms (index) in which it occurs, with
+    /// the index of the first of their equations.
     fn touching(&self) -> Vec<Vec<(usize, usize)>> {
         let mut touching = vec![Vec::new(); self.links.len() + self.pins.len()];
         let mut row = 0;
@@ -189,14 +197,17 @@ impl<'a> System<'a> {
         touching
     }
 
-    /// Solves from the poses of `start` for the given driver values; `None` where Newton's method does not converge.
+    /// Solves from the poses of `start` for the given driver values; `None` if Newton's method does
+    /// not converge.
     ///
-    /// Converged means that the last correction was as small as rounding makes it, or stopped shrinking below 1e-9.
+    /// The method has converged if the last correction is within rounding, or does not decrease
+    /// further below 1e-9.
     pub fn solve(&self, start: &Configuration, drivers: &DriverValues) -> Option<Solved> {
         self.solve_to(start, drivers, 1e-15)
     }
 
-    /// The same, content with a last correction below `tolerance` (relative to the mechanism's size, or in radians).
+    /// Solves like [`System::solve`], until the last correction is below `tolerance` (relative to
+    /// the mechanism's size, or in radians).
     pub fn solve_to(&self, start: &Configuration, drivers: &DriverValues, tolerance: f64) -> Option<Solved> {
         let mut x = self.pack(start)?;
         let mut at = self.unpack(&x);
@@ -214,7 +225,8 @@ impl<'a> System<'a> {
             if !size.is_finite() {
                 return None;
             }
-            // A rough sketch may be far off: a step of more than half a radian (or half the mechanism) is shortened.
+            // A rough sketch may be far from the solution: a step of more than half a radian (or
+            // half the mechanism) is shortened.
             let damp = if size > 0.5 { 0.5 / size } else { 1.0 };
             x += step * damp;
             at = self.unpack(&x);
@@ -226,9 +238,10 @@ impl<'a> System<'a> {
         (last < 1e-9).then_some(at)
     }
 
-    /// Central differences with a step of 2^-17: the residuals are quadratic at worst near the solution, so that the
-    /// error of the derivative (about 1e-11) only slows the last step of the iteration, never its end. `at` is where `x` puts
-    /// everything.
+    /// Returns the Jacobian by central differences with a step of 2^-17: the residuals are at worst
+    /// quadratic near the solution, so that the error of the derivative (about 1e-11) only slows
+    /// the last step of the iteration and does not change its result. `at` contains the poses for
+    /// `x`.
     fn jacobian(&self, x: &DVector<f64>, at: &mut Solved, touching: &[Vec<(usize, usize)>], drivers: &DriverValues) -> DMatrix<f64> {
         const STEP: f64 = 1.0 / 131_072.0;
         let mut j = DMatrix::zeros(x.len(), x.len());
@@ -252,13 +265,14 @@ impl<'a> System<'a> {
         j
     }
 
-    /// What lengths are counted in (m): the mechanism's size.
+    /// Returns the unit of lengths (m): the mechanism's size.
     pub(super) fn scale(&self) -> f64 {
         self.scale
     }
 }
 
-/// The derivatives of residuals, a column for each unknown. Central differences with a step of 2^-17: see [`System::solve`].
+/// Returns the derivatives of residuals, a column for each unknown: central differences with a step
+/// of 2^-17, see [`System::solve`].
 pub(super) fn slopes(x: &DVector<f64>, residuals: &dyn Fn(&DVector<f64>) -> DVector<f64>) -> DMatrix<f64> {
     const STEP: f64 = 1.0 / 131_072.0;
     let mut y = x.clone();
@@ -275,7 +289,7 @@ pub(super) fn slopes(x: &DVector<f64>, residuals: &dyn Fn(&DVector<f64>) -> DVec
     DMatrix::from_columns(&columns)
 }
 
-/// A system with its links and pins in some pose.
+/// A system with its links and pins in a given pose.
 struct Placed<'a> {
     system: &'a System<'a>,
     poses: &'a [Option<Pose>],
@@ -299,7 +313,7 @@ impl View<f64> for Placed<'_> {
         self.system.shapes.guides[g.0]
     }
 
-    /// A pair that nothing has placed before has not rolled.
+    /// A pair that is placed for the first time has not rolled.
     fn slip(&self, r: RollingId) -> Option<f64> {
         let system = self.system;
         let now = system.seen(r, self.poses, self.points);
@@ -309,7 +323,7 @@ impl View<f64> for Placed<'_> {
     }
 }
 
-/// The values that the drivers have in a configuration.
+/// Returns the values of the drivers in a configuration.
 pub fn driver_values(scene: &Scene, at: &Configuration) -> DriverValues {
     let value = |form: Form| match equations::measured(form, &(scene, at))? {
         Measured::Length(x) | Measured::Angle(x) => Some(x),
@@ -319,14 +333,15 @@ pub fn driver_values(scene: &Scene, at: &Configuration) -> DriverValues {
     DriverValues((0..scene.drivers.len()).map(|d| value(d).unwrap_or(0.0)).collect())
 }
 
-/// The configuration at other driver values, followed from `start` (for small steps).
+/// Returns the configuration at other driver values, followed from `start` (for small steps).
 ///
-/// All groups that `start` places are moved at once; `None` where the iteration does not converge.
+/// All groups that `start` places move at once; `None` if the iteration does not converge.
 pub fn moved(scene: &Scene, mechanism: &Mechanism, start: &Configuration, drivers: &DriverValues) -> Option<Configuration> {
     moved_to(scene, mechanism, start, drivers, 1e-15)
 }
 
-/// The same, content with a last correction below `tolerance`: see [`System::solve_to`].
+/// Moves the mechanism like [`moved`], until the last correction is below `tolerance`: see
+/// [`System::solve_to`].
 pub fn moved_to(
     scene: &Scene,
     mechanism: &Mechanism,
@@ -339,7 +354,7 @@ pub fn moved_to(
     Some(super::finish::complete(scene, mechanism, start.shapes.clone(), (poses, points), start.closures.clone(), &start.rolled))
 }
 
-/// The groups that a configuration places.
+/// Returns the groups that a configuration places.
 pub(super) fn placed(mechanism: &Mechanism, at: &Configuration) -> Vec<usize> {
     let there = |g: &Group| g.links.iter().all(|l| at.poses[l.0].is_some()) && g.pins.iter().all(|p| at.points[p.0].is_some());
     (0..mechanism.groups.len()).filter(|&g| there(&mechanism.groups[g])).collect()

@@ -1,12 +1,12 @@
-//! Where on the profile of a cam of several pieces its follower touches, cam and follower moving with different links: how far the contact lies
-//! from the ends of each piece, in a pose that is known.
+//! Contact of a follower with a cam profile of several pieces, with cam and follower on different
+//! moving links: the distance of the contact from the ends of each piece, in a known pose.
 
 use super::{Configuration, Path, Pose};
 use hodograph_base::cam::Segment;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_scene::{Cam, LinkId, Pieces, Scene};
 
-/// A contact, seen from the cam.
+/// A contact, in the frame of the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
     /// The frame of the pieces in the plane.
@@ -14,7 +14,7 @@ pub struct Meeting {
     end: End,
 }
 
-/// What touches, in the frame of the pieces.
+/// The end of the follower, in the frame of the pieces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum End {
     /// A round end: its centre and radius (m).
@@ -23,14 +23,15 @@ enum End {
     Flat(f64),
 }
 
-/// The frame of the pieces of a cam's profile.
+/// Returns the frame of the pieces of a cam's profile.
 pub fn frame(pieces: &Pieces, at: &Configuration) -> Option<Pose> {
     let [from, to] = pieces.frame;
     let origin = at.points[from.0]?;
     Some(Pose { origin, axis: (at.points[to.0]? - origin).unit()? })
 }
 
-/// How a cam and its follower meet; `None` where they are not placed, or where no pair stands for the contact.
+/// Returns the contact of a cam and its follower; `None` if they are not placed, or if no pair
+/// represents the contact of a flat face.
 pub fn meeting(cam: &Cam, pieces: &Pieces, at: &Configuration) -> Option<Meeting> {
     let frame = frame(pieces, at)?;
     let end = match cam.follows.radius() {
@@ -38,7 +39,7 @@ pub fn meeting(cam: &Cam, pieces: &Pieces, at: &Configuration) -> Option<Meeting
         None => {
             let guide = cam.contact?;
             let Path::Line { direction, .. } = at.guides[guide.0]? else { return None };
-            // The cam lies to the left of its face, or to the right.
+            // The cam is on the left of its face, or on the right.
             let normal = if cam.left { -direction.perp() } else { direction.perp() };
             End::Flat(frame.turn_back(normal).angle())
         }
@@ -47,7 +48,8 @@ pub fn meeting(cam: &Cam, pieces: &Pieces, at: &Configuration) -> Option<Meeting
 }
 
 impl Meeting {
-    /// How far the contact lies beyond the beginning and beyond the end of a piece, as [`Segment::beyond`] counts.
+    /// Returns the amounts by which the contact is beyond the beginning and beyond the end of a
+    /// piece, as defined in [`Segment::beyond`].
     pub fn beyond(&self, piece: &Segment) -> [f64; 2] {
         match self.end {
             End::Round(at, radius) => piece.beyond(at, radius),
@@ -55,8 +57,10 @@ impl Meeting {
         }
     }
 
-    /// How fast the contact goes round the cam counter-clockwise, as far as its sign goes: `along` is the velocity of the follower's point against
-    /// the point of the cam that lies there, `turning` the angular velocity of the follower against the cam.
+    /// Returns a number with the sign of the contact's motion round the cam, positive
+    /// counter-clockwise. `along` is the velocity of the follower's point relative to the
+    /// coincident point of the cam, `turning` the angular velocity of the follower relative to the
+    /// cam.
     pub fn onward(&self, piece: &Segment, along: Vec2, turning: f64) -> f64 {
         match self.end {
             End::Round(at, radius) => along.dot(self.frame.turn(normal(piece, at, radius)).perp()),
@@ -65,7 +69,7 @@ impl Meeting {
     }
 }
 
-/// The outward normal of a piece at a round end.
+/// Returns the outward normal of a piece at a round end.
 fn normal(piece: &Segment, at: Vec2, radius: f64) -> Vec2 {
     match piece {
         Segment::Arc { centre, radius: rho, .. } => (at - *centre) * (1.0 / (rho + radius)),
@@ -73,8 +77,9 @@ fn normal(piece: &Segment, at: Vec2, radius: f64) -> Vec2 {
     }
 }
 
-/// The path of a cam's contact in the link that carries it, were another piece touched: a slot of the cam about the piece's centre or along its line;
-/// of a flat face the guide on which that centre runs. `at` is a pose in which the cam touches `now`.
+/// Returns the path of a cam's contact in the link that carries it, for contact with another piece:
+/// a slot of the cam about the piece's centre or along its line; for a flat face the guide of that
+/// centre. `at` is a pose in which the cam touches `now`.
 pub fn path_on(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, [now, piece]: [usize; 2]) -> Option<Path> {
     let guide = cam.contact?;
     let segments = &pieces.segments;
@@ -100,7 +105,7 @@ pub fn path_on(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, [n
     Some(Path::Line { through: through + toward * out, direction })
 }
 
-/// The centre of a piece in the frame of the cam's link; `None` of a line.
+/// Returns the centre of a piece in the frame of the cam's link; `None` for a line.
 pub fn centre(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, piece: usize) -> Option<Point> {
     let Segment::Arc { centre, .. } = pieces.segments[piece] else { return None };
     Some(link_pose(scene, cam.cam, at)?.to_local(frame(pieces, at)?.to_world(centre.to_point())))

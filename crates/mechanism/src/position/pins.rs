@@ -1,4 +1,5 @@
-//! Places of a pin that its legs hold: on two loci, on a known link, or at a given place of a guide.
+//! Positions of a pin held by its legs: on two loci, on a known link, or at a given point of a
+//! guide.
 
 use super::Path;
 use super::assemble::Assembly;
@@ -10,7 +11,7 @@ use hodograph_base::number::Real;
 use hodograph_scene::{GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
-    /// The possible places of a pin on its two loci.
+    /// Returns the possible positions of a pin on its two loci.
     pub(super) fn places_of_pin(&self, pin: PointId, legs: &[Leg]) -> Result<Vec<Point<N>>, Diagnostic> {
         let entry = Entry::of(legs);
         match (entry.carrier, &entry.holds[..]) {
@@ -46,7 +47,7 @@ impl<N: Real> Assembly<'_, N> {
         })
     }
 
-    /// How far a strut holds a pin from a known pin.
+    /// Returns the distance at which a strut holds a pin from a known pin.
     pub(super) fn strut_length(&self, near: PointId, far: PointId, strut: Strut) -> Result<N, Diagnostic> {
         match strut {
             Strut::Bar(link) => {
@@ -68,24 +69,24 @@ impl<N: Real> Assembly<'_, N> {
         self.driven_length(driver).ok_or_else(lacking)
     }
 
-    /// How far a driver holds a slider along its guide.
+    /// Returns the coordinate at which a driver holds a slider along its guide.
     pub(super) fn way_along(&self, driver: usize) -> Result<N, Diagnostic> {
         let lacking =
             || self.driver_without_value(driver, "position", both!("how far the slider is along its guide", "滑块在导路上的位置"));
         self.driven_length(driver).ok_or_else(lacking)
     }
 
-    /// What the scene says that a driver of a coordinate or a distance holds.
+    /// Returns the length in the scene at which a driver holds a coordinate or a distance.
     pub(super) fn driven_length(&self, driver: usize) -> Option<N> {
         let driver = &self.scene.drivers[driver];
         Some(self.inputs.driven(driver, driver.kind.length()?))
     }
 
-    /// The place in the plane at which a driver holds a slider on its guide.
+    /// Returns the position in the plane at which a driver holds a slider on its guide.
     pub(super) fn driven_place(&self, guide: GuideId, driver: usize) -> Result<Point<N>, Diagnostic> {
         let (path, s) = (self.need_guide(guide)?, self.way_along(driver)?);
         Ok(match (path, self.poses[self.scene.guides[guide.0].on.0]) {
-            // An arc is counted from the direction of the link that carries it.
+            // The coordinate on an arc is measured from the direction of the link that carries it.
             (Path::Arc { centre, radius }, Some(pose)) => centre + Vec2::from_angle(s / radius).rotate_by(pose.axis) * radius,
             (path, _) => path.point_at(s),
         })

@@ -1,54 +1,60 @@
-//! Roots that no closed form gives, in any number: an approximate root is refined by Newton's method and, where the
-//! numbers know their error, its existence and uniqueness near by are proved.
+//! Roots without a closed form, in any number type: an approximate root is refined by Newton's
+//! method and, if the numbers know their error, its existence and local uniqueness are proved.
 //!
-//! The proof is a contraction: with Y an approximate inverse of the Jacobian, x ↦ x − Y f(x) maps the box of half-width ρ
-//! about x₀ into itself and contracts there if |Y f(x₀)| ≤ (1 − q) ρ with q ≥ |1 − Y J| over the whole box. One root lies in
-//! the box, and no other.
+//! The proof is a contraction: with Y an approximate inverse of the Jacobian, x ↦ x − Y f(x) maps
+//! the box of half-width ρ about x₀ into itself and contracts there if |Y f(x₀)| ≤ (1 − q) ρ with q
+//! ≥ |1 − Y J| over the whole box. The box then contains exactly one root.
 //!
 //! # Source
-//! R. Krawczyk, *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing 4 (1969); R. E. Moore,
-//! *A test for existence of solutions to nonlinear systems*, SIAM J. Numer. Anal. 14 (1977).
+//! R. Krawczyk, *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing
+//! 4 (1969); R. E. Moore, *A test for existence of solutions to nonlinear systems*, SIAM J. Numer.
+//! Anal. 14 (1977).
 
 use hodograph_base::budget::spend;
 use hodograph_base::number::Real;
 use nalgebra::DMatrix;
 
-/// As many equations as unknowns, about a state that can be moved.
+/// A system of as many equations as unknowns, with a state that can be moved.
 pub(super) trait System<N: Real> {
-    /// Where the unknowns are.
+    /// The values of the unknowns.
     type State: Clone;
 
-    /// What each equation is off by.
+    /// Returns the residual of each equation.
     fn residuals(&self, at: &Self::State) -> Vec<N>;
 
-    /// Derivatives of the residuals by a step of each unknown, row after row.
+    /// Returns the derivatives of the residuals by a step of each unknown, row after row.
     fn jacobian(&self, at: &Self::State) -> Vec<Vec<N>>;
 
-    /// The state after a step: places shifted, directions turned by [`turned`].
+    /// Returns the state after a step: positions are shifted, directions turned by [`turned`].
     fn moved(&self, at: &Self::State, step: &[N]) -> Self::State;
 
-    /// Which unknowns are angles, and the length by which their steps are counted (1 for radians).
+    /// Returns the unknowns that are angles, each with the length in which its steps are measured
+    /// (1 for radians).
     fn angles(&self) -> Vec<(usize, f64)>;
 }
 
-/// Why a root was not found or not proved.
+/// The reason why a root is not found or not proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unproven {
     /// The Jacobian is singular in `f64`, or Newton's method leads away.
     NoRoot,
-    /// The box is too wide for the curvature: two roots may be close, or the number has too few digits.
+    /// The box is too wide for the curvature: two roots may be close, or the number has too few
+    /// digits.
     NotUnique,
-    /// The equations of this kind of group are not written for a proof.
+    /// The equations of this kind of group are not available for a proof.
     NotWritten,
 }
 
-/// Steps of the iteration at most: each gains some eight digits or more, the longest numbers have a few hundred.
+/// Greatest number of iteration steps: each gains some eight digits or more, and the longest
+/// numbers have a few hundred.
 const STEPS: usize = 60;
 
-/// A root within rounding moves by little; a step of a tenth of the mechanism (or a tenth of a radian) leads elsewhere.
+/// Longest permitted step: a root within rounding moves by little, and a step of a tenth of the
+/// mechanism (or a tenth of a radian) leads elsewhere.
 const LONGEST: f64 = 0.1;
 
-/// Refines a root known in `f64`, and proves it where `N` knows its error; `scale` is the size of the unknowns.
+/// Refines a root known in `f64`, and proves it if `N` knows its error; `scale` is the size of the
+/// unknowns.
 pub(super) fn root<N: Real, S: System<N>>(system: &S, start: S::State, scale: f64) -> Result<S::State, Unproven> {
     let angles = system.angles();
     let inverse = approximate_inverse(&system.jacobian(&start)).ok_or(Unproven::NoRoot)?;
@@ -65,7 +71,7 @@ pub(super) fn root<N: Real, S: System<N>>(system: &S, start: S::State, scale: f6
         if !step.iter().all(|s| s.is_decided()) || size > LONGEST * scale {
             return Err(Unproven::NoRoot);
         }
-        // Below rounding the steps no longer shrink.
+        // Within rounding the steps do not decrease further.
         if size >= 0.25 * last {
             break;
         }
@@ -89,7 +95,7 @@ pub(super) fn root<N: Real, S: System<N>>(system: &S, start: S::State, scale: f6
     let all = system.moved(&at, &wide);
     let mut jacobian = system.jacobian(&all);
     for (k, unit) in angles {
-        // A step δ turns by 2 atan(δ/2), whose derivative is 1/(1 + δ²/4).
+        // A step δ turns by 2 atan(δ/2), with the derivative 1/(1 + δ²/4).
         let half = wide[k] * N::from_f64(0.5 / unit);
         let slope = N::from_f64(1.0) / (N::from_f64(1.0) + half * half);
         for row in &mut jacobian {
@@ -104,16 +110,18 @@ pub(super) fn root<N: Real, S: System<N>>(system: &S, start: S::State, scale: f6
         (0..n).map(entry).map(|x| x.approx().abs() + x.radius()).sum::<f64>()
     });
     let contraction = largest(rows);
-    // With q ≤ 0.49 the box of 2η is mapped into itself, rounding of these sums included.
+    // With q ≤ 0.49 the box of 2η is mapped into itself, including the rounding of these sums.
     if contraction <= 0.49 { Ok(all) } else { Err(Unproven::NotUnique) }
 }
 
-/// The largest; none where one of them is none: what is undecided proves nothing, and `f64::max` would pass it over.
+/// Returns the largest number; NaN if any is NaN: an undecided number proves nothing, and
+/// `f64::max` would ignore it.
 fn largest(all: impl Iterator<Item = f64>) -> f64 {
     all.fold(0.0, |most: f64, x| if most.is_nan() || x <= most { most } else { x })
 }
 
-/// The unit vector `axis` turned by 2 atan(`step`/2): the angle of the step but for its cube, and rational.
+/// Returns the unit vector `axis` turned by 2 atan(`step`/2): the angle of the step up to its cube,
+/// and rational.
 pub(super) fn turned<N: Real>(axis: hodograph_base::geom::Vec2<N>, step: N) -> hodograph_base::geom::Vec2<N> {
     let one = N::from_f64(1.0);
     let t = step * N::from_f64(0.5);
@@ -132,13 +140,14 @@ mod tests {
     use super::*;
     use hodograph_base::number::Ball;
 
-    /// x − 2 = 0 twice, in the second of which the slope, or the residual beside the root, is told in balls of some width or not.
+    /// x − 2 = 0 twice; in the second equation the slope, or the residual beside the root, is a
+    /// ball of some width or undecided.
     struct Pair {
         slope: bool,
         residual: bool,
     }
 
-    /// 0/0, of which a ball says nothing.
+    /// Returns 0/0, an undecided ball.
     fn undecided() -> Ball<f64> {
         let [nought, none] = [0.0, 0.0].map(Ball::from_f64);
         nought / none

@@ -1,10 +1,12 @@
-//! Whether a pair that was opened because it only repeats others ([`crate::mechanism::Redundant`]) holds by itself: a virtual constraint, or not.
+//! Check that a pair opened because it only repeats others ([`crate::mechanism::Redundant`]) holds
+//! by itself as a virtual constraint.
 //!
-//! One pose never decides: a third crank half as long holds in the pose in which it is drawn, and to first order about it. So the driver
-//! is moved to four finite positions, by Newton's method on the pairs that stay closed, and at each the distance by which the opened pair misses is
-//! computed in double-double balls, so that a zero is proved. A pair that misses by no more than the bound of the error is a virtual constraint; one
-//! that misses by no more than lengths rounded to print would make it is an *almost* virtual one, answered with a warning; any other locks the
-//! mechanism.
+//! One pose is never sufficient: a third crank half as long holds in the drawn pose, and to first
+//! order about it. The driver is therefore moved to four finite positions, by Newton's method on
+//! the pairs that stay closed, and at each position the deviation of the opened pair is computed in
+//! double-double balls, so that a zero is proved. A pair with a deviation within the error bound is
+//! a virtual constraint. One with a deviation within that of lengths rounded for print is *almost*
+//! virtual, and is accepted with a warning. Any other pair locks the mechanism.
 
 use super::assemble::Assembly;
 use super::coupled::Aside;
@@ -19,79 +21,85 @@ use hodograph_base::diag::{Both, Diagnostic, Faults};
 use hodograph_base::number::{Ball, Dd, Real};
 use hodograph_scene::{LinkId, PointId, Scene};
 
-/// Whether an opened pair holds when the driver moves.
+/// The result of the check of an opened pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It holds by itself.
+    /// The pair holds by itself.
     Virtual,
-    /// It would with lengths a little different.
+    /// The pair would hold with slightly different lengths.
     Almost,
-    /// It holds to first order only: the mechanism shakes and does not move.
+    /// The pair holds to first order only: the mechanism shakes and does not move.
     Shaky,
-    /// It locks the mechanism.
+    /// The pair locks the mechanism.
     Locked,
 }
 
-/// An opened pair, looked at in several positions.
+/// An opened pair, checked in several positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checked {
     /// The opened pair.
     pub opened: Opened,
-    /// Whether it holds.
+    /// The result.
     pub verdict: Verdict,
-    /// By how much it is off at most (m), the pose included.
+    /// The largest deviation (m), including that in the pose itself.
     pub off_m: f64,
-    /// The driver that moved it, if any does.
+    /// The driver that moves the pair, if there is one.
     pub driver: Option<usize>,
-    /// By how much the driver was moved for that (rad or m); 0 in the pose.
+    /// Amount by which the driver is moved at the largest deviation (rad or m); 0 in the pose
+    /// itself.
     pub moved: f64,
-    /// The bound of the error of these numbers (m), where they are proved.
+    /// The error bound of the deviations (m), if proved.
     pub bound_m: Option<f64>,
-    /// In how many positions it was looked at.
+    /// Number of positions in which the pair is checked.
     pub positions: usize,
-    /// Why it holds.
+    /// The reason why it holds.
     pub reason: Reason,
 }
 
 impl Checked {
-    /// What it is, in words.
+    /// Returns a description of the pair in words.
     pub fn what(&self, scene: &Scene) -> Both {
         super::repeats::opened_words(scene, &self.opened).0
     }
 
-    /// What is said of it.
+    /// Returns the diagnostic about the pair.
     pub fn diagnostic(&self, scene: &Scene, m: &Mechanism) -> Diagnostic {
         super::repeats::diagnostic(scene, m, self)
     }
 }
 
-/// Lengths rounded to four digits, as books print them, are off by no more than this part; what is off by more is meant so.
+/// Relative error of lengths rounded to four digits, as printed in books; a greater deviation is
+/// intended.
 const ALMOST: f64 = 5e-4;
 
-/// Rounding of `f64` positions, relative to the size of the mechanism, with some fifty operations each.
+/// Rounding of `f64` positions, relative to the size of the mechanism, with some fifty operations
+/// each.
 const ROUNDING: f64 = 1e-13;
 
-/// How far a turning driver goes to either side (rad): far enough that a length off by a hundredth shows ten times more than [`ALMOST`],
-/// and each another way, so that what holds in all of them holds by no accident.
+/// Angles by which a rotary driver is moved (rad): large enough that an error of a hundredth in a
+/// length shows ten times more than [`ALMOST`], and different, so that a pair does not hold in all
+/// of them by accident.
 const TURNS: [f64; 4] = [0.8, -0.8, 0.35, -0.35];
 
-/// A sliding driver goes this part of the mechanism's size for each radian.
+/// Displacement of a sliding driver for each radian, as a part of the mechanism's size.
 const SLIDE: f64 = 0.2;
 
-/// The range of the driver is halved until it has no limit inside, so often at most.
+/// Greatest number of times that the range of the driver is halved until it contains no limit.
 const HALVINGS: i32 = 6;
 
-/// One step of the way (rad): Newton's method from the last position converges.
+/// One step of the motion (rad): Newton's method converges from the last position.
 const STEP: f64 = 0.04;
 
-/// More unknowns are not proved, only computed: an interval matrix of them costs seconds.
+/// Number of unknowns above which deviations are computed without a proof: an interval matrix of
+/// them takes seconds.
 const MOST_PROVED: usize = 150;
 
-/// Opened pairs of a mechanism that hold, each looked at in several positions; of gears whose distance other pairs keep, those that keep it only
-/// nearly.
+/// Returns the opened pairs of a mechanism that hold, each checked in several positions; of gears
+/// with a distance kept by other pairs, only those that keep it approximately.
 ///
 /// # Errors
-/// Those of [`configure`] for the links that take part; `locked` and `shaky` for a pair that is no repetition.
+/// Those of [`configure`] for the links that take part; `locked` and `shaky` for a pair that is no
+/// repetition.
 pub fn check(scene: &Scene, m: &Mechanism) -> Result<Vec<Checked>, Faults> {
     let mut faults = Faults::default();
     let mut all = Vec::new();
@@ -107,7 +115,7 @@ pub fn check(scene: &Scene, m: &Mechanism) -> Result<Vec<Checked>, Faults> {
     if faults.has_errors() { Err(faults) } else { Ok(all) }
 }
 
-/// The same as notes and warnings.
+/// Returns the checks of [`check`] as notes and warnings.
 ///
 /// # Errors
 /// As [`check`].
@@ -155,8 +163,9 @@ pub fn look(scene: &Scene, m: &Mechanism, opened: &Opened) -> Result<Checked, Fa
     Ok(Checked { opened, verdict, off_m, driver: way.driver, moved, bound_m, positions: stations.len(), reason })
 }
 
-/// What links and pairs alone say of an opened pair, where lengths are missing: a planet between the wheels of another planet of the same arm
-/// repeats it, whatever their sizes, and three links joined by three pins are rigid.
+/// Checks an opened pair by links and pairs alone, if lengths are missing: a planet between the
+/// wheels of another planet of the same arm repeats it, for any sizes, and three links joined by
+/// three pins are rigid.
 pub fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<Checked> {
     let (verdict, reason) = match super::repeats::by_topology(scene, m, opened)? {
         reason @ Reason::Triangle(_) => (Verdict::Locked, reason),
@@ -173,7 +182,7 @@ pub fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<Chec
     Some(Checked { opened, verdict, off_m: 0.0, driver: None, moved: 0.0, bound_m: None, positions: 0, reason })
 }
 
-/// All positions that tell of a pair.
+/// Returns the demand of all positions that the check of a pair needs.
 fn demand(scene: &Scene, m: &Mechanism, opened: &Opened) -> Demand {
     let mut demand = Demand::of_questions(scene, m, []);
     let needs = match opened {
@@ -200,7 +209,7 @@ fn own_pins(scene: &Scene, m: &Mechanism, l: LinkId) -> Vec<PointId> {
     scene.links[l.0].points.iter().copied().filter(|p| m.pins.contains(p)).collect()
 }
 
-/// What being off is measured by (m): the length of an opened link.
+/// Returns the reference length of a deviation (m): the length of an opened link.
 fn size(scene: &Scene, at: &Configuration, opened: &Opened) -> Option<f64> {
     let Opened::Link(l) = opened else { return None };
     let points = &scene.links[l.0].points;
@@ -210,7 +219,8 @@ fn size(scene: &Scene, at: &Configuration, opened: &Opened) -> Option<f64> {
     lengths.reduce(f64::max).filter(|l| *l > 0.0)
 }
 
-/// By how much an opened pair is off (m) where everything is at `at`; `then` is the pose of the instant, from which directions count.
+/// Returns the deviation of an opened pair (m) in the configuration `at`; `then` is the pose at the
+/// instant, from which directions are measured.
 fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuration<N>, then: &Configuration<N>) -> Vec<N> {
     let mut out = Vec::new();
     let follows = |n: Node| matches!(n, Node::Link(l) if m.passive[l.0].is_some());
@@ -245,12 +255,12 @@ fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuratio
     out
 }
 
-/// The way that a driver takes the mechanism, opened.
+/// The motion of the opened mechanism by a driver.
 struct Way<'a> {
     scene: &'a Scene,
     m: &'a Mechanism,
     at: &'a Configuration,
-    /// The driver that moves what is looked at; `None` where nothing does.
+    /// The driver that moves the checked pair; `None` if there is none.
     driver: Option<usize>,
     held: DriverValues,
 }
@@ -263,7 +273,7 @@ impl<'a> Way<'a> {
         Way { scene, m, at, driver, held: newton::driver_values(scene, at) }
     }
 
-    /// What the driver goes for each radian of a turning one.
+    /// Returns the displacement of the driver for each radian of a rotary one.
     fn unit(&self) -> f64 {
         match self.driver.map(|d| self.scene.drivers[d].kind.turns()) {
             Some(false) => SLIDE * self.at.extent(),
@@ -271,7 +281,8 @@ impl<'a> Way<'a> {
         }
     }
 
-    /// Where everything is when the driver has moved on; `None` beyond a limit or a change point, where another assembly may be met.
+    /// Returns the configuration after the driver has moved; `None` beyond a limit or a change
+    /// point, where another assembly may be reached.
     fn to(&self, by: f64) -> Option<Configuration> {
         let driver = self.driver?;
         let steps = libm::ceil(by.abs() / (STEP * self.unit())).max(1.0);
@@ -288,7 +299,8 @@ impl<'a> Way<'a> {
         Some(at)
     }
 
-    /// The sign of the determinant of the equations: it changes where the mechanism comes to a limit or to a change point.
+    /// Returns the sign of the determinant of the equations: it changes at a limit or a change
+    /// point of the mechanism.
     fn sense(&self, at: &Configuration) -> Option<bool> {
         let system = System::new(self.scene, self.m, &self.at.shapes, at, &newton::placed(self.m, at));
         let x = system.pack(at)?;
@@ -297,7 +309,8 @@ impl<'a> Way<'a> {
         (d.is_finite() && d != 0.0).then_some(d > 0.0)
     }
 
-    /// Whether the pair holds in the pose and is off by less than the first power of a small motion.
+    /// Returns true if the pair holds in the pose and its deviation is of higher than first order
+    /// in a small motion.
     fn holds_to_first_order(&self, opened: &Opened, size: f64) -> bool {
         const SMALL: f64 = 1e-3;
         let off = |c: &Configuration| off(self.scene, self.m, opened, c, self.at);
@@ -309,7 +322,8 @@ impl<'a> Way<'a> {
     }
 }
 
-/// By how much the pair is off in each position, and the bound of that, proved; `None` where one of them is not.
+/// Returns the deviation of the pair in each position, with its proved bound; `None` if one of them
+/// is not proved.
 fn proved(
     scene: &Scene,
     m: &Mechanism,
@@ -319,7 +333,7 @@ fn proved(
     stations: &[(f64, Configuration)],
     opened: &Opened,
 ) -> Option<Vec<Vec<(f64, f64)>>> {
-    // How far a pair has rolled is counted in `f64`.
+    // The rolling of a pair is recorded in `f64`.
     if matches!(opened, Opened::Rolling(_)) {
         return None;
     }

@@ -1,4 +1,5 @@
-//! The reasons why an opened pair holds by itself, in words, and the messages where it does not.
+//! The reasons why an opened pair holds by itself, in words, and the messages about pairs that do
+//! not.
 
 use super::redundant::{Checked, Verdict};
 use super::{Configuration, Path};
@@ -7,37 +8,38 @@ use hodograph_base::diag::{Both, Diagnostic, Span, both};
 use hodograph_base::digits::significant;
 use hodograph_scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
 
-/// Why a pair repeats what the others fix.
+/// The reason why a pair repeats others.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Reason {
-    /// Cranks of the same length and direction join the same two bodies: two pins of each.
+    /// Cranks of the same length and direction join the same two bodies: two pins of each crank.
     ParallelCranks(Vec<(PointId, PointId)>),
     /// Another guide with the same direction joins the same two links.
     ParallelGuides(GuideId),
-    /// Two pins that join the same two links lie in one place.
+    /// Two pins that join the same two links coincide.
     CoaxialPins(PointId, PointId),
-    /// The middle of a bar whose ends run along two lines through the crank's centre, all three at one distance: the ends, the middle, the
-    /// centre.
+    /// The middle of a bar whose ends move along two lines through the crank's centre, with equal
+    /// distances: the ends, the middle, the centre.
     SameCircle([PointId; 2], PointId, PointId),
-    /// The same of the guide of one of the ends.
+    /// As [`Reason::SameCircle`], for the guide of one of the ends.
     SameLine([PointId; 2], PointId, PointId),
-    /// Another link meshes with the same links from the same carrier: its name.
+    /// Another link meshes with the same links from the same carrier: the name of that link.
     RepeatedPlanets(String),
-    /// It closes a rigid triangle with these two links, and repeats nothing.
+    /// The link closes a rigid triangle with these two links, and repeats nothing.
     Triangle([LinkId; 2]),
     /// Another contact of the same cam and follower: both have one normal.
     OneNormal,
-    /// None of these: it was found to hold in several positions.
+    /// None of these: the check finds that it holds in several positions.
     Found,
 }
 
-/// The bodies at a pin of a link, without that link.
+/// Returns the bodies at a pin of a link, without that link.
 fn bodies(scene: &Scene, m: &Mechanism, p: PointId, without: LinkId) -> Vec<LinkId> {
     scene.carriers(p).filter(|l| *l != without && !m.is_passive(*l)).collect()
 }
 
-/// Why a pair holds by itself: what agrees to `near` of its length is equal.
+/// Returns the reason why a pair holds by itself: lengths that agree within the part `near` are
+/// equal.
 pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuration, near: f64) -> Reason {
     let found = match opened {
         Opened::Link(l) => {
@@ -63,11 +65,11 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
     found.unwrap_or(Reason::Found)
 }
 
-/// What needs no lengths.
+/// Returns the reason if it needs no lengths.
 pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<Reason> {
     match opened {
         Opened::Rolling(r) => {
-            // One of them stays whole, and is repeated.
+            // One of them stays closed, and is repeated.
             let opened =
                 |l: LinkId| m.redundant.iter().any(|o| matches!(o.opened, Opened::Rolling(p) if scene.rolling[p.0].links.contains(&l)));
             repeated_planets(scene, *r, |l| !opened(l))
@@ -85,7 +87,7 @@ pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Opti
     }
 }
 
-/// Another guide of the same slider on the same link, in the same direction.
+/// Returns another guide of the same slider on the same link, in the same direction.
 fn second_guide(scene: &Scene, g: GuideId) -> Option<GuideId> {
     let guide = &scene.guides[g.0];
     let told = |path: &GuidePath| match path {
@@ -100,7 +102,8 @@ fn second_guide(scene: &Scene, g: GuideId) -> Option<GuideId> {
     (0..scene.guides.len()).map(GuideId).find(same)
 }
 
-/// Which contact of its cam and its follower a guide stands for, from 1, and how many there are.
+/// Returns the number of the contact of cam and follower that a guide represents, from 1, and the
+/// number of contacts.
 fn contact_of(scene: &Scene, g: GuideId) -> Option<(usize, usize)> {
     let own = scene.cams.iter().position(|c| c.contact == Some(g))?;
     let pair = |c: &Cam| (c.cam, c.follower);
@@ -120,7 +123,7 @@ fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, 
         let equal = |p: PointId, q: PointId| {
             p != q && joins(p, &at_a) && joins(q, &at_b) && between(p, q).is_some_and(|d| (d - own).norm() <= near * own.norm())
         };
-        // Named as its link names it.
+        // Named in the order of its link.
         let pairs = points.iter().enumerate().flat_map(|(i, q)| points[..i].iter().map(move |p| (*p, *q)));
         cranks.extend(pairs.into_iter().find(|(p, q)| equal(*p, *q) || equal(*q, *p)));
     }
@@ -129,7 +132,7 @@ fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, 
 
 fn parallel_guides(scene: &Scene, g: GuideId, at: &Configuration, near: f64) -> Option<GuideId> {
     let guide = &scene.guides[g.0];
-    // The link that runs: the slider, or one that carries the pin.
+    // The link that runs in the guide: the slider, or a link that carries the pin.
     let runs = |i: GuideId| -> Vec<LinkId> {
         let guide = &scene.guides[i.0];
         guide.slider.into_iter().chain(guide.pin.into_iter().flat_map(|p| scene.carriers(p))).collect()
@@ -148,7 +151,7 @@ fn parallel_guides(scene: &Scene, g: GuideId, at: &Configuration, near: f64) -> 
     (0..scene.guides.len()).map(GuideId).find(same)
 }
 
-/// AB = BC = BD: the crank D–B, a bar with B and two points that run along lines through D.
+/// AB = BC = BD: the crank D–B, a bar with B and two points that move along lines through D.
 fn same_circle(scene: &Scene, l: LinkId, at: &Configuration, near: f64) -> Option<([PointId; 2], PointId, PointId)> {
     let [a, b] = scene.links[l.0].points[..] else { return None };
     [(a, b), (b, a)].into_iter().find_map(|(d, b)| {
@@ -169,7 +172,7 @@ fn same_circle(scene: &Scene, l: LinkId, at: &Configuration, near: f64) -> Optio
     })
 }
 
-/// A planet like that of a rolling pair: on the same carrier, rolling on the same links.
+/// Returns the planet that a rolling pair repeats: on the same carrier, rolling on the same links.
 fn repeated_planets(scene: &Scene, r: RollingId, whole: impl Fn(LinkId) -> bool) -> Option<Reason> {
     let partners = |l: LinkId| {
         let mut all: Vec<LinkId> = scene.rolling.iter().filter_map(|p| p.other(l)).collect();
@@ -190,18 +193,18 @@ fn repeated_planets(scene: &Scene, r: RollingId, whole: impl Fn(LinkId) -> bool)
     Some(Reason::RepeatedPlanets(scene.link_name(planet).to_owned()))
 }
 
-/// Its name, as the figures have it.
+/// Returns the name of a line, as in the figures.
 fn line(scene: &Scene, (a, b): (PointId, PointId)) -> String {
     format!("{}{}", scene.point_name(a), scene.point_name(b))
 }
 
 impl Reason {
-    /// In words.
+    /// Returns the reason in words.
     pub fn words(&self, scene: &Scene, positions: usize) -> Both {
         let name = |p: &PointId| scene.point_name(*p);
         match self {
             Reason::ParallelCranks(cranks) => {
-                // Its own stands first in the list, and is named last.
+                // The pair's own crank is first in the list, and is named last.
                 let others = cranks.iter().skip(1).chain(cranks.first());
                 let names: Vec<Both> = others.map(|c| Both::same(line(scene, *c))).collect();
                 both!("equal parallel cranks {}", "等长平行曲柄 {}", Both::listed(&names))
@@ -246,7 +249,7 @@ impl Reason {
     }
 }
 
-/// What is opened, and where it stands in the file.
+/// Returns the name of the opened item, and its span in the file.
 pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
     match opened {
         Opened::Link(l) => (both!("link {}", "构件 {}", scene.link_name(*l)), scene.links[l.0].span),
@@ -269,7 +272,7 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
     }
 }
 
-/// The contact of a cam for which a guide stands.
+/// Returns the name of the cam contact that a guide represents, with its span.
 fn contact_words(scene: &Scene, g: GuideId) -> (Both, Span) {
     let Some(cam) = scene.cams.iter().find(|c| c.contact == Some(g)) else { return (scene.guide_words(g), scene.guides[g.0].span) };
     let [own, follower] = [cam.cam, cam.follower].map(|l| scene.link_name(l));
@@ -281,7 +284,7 @@ fn contact_words(scene: &Scene, g: GuideId) -> (Both, Span) {
     (words, cam.span)
 }
 
-/// How far the driver was moved.
+/// Returns the amount by which the driver is moved, in words.
 fn way_words(scene: &Scene, checked: &Checked) -> Option<Both> {
     let (driver, moved) = (checked.driver.filter(|_| checked.moved != 0.0)?, checked.moved);
     let turns = scene.drivers[driver].kind.turns();
@@ -290,7 +293,7 @@ fn way_words(scene: &Scene, checked: &Checked) -> Option<Both> {
     Some(both!("when the driver {name} changes by {by}", "原动件 {name} 改变 {by} 时"))
 }
 
-/// Given lengths that are equal to that of an opened link but for a little.
+/// Returns given lengths that are nearly equal to that of an opened link.
 fn suspects(scene: &Scene, m: &Mechanism, checked: &Checked) -> Vec<String> {
     let Reason::ParallelCranks(cranks) = &checked.reason else {
         return match &checked.reason {
@@ -312,10 +315,10 @@ fn suspects(scene: &Scene, m: &Mechanism, checked: &Checked) -> Vec<String> {
     cranks.iter().map(|c| line(scene, *c)).collect()
 }
 
-/// What is off by less than this (m) is told as this: a bound of nothing but underflow says no more.
+/// Smallest error bound (m) that is reported: a bound from underflow alone has no meaning.
 const SHOWN: f64 = 1e-30;
 
-/// What is said of an opened pair.
+/// Returns the diagnostic about an opened pair.
 pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Diagnostic {
     let opened = &checked.opened;
     let (what, span) = opened_words(scene, opened);
@@ -389,12 +392,12 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
     }
 }
 
-/// The joint at which an opened pair gives.
+/// Returns the joint at which an opened pair gives way.
 fn joint(scene: &Scene, m: &Mechanism, opened: &Opened) -> Both {
     let pin = |p: PointId| both!("joint {}", "铰链 {}", scene.point_name(p));
     match opened {
         Opened::Link(l) => m.held(*l).map_or_else(Both::default, |(a, b)| {
-            // The pivot on ground stays where it is.
+            // The pivot on ground does not move.
             pin(if scene.links[scene.ground.0].points.contains(&a) { b } else { a })
         }),
         Opened::Guide(g) => scene.guides[g.0].pin.map_or_else(|| opened_words(scene, opened).0, pin),

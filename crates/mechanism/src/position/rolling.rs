@@ -1,8 +1,9 @@
-//! Rolling pairs in a pose: where they touch, and how far one has rolled on the other.
+//! Rolling pairs in a pose: their points of contact, and their rolling.
 //!
-//! Two circles touch on the line of their centres, a straight track at the foot of the wheel's centre. Rolling keeps
-//! ρ₁(φ₁ − β) + ρ₂(φ₂ − β) (β: angle of the line of centres from the first to the second; a hollow circle's ρ is negative), on a straight
-//! track s + ρ(φ₂ − φ₁) with s counted along it: between two poses these change by nothing.
+//! Two circles touch on the line of their centres, a straight track at the foot of the wheel's
+//! centre. Rolling keeps ρ₁(φ₁ − β) + ρ₂(φ₂ − β) constant (β: angle of the line of centres from the
+//! first to the second; a hollow circle's ρ is negative), and s + ρ(φ₂ − φ₁) on a straight track,
+//! with s measured along it.
 
 use super::assemble::Assembly;
 use super::belt;
@@ -19,8 +20,9 @@ use hodograph_scene::{Driver, GuideId, LinkId, Normal, PointId, Relation, Rollin
 use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {
-    /// The unit normal n at a contact, from the first link's contour to the second's: the centres of curvature are Q − ρ₁n and Q + ρ₂n.
-    /// `None` where the pair is not placed, and where it touches nowhere.
+    /// Returns the unit normal n at a contact, from the first link's contour to the second's: the
+    /// centres of curvature are Q − ρ₁n and Q + ρ₂n. `None` if the pair is not placed, or if it has
+    /// no contact.
     pub fn normal(&self, scene: &Scene, pair: RollingId) -> Option<Vec2<N>> {
         let (r, [r1, r2]) = (&scene.rolling[pair.0], self.shapes.rolling[pair.0]);
         let n = normal(r, &self.points, &self.guides)?;
@@ -28,7 +30,8 @@ impl<N: Real> Configuration<N> {
     }
 }
 
-/// From the first centre toward the second; square to a straight track, toward the wheel.
+/// Returns the normal from the first centre toward the second; square to a straight track, toward
+/// the wheel.
 fn normal<N: Real>(pair: &Rolling, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Vec2<N>> {
     match pair.touch() {
         Touch::Point(Normal::Centres([a, b])) => (points[b.0]? - points[a.0]?).unit(),
@@ -40,7 +43,7 @@ fn normal<N: Real>(pair: &Rolling, points: &[Option<Point<N>>], guides: &[Option
     }
 }
 
-/// The place of contact on either link.
+/// Returns the point of contact on either link.
 pub(super) fn contact<N: Real>(
     pair: &Rolling,
     sizes: [N; 2],
@@ -58,17 +61,19 @@ pub(super) fn contact<N: Real>(
     }
 }
 
-/// How far a pair has rolled since the scene's instant: angles of more than a turn are told by counting on from pose to pose.
+/// The rolling of a pair since the scene's instant: angles of more than a turn result from counting
+/// from pose to pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rolled {
     /// The pair at the instant.
     start: Seen,
-    /// By how much each link and the line of centres have turned since (rad), whole turns among them.
+    /// Rotation of each link and of the line of centres since the instant (rad), including whole
+    /// turns.
     turned: [f64; 3],
 }
 
-/// A rolling pair in a pose: the axes of both links, and the line from the first centre to the second; of a track the way along it and
-/// the distance from it instead.
+/// A rolling pair in a pose: the axes of both links, and the line from the first centre to the
+/// second; for a track the displacement along it and the distance from it instead.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Seen {
     axes: [Vec2; 2],
@@ -76,29 +81,31 @@ pub(super) struct Seen {
 }
 
 impl Rolled {
-    /// At the instant.
+    /// Returns the record at the instant.
     pub(super) fn begin(start: Seen) -> Rolled {
         Rolled { start, turned: [0.0; 3] }
     }
 
-    /// By how much each link and the line of centres have turned (rad).
+    /// Returns the rotation of each link and of the line of centres (rad).
     pub(super) fn turned(&self) -> [f64; 3] {
         self.turned
     }
 
-    /// In a pose next to this one: nothing has turned by half a turn or more between the two.
+    /// Returns the record in a pose close to this one: no rotation between the two reaches half a
+    /// turn.
     pub(super) fn on(&self, now: &Seen) -> Rolled {
         let wrapped = [
             now.axes[0].divide_by(self.start.axes[0]).angle(),
             now.axes[1].divide_by(self.start.axes[1]).angle(),
             now.line.divide_by(self.start.line).angle(),
         ];
-        // Angles since the instant, not sums of steps: nothing adds up over many turns.
+        // Angles since the instant, not sums of steps: errors do not accumulate over many turns.
         let turned = std::array::from_fn(|i| wrapped[i] + TAU * libm::round((self.turned[i] - wrapped[i]) / TAU));
         Rolled { start: self.start, turned }
     }
 
-    /// By how much a pose next to this one misses rolling without slip, as an angle of the second link.
+    /// Returns the deviation of a pose close to this one from rolling without slip, as an angle of
+    /// the second link.
     pub(super) fn slip(&self, pair: &Rolling, [r1, r2]: [f64; 2], now: &Seen) -> f64 {
         let [a, b, line] = self.on(now).turned;
         match pair.relation() {
@@ -108,7 +115,8 @@ impl Rolled {
     }
 }
 
-/// What a pose says of a rolling pair; the line of a track is that from the track's origin, in the frame of its link.
+/// Returns a rolling pair in a pose; the line of a track is measured from the track's origin, in
+/// the frame of its link.
 pub(super) fn seen(
     pair: &Rolling,
     shapes: &Shapes,
@@ -130,7 +138,8 @@ pub(super) fn seen(
     Some(Seen { axes, line })
 }
 
-/// The records of all pairs in a pose that comes next to one with the records `before`; at the instant there are none before.
+/// Returns the records of all pairs in a pose close to one with the records `before`; at the
+/// instant there are none before.
 pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Option<Rolled>]) -> Vec<Option<Rolled>> {
     if scene.rolling.is_empty() {
         return Vec::new();
@@ -145,7 +154,8 @@ pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Op
     all.collect()
 }
 
-/// By how much a pair has slipped since the instant (m of its second contour); `None` where it is not placed.
+/// Returns the slip of a pair since the instant (m of its second contour); `None` if it is not
+/// placed.
 pub(super) fn slipped_m(scene: &Scene, c: &Configuration, r: RollingId) -> Option<f64> {
     let pair = &scene.rolling[r.0];
     let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { c.poses[l.0] };
@@ -161,8 +171,8 @@ pub(super) fn slipped_m(scene: &Scene, c: &Configuration, r: RollingId) -> Optio
     Some(turned * second_m)
 }
 
-/// By how much a pair is off the phase that the scene gives, as an angle of the second link of half a turn at most; `None` where no phase
-/// is given.
+/// Returns the deviation of a pair from the phase in the scene, as an angle of the second link of
+/// half a turn at most; `None` if no phase is given.
 pub(super) fn out_of_phase(scene: &Scene, shapes: &Shapes, r: RollingId, now: &Seen) -> Option<f64> {
     let (pair, [r1, r2]) = (&scene.rolling[r.0], shapes.rolling[r.0]);
     let phase = pair.phase.as_ref().filter(|_| pair.round().is_some())?;
@@ -173,7 +183,8 @@ pub(super) fn out_of_phase(scene: &Scene, shapes: &Shapes, r: RollingId, now: &S
     Some(off - TAU * libm::round(off / TAU))
 }
 
-/// The line of a link from which its angle counts, in its frame: a unit vector. That of the ground is the x axis, whatever pivots it has.
+/// Returns the line of a link from which its angle is measured, in its frame: a unit vector. For
+/// the ground it is the x axis, whatever pivots the ground has.
 fn mark<N: Real>(scene: &Scene, l: LinkId, local: impl Fn(PointId) -> Option<Point<N>>) -> Option<Vec2<N>> {
     match &scene.links[l.0].points[..] {
         [p, q, ..] if l != scene.ground => (local(*q)? - local(*p)?).unit(),
@@ -181,14 +192,14 @@ fn mark<N: Real>(scene: &Scene, l: LinkId, local: impl Fn(PointId) -> Option<Poi
     }
 }
 
-/// An angle that is known but for whole turns, near to one that is known roughly.
+/// Returns an angle known up to whole turns, close to an approximate value.
 pub(super) fn whole<N: Real>(wrapped: N, near: f64) -> N {
     wrapped + N::from_f64(libm::round((near - wrapped.approx()) / TAU)) * (N::pi() + N::pi())
 }
 
 impl<N: Real> Assembly<'_, N> {
-    /// The pose of a link that rolls on a known one, as far as something tells it: coordinates of its points, the phase of the pair, or
-    /// nothing where it has no line of its own.
+    /// Returns the pose of a link that rolls on a known one, as far as data determine it:
+    /// coordinates of its points, the phase of the pair, or nothing if the link has no line.
     pub(super) fn poses_of_rolling(&self, link: LinkId, pivot: Option<PointId>, holds: &[Hold]) -> Result<Vec<Pose<N>>, Diagnostic> {
         let shape = &self.shapes[link.0];
         let mut placed = shape.points.iter().filter_map(|(p, local)| {
@@ -212,12 +223,14 @@ impl<N: Real> Assembly<'_, N> {
         Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }])
     }
 
-    /// The pose of a link that coordinates tell at the instant: all of it, or, of a wheel without a line of its own, its centre.
+    /// Returns the pose of a link from coordinates at the instant: the whole pose, or, for a wheel
+    /// without a line, the position of its centre.
     pub(super) fn told_pose(&self, link: LinkId, given: &[(PointId, Point<N>)]) -> Option<Pose<N>> {
         let shape = &self.shapes[link.0];
         let place = |p: PointId| given.iter().find(|(q, _)| *q == p).map(|(_, at)| *at).or(self.points[p.0]);
         let loose = || {
-            // At the instant the frame of a link of one point may lie anyhow, unless a guide that is its direction runs over a pin.
+            // At the instant the frame of a link with one point is arbitrary, unless a guide that
+            // gives its direction runs over a pin.
             let rolls = self.scene.rolling.iter().any(|r| r.links.contains(&link));
             let turned = |d: &Driver| d.kind.turned().is_some_and(|(l, _)| l == link) && d.kind.angle().is_some();
             let alone = shape.frame == Frame::Loose && self.instant.is_none() && (rolls || !self.scene.drivers.iter().any(turned));
@@ -233,7 +246,8 @@ impl<N: Real> Assembly<'_, N> {
         self.poses[link.0].or_else(loose)
     }
 
-    /// The pins of a group that have coordinates, and those that lie on a link of which two points have them.
+    /// Returns the pins of a group with coordinates, and those on a link with coordinates of two
+    /// points.
     pub(super) fn told_pins(&self, group: &Group, mut given: Vec<(PointId, Point<N>)>) -> Vec<(PointId, Point<N>)> {
         for &p in &group.pins {
             let told = given.iter().any(|(q, _)| *q == p);
@@ -243,14 +257,14 @@ impl<N: Real> Assembly<'_, N> {
         given
     }
 
-    /// The direction that rolling gives the frame of a link whose wheel has its centre at `at`, from the pose at the instant, or from the
-    /// phase of the pair.
+    /// Returns the direction of the frame of a rolling link with its wheel's centre at `at`, from
+    /// the pose at the instant, or from the phase of the pair.
     fn rolled(&self, link: LinkId, id: RollingId, other: LinkId, at: Point<N>) -> Option<Vec2<N>> {
         let pair = &self.scene.rolling[id.0];
         let Some(centres) = pair.round() else { return self.rolled_on_track(link, id, at) };
         let own = usize::from(pair.links[1] == link);
         let [r1, r2] = pair.sizes(&self.inputs);
-        // Of this link, and of the one on which it rolls.
+        // The sizes of this link, and of the one on which it rolls.
         let (mine, its) = if own == 1 { (r2, r1) } else { (r1, r2) };
         let line = {
             let d = at - self.points[centres[1 - own].0]?;
@@ -268,7 +282,7 @@ impl<N: Real> Assembly<'_, N> {
         // ρ₁(φ₁ − β) + ρ₂(φ₂ − β) = ρ₂·phase, with the angles of the links' lines.
         let written = pair.phase.as_ref()?;
         let (s, c) = self.inputs.sin_cos(written);
-        // Its whole turns are none of the first link's.
+        // The whole turns of the phase do not belong to the first link.
         let phase = whole(Vec2::new(c, s).angle(), written.value.radians());
         let line = line.unit()?;
         let others = self.mark(other)?.rotate_by(other_axis).divide_by(line).angle();
@@ -278,7 +292,8 @@ impl<N: Real> Assembly<'_, N> {
         line.rotate_by(Vec2::from_angle(angle)).divide_by(self.mark(link)?).unit()
     }
 
-    /// The same of a wheel on a straight track, or of the track's link on a wheel, at a later time: the way along the track turns the wheel.
+    /// Returns the direction of a wheel on a straight track, or of the track's link on a wheel, at
+    /// a later time: the displacement along the track turns the wheel.
     fn rolled_on_track(&self, link: LinkId, id: RollingId, at: Point<N>) -> Option<Vec2<N>> {
         let (pair, then) = (&self.scene.rolling[id.0], self.instant?);
         let [on, wheel] = pair.links;
@@ -295,8 +310,8 @@ impl<N: Real> Assembly<'_, N> {
         then.poses[wheel.0]?.axis.rotate_by(Vec2::from_angle(turned - gone / radius)).unit()
     }
 
-    /// The line, square to the track, on which a wheel that has rolled keeps the origin of a rack whose direction is known; `None` at the
-    /// instant, when the rack may stand anywhere.
+    /// Returns the line, square to the track, on which a wheel that has rolled keeps the origin of
+    /// a rack of known direction; `None` at the instant, when the rack may be anywhere.
     pub(super) fn origin_of_rack(&self, link: LinkId, axis: Vec2<N>, id: RollingId) -> Option<Locus<N>> {
         let (pair, then) = (&self.scene.rolling[id.0], self.instant?);
         let ([on, wheel], Relation::Slide { centre, guide }) = (pair.links, pair.relation()) else { return None };
@@ -308,13 +323,14 @@ impl<N: Real> Assembly<'_, N> {
         let meant = self.turned_as_meant(id);
         let of = |i: usize, l: LinkId, axis: Vec2<N>| Some(whole(axis.divide_by(then.poses[l.0]?.axis).angle(), meant[i]));
         let turned = of(1, wheel, self.poses[wheel.0]?.axis)? - of(0, on, axis)?;
-        // t·(K − O) + ρ(φ₂ − φ₁) is what it was.
+        // t·(K − O) + ρ(φ₂ − φ₁) is constant.
         let way = direction.dot(before.turn_back(then.points[centre.0]? - before.origin)) - radius * turned;
         let along = direction.rotate_by(axis);
         Some(Locus::Line { through: self.points[centre.0]? + along * -way, direction: along.perp() })
     }
 
-    /// By how much links and line of a pair have turned since the instant in the pose that is meant, which is next to this one.
+    /// Returns the rotations of links and line of a pair since the instant in the known pose, which
+    /// is close to this one.
     fn turned_as_meant(&self, id: RollingId) -> [f64; 3] {
         self.meant.and_then(|m| m.rolled.get(id.0)?.as_ref()).map_or([0.0; 3], |r| r.turned)
     }
@@ -323,13 +339,13 @@ impl<N: Real> Assembly<'_, N> {
         mark(self.scene, l, |p| self.shapes[l.0].local(p))
     }
 
-    /// The angle of a link's line as a driver writes it, whole turns among it.
+    /// Returns the angle of a link's line as a driver gives it, including whole turns.
     fn written(&self, l: LinkId) -> Option<f64> {
         let own = |d: &&Driver| d.kind.turned() == Some((l, self.scene.ground)) && d.kind.lines()[0].is_none();
         self.scene.drivers.iter().filter(own).find_map(|d| Some(d.kind.angle()?.value.radians()))
     }
 
-    /// What is wrong with a pair whose line of centres has no direction.
+    /// Returns the fault of a pair with coincident centres.
     fn no_line(&self, id: RollingId) -> Option<Diagnostic> {
         let pair = &self.scene.rolling[id.0];
         let [p, q] = pair.round()?;
@@ -350,7 +366,8 @@ impl<N: Real> Assembly<'_, N> {
     }
 }
 
-/// What is wrong with the radii of two circles: their sum (of a ring their difference) is the distance of the centres.
+/// Returns the fault of the radii of two circles: their sum (for a ring their difference) must be
+/// the distance of the centres.
 pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
     let centres @ [p, q] = match pair.touch() {
         Touch::Point(Normal::Centres(centres)) => centres,
@@ -397,7 +414,7 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option
     )
 }
 
-/// Two gears whose centres lie in one place touch nowhere.
+/// Returns the fault of two gears with coincident centres, which touch nowhere.
 fn coincident(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2]) -> Diagnostic {
     let (p, q) = (scene.point_name(p), scene.point_name(q));
     Diagnostic::error("no-contact", both!("{p} and {q} lie in one place: the two gears touch nowhere", "{p} 与 {q} 重合：两齿轮没有接触点"))

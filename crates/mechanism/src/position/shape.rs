@@ -1,8 +1,10 @@
-//! The rigid form of each link in its own frame, from lengths, local coordinates, or the coordinates of the pose.
+//! The rigid shape of each link in its own frame, from lengths, local coordinates, or the
+//! coordinates of the pose.
 //!
-//! The frame: the plane's own where two of the link's points have coordinates (and for ground); else origin in the first
-//! point of a pair whose distance is given, x toward the second; else origin in the link's only point, with a direction
-//! that its guide or its pose gives.
+//! The frame is the plane's own if two of the link's points have coordinates (and for ground);
+//! otherwise its origin is the first point of a pair with a given distance, with x toward the
+//! second; otherwise its origin is the link's only point, with a direction from its guide or its
+//! pose.
 
 use super::Path;
 use super::kernel::{Locus, Miss, meet};
@@ -13,14 +15,14 @@ use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
 use hodograph_scene::{Direction, Given, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
 
-/// How far a link's frame is fixed.
+/// The way in which a link's frame is fixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Frame {
     /// The frame is the plane's own at the instant.
     Plane,
     /// Fixed in the link by two of its points.
     Body,
-    /// Only the origin is fixed (one point, or none): the direction is whatever the pose makes it.
+    /// Only the origin is fixed (one point, or none): the pose gives the direction.
     Loose,
 }
 
@@ -35,7 +37,7 @@ impl<N: Real> LinkShape<N> {
     }
 }
 
-/// Given coordinates of a point in the plane.
+/// Returns the given coordinates of a point in the plane.
 pub(super) fn given_at(scene: &Scene, p: PointId) -> Option<Point> {
     match &scene.points[p.0].place {
         Place::At([x, y]) => Some(Point::new(x.value, y.value)),
@@ -43,7 +45,7 @@ pub(super) fn given_at(scene: &Scene, p: PointId) -> Option<Point> {
     }
 }
 
-/// The same in the numbers of an assembly.
+/// Returns the given coordinates of a point in the numbers of an assembly.
 pub(super) fn given_place<N: Real>(scene: &Scene, inputs: &Inputs<N>, p: PointId) -> Option<Point<N>> {
     match &scene.points[p.0].place {
         Place::At([x, y]) => Some(Point::new(inputs.number(x), inputs.number(y))),
@@ -55,9 +57,9 @@ fn given_length(scene: &Scene, a: PointId, b: PointId) -> Option<&Given> {
     scene.lengths.iter().find(|l| (l.a, l.b) == (a, b) || (l.a, l.b) == (b, a)).map(|l| &l.value)
 }
 
-/// The form of one link.
+/// Returns the shape of one link.
 ///
-/// `check`: whether what is given twice must agree, to what `f64` can tell.
+/// If `check` is set, values given twice must agree within the accuracy of `f64`.
 pub(super) fn of_link<N: Real>(scene: &Scene, inputs: &Inputs<N>, l: LinkId, check: bool, faults: &mut Faults) -> LinkShape<N> {
     let all = &scene.links[l.0].points;
     let at: Vec<(PointId, Point<N>)> = all.iter().filter_map(|p| given_place(scene, inputs, *p).map(|x| (*p, x))).collect();
@@ -81,7 +83,8 @@ pub(super) fn of_link<N: Real>(scene: &Scene, inputs: &Inputs<N>, l: LinkId, che
             }
             Some(Err(d)) => {
                 faults.push(d);
-                // Reported once: placed anywhere, so that what hangs on it is not reported too.
+                // Reported once: placed anywhere, so that points that depend on it are not reported
+                // too.
                 points.push((p, Point::origin()));
                 false
             }
@@ -101,7 +104,7 @@ pub(super) fn of_link<N: Real>(scene: &Scene, inputs: &Inputs<N>, l: LinkId, che
     LinkShape { points, frame }
 }
 
-/// Whether a point hangs on no base of its own.
+/// Returns true if a point depends on no base of its own.
 fn is_free(scene: &Scene, p: PointId) -> bool {
     matches!(scene.points[p.0].place, Place::Unknown | Place::At(_))
 }
@@ -117,7 +120,7 @@ fn base_pair<'a>(scene: &'a Scene, all: &[PointId]) -> Option<(PointId, PointId,
     None
 }
 
-/// Places a point of a link from those already placed; `None` where the data do not (yet) suffice.
+/// Places a point of a link from those already placed; `None` if the data do not (yet) suffice.
 fn place_point<N: Real>(
     scene: &Scene,
     inputs: &Inputs<N>,
@@ -148,7 +151,8 @@ fn place_point<N: Real>(
     })
 }
 
-/// Which of the two mirror places of a point (left of a→b, right of it) the scene means: side, then sketch, then left.
+/// Returns the index of the mirror position of a point (0 left of a→b, 1 right of it) that the
+/// scene selects: by side, then sketch, then left.
 fn pick_side(scene: &Scene, p: PointId, a: PointId, b: PointId) -> usize {
     let sketch = |q: PointId| scene.points[q.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, q));
     for s in scene.sides.iter().filter(|s| s.point == p) {
@@ -218,7 +222,7 @@ fn missing_length<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Point<N
     ))
 }
 
-/// Two descriptions of one length must agree to what a person writes.
+/// Relative difference up to which two descriptions of one length agree, as typed by a person.
 const SAME_LENGTH: f64 = 1e-9;
 
 fn check_given_lengths<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Point<N>)], faults: &mut Faults) {
@@ -253,7 +257,8 @@ fn check_given_lengths<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Po
     }
 }
 
-/// A guide's path in the frame of its link, as far as the link's form alone gives it. `None`: it needs the pose.
+/// Returns a guide's path in the frame of its link, as far as the link's shape alone determines it;
+/// `None` if the path depends on the pose.
 pub(super) fn guide_in_link<N: Real>(
     scene: &Scene,
     inputs: &Inputs<N>,
@@ -283,7 +288,7 @@ pub(super) fn guide_in_link<N: Real>(
                     }
                 }
                 Direction::Own => Vec2::unit_x(),
-                // Its frame lies along the guide in which it slides.
+                // Its frame is aligned with the guide in which it slides.
                 Direction::Slid(angle) if shape.frame == Frame::Loose => {
                     let (s, c) = inputs.sin_cos(angle);
                     Vec2::new(c, s)
@@ -293,9 +298,10 @@ pub(super) fn guide_in_link<N: Real>(
             let through = match through {
                 Through::Point(p) => shape.local(*p)?,
                 Through::At([x, y]) if plane => Point::new(inputs.number(x), inputs.number(y)),
-                // A slider without a pin of its own keeps whatever distance it has: the line may lie anywhere.
+                // A slider without a pin keeps any distance that it has: the line is arbitrary.
                 Through::Pin if guide.pin.is_none() => Point::origin(),
-                // The runner's own place: known in the link only where the link's frame is the plane's and the pin is given.
+                // The position of the runner: known in the link only if the link's frame is the
+                // plane's and the pin is given.
                 Through::Pin if shape.frame == Frame::Plane => given_place(scene, inputs, guide.pin?)?,
                 Through::At(_) | Through::Pin => return None,
             };

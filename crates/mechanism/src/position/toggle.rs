@@ -1,25 +1,29 @@
-//! Why a mechanism can be assembled no farther: which legs of a group hold one another at its limit, in words.
+//! The cause of a limit of the motion, in words: the legs of a group that hold one another at its
+//! limit.
 //!
-//! At the limit of a dyad the two loci of its pin touch: the lines square to them, along which the legs hold the pin, fall together. At
-//! that of a link on three legs the lines along which they hold it meet in one point, or run parallel. Decided here: what is said of
-//! it, wherever limits are told (sweeps, lessons). Where the limit is, is found by those who ask.
+//! At the limit of a dyad the two loci of its pin touch: the lines square to them, along which the
+//! legs hold the pin, coincide. At that of a link on three legs the lines along which they hold it
+//! meet in one point, or are parallel. This module contains the descriptions for all users of
+//! limits (sweeps, lessons); the callers find the limit itself.
 //!
-//! `analytic` tells singular poses by what the loop equations load, for any block; the two do not know one another.
+//! `analytic` describes singular poses of any block by the joints that the loop equations load; the
+//! two modules are independent.
 
 use super::Configuration;
 use crate::mechanism::{ConstraintLine, Core, Group, Hold, Leg, Mechanism, Strut};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_scene::{Lang, LinkId, PointId, Scene};
 
-/// At a limit found to the last digit of the driver the sine is the root of the rounding (1e-8 for links of like length),
-/// elsewhere it is not small.
+/// Sine below which two lines coincide. At a limit found to the last digit of the driver the sine
+/// is the square root of the rounding (1e-8 for links of similar length), elsewhere it is not
+/// small.
 const IN_LINE: f64 = 1e-5;
 
-/// Three lines that cross under less than this (sine) count as parallel: their crossing lies a thousand times as far away as they
-/// lie apart, on no paper.
+/// Three lines that intersect at less than this (sine) count as parallel: their intersection is a
+/// thousand times as far away as their distance, off any paper.
 pub const PARALLEL: f64 = 1e-3;
 
-/// What holds at a limit.
+/// The cause of a limit.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Toggle {
@@ -36,15 +40,16 @@ pub enum Toggle {
         link: LinkId,
         /// Its legs.
         legs: Vec<Leg>,
-        /// Whether the lines along which they hold it are parallel; else they meet in one point.
+        /// True if the lines along which they hold it are parallel; otherwise they meet in one
+        /// point.
         parallel: bool,
     },
-    /// Links of a group that is neither, together.
+    /// The links of any other group together.
     Open(Vec<LinkId>),
 }
 
 impl Toggle {
-    /// What holds a group at its limit; `parallel` is asked for a link on three legs only.
+    /// Returns the cause of a group's limit; `parallel` is called for a link on three legs only.
     pub fn of(group: &Group, parallel: impl FnOnce() -> bool) -> Option<Toggle> {
         match &group.core {
             Core::Pin { pin, legs } => match &legs[..] {
@@ -59,7 +64,7 @@ impl Toggle {
         }
     }
 
-    /// The group that stands at its limit in a pose, if one does.
+    /// Returns the cause for the group that is at its limit in a pose, if there is one.
     pub fn at(m: &Mechanism, at: &Configuration) -> Option<Toggle> {
         m.groups.iter().find_map(|group| match &group.core {
             Core::Pin { legs, .. } => {
@@ -77,7 +82,7 @@ impl Toggle {
         })
     }
 
-    /// The same as a clause: `link 2 (BC) and link 3 (CD) lie in line`.
+    /// Returns the cause as a clause: `link 2 (BC) and link 3 (CD) lie in line`.
     pub fn words(&self, scene: &Scene, lang: Lang) -> String {
         match self {
             Toggle::Line { pin, legs } => match legs.each_ref().map(|l| bar(scene, l, lang)) {
@@ -119,7 +124,7 @@ impl Toggle {
         }
     }
 
-    /// The links that it names.
+    /// Returns the links that it names.
     pub fn links(&self) -> Vec<LinkId> {
         let of = |legs: &[Leg]| legs.iter().filter_map(|l| Some(l.hold()?.bar()?.0)).collect::<Vec<_>>();
         match self {
@@ -130,26 +135,28 @@ impl Toggle {
     }
 }
 
-/// Whether a clause names a leg that holds a pin. One with a ram does not: there the links of the group are told instead.
+/// Returns true if a clause names a leg that holds a pin. A leg with a ram is not named: the clause
+/// names the links of the group instead.
 fn told(leg: &Leg) -> bool {
     matches!(leg.line(), Some(ConstraintLine::Along { .. } | ConstraintLine::Normal { .. }))
         && !matches!(leg.hold(), Some(Hold::Distance { strut: Strut::Ram { .. }, .. }))
 }
 
-/// The line along which a leg holds the pin, or the link: a point of it and its direction (a unit vector).
+/// Returns the line along which a leg holds the pin, or the link: a point of it and its direction
+/// (a unit vector).
 fn line(at: &Configuration, leg: &Leg) -> Option<(Point, Vec2)> {
     let line = leg.line()?;
     let p = at.points[line.pin().0]?;
     let along = match line {
         ConstraintLine::Along { far, .. } => p - at.points[far.0]?,
         ConstraintLine::Normal { guide, .. } => at.guides[guide.0]?.tangent_at(p).perp(),
-        // The links of a group that rolls are told, not its lines.
+        // For a group that rolls the clause names its links, not its lines.
         ConstraintLine::Tangent { .. } => return None,
     };
     Some((p, along.unit()?))
 }
 
-/// Whether three lines are parallel (else they meet in one point); `None` where they do neither.
+/// Returns true if three lines are parallel, false if they meet in one point; `None` otherwise.
 fn meeting(lines: &[(Point, Vec2)], size: f64) -> Option<bool> {
     let [(p, u), (q, v), (r, w)] = lines[..] else { return None };
     let sine = |a: Vec2, b: Vec2| a.cross(b).abs();
@@ -160,12 +167,13 @@ fn meeting(lines: &[(Point, Vec2)], size: f64) -> Option<bool> {
         return Some(true);
     }
     let crossing = cross_lines(p, u, q, v).at;
-    // By how much the third line misses the crossing, as a part of how far that is, or of the mechanism's size.
+    // Distance of the third line from the intersection, relative to the distance of the
+    // intersection or to the mechanism's size.
     let miss = w.cross(crossing - r).abs();
     (miss < IN_LINE * size.max((crossing - r).norm())).then_some(false)
 }
 
-/// A leg that is a line itself: `link 2 (BC)`, `cylinder BC`.
+/// Returns the name of a leg that is a line itself: `link 2 (BC)`, `cylinder BC`.
 fn bar(scene: &Scene, leg: &Leg, lang: Lang) -> Option<String> {
     // In the order of the scene, so that one line has one name: AB, never BA.
     let Some(Hold::Distance { near, far, strut }) = leg.hold() else { return None };
@@ -179,7 +187,7 @@ fn bar(scene: &Scene, leg: &Leg, lang: Lang) -> Option<String> {
     }
 }
 
-/// The line along which a guide holds: `the normal to the guide at C`.
+/// Returns the name of the line along which a guide holds: `the normal to the guide at C`.
 fn normal(scene: &Scene, leg: &Leg, lang: Lang) -> String {
     let pin = leg.line().map_or("", |line| scene.point_name(line.pin()));
     match lang {

@@ -1,27 +1,28 @@
-//! Where a cam and its follower touch, from the pair that stands for the contact; of a law from the geometry of the cam.
+//! The contact of a cam and its follower, from the pair that represents the contact; for a law from
+//! the geometry of the cam.
 
 use super::{Configuration, Path};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::{Cam, GuideId, Scene};
 
-/// Where two contours touch.
+/// The contact of two contours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch<N = f64> {
-    /// The place.
+    /// The point of contact.
     pub at: Point<N>,
     /// Unit normal, out of the cam.
     pub normal: Vec2<N>,
 }
 
 impl<N: Real> Configuration<N> {
-    /// Where a cam and its follower touch in this pose; `None` where they are not placed.
+    /// Returns the contact of a cam and its follower in this pose; `None` if they are not placed.
     pub fn touch(&self, scene: &Scene, cam: &Cam) -> Option<Touch<N>> {
         touch(scene, cam, &self.points, &self.guides)
     }
 }
 
-/// The contact by what is placed.
+/// Returns the contact from the placed parts.
 pub(super) fn touch<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Touch<N>> {
     match cam.contact {
         Some(guide) => by_pair(scene, cam, guide, points, guides),
@@ -36,18 +37,19 @@ fn by_pair<N: Real>(scene: &Scene, cam: &Cam, guide: GuideId, points: &[Option<P
     let pin = points[scene.guides[guide.0].pin?.0]?;
     let end = || cam.end_in::<N>(scene);
     match (guides[guide.0]?, cam.follows.radius()) {
-        // The end's centre runs about that of the arc: outside it, in a hollow between it and the arc.
+        // The centre of the round end moves about that of the arc: outside it, or in a hollow
+        // between it and the arc.
         (Path::Arc { centre, .. }, Some(round)) => {
             let away = (pin - centre).unit()?;
             let normal = if cam.touched_radius()? + round < 0.0 { -away } else { away };
             Some(Touch { at: pin - normal * end()?, normal })
         }
-        // Lines of a profile run counter-clockwise round the cam, which lies to their left.
+        // Lines of a profile run counter-clockwise round the cam, which is on their left.
         (Path::Line { direction, .. }, Some(_)) => {
             let normal = -direction.perp();
             Some(Touch { at: pin - normal * end()?, normal })
         }
-        // The arc's centre runs beside the face, behind which the cam lies.
+        // The centre of the arc moves parallel to the face; the cam is behind the face.
         (Path::Line { direction, .. }, None) => {
             let normal = if cam.left { -direction.perp() } else { direction.perp() };
             Some(Touch { at: pin + normal * cam.touched_radius_in(scene)?, normal })

@@ -1,5 +1,6 @@
-//! All assemblies of a link on three legs, at most six for three bars: the roots of its eliminant ([`super::eliminant`]) are its angles, two legs
-//! give its place (two closures at most), and Newton's method on all three makes both exact.
+//! All assemblies of a link on three legs, at most six for three bars: the roots of its eliminant
+//! ([`super::eliminant`]) are its angles, two legs give its position (two closures at most), and
+//! Newton's method on all three legs makes both exact.
 
 use super::Pose;
 use super::eliminant;
@@ -8,32 +9,32 @@ use super::proof::{self, Unproven};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 
-/// A leg of the link: where a point of the link must lie, as a function of the link's angle.
+/// A leg of the link: the locus of a point of the link, as a function of the link's angle.
 #[derive(Clone, Copy, Debug)]
 pub enum TriadLeg<N = f64> {
     /// Local point `near` at `radius` from `far`.
     Circle {
-        /// In the link.
+        /// The point, in the frame of the link.
         near: Point<N>,
-        /// In the plane.
+        /// The centre, in the plane.
         far: Point<N>,
-        /// Distance, in m.
+        /// The distance (m).
         radius: N,
     },
     /// Local point `near` on a line of the plane.
     Line {
-        /// In the link.
+        /// The point, in the frame of the link.
         near: Point<N>,
         /// A point of the line, in the plane.
         through: Point<N>,
-        /// The line's, in the plane.
+        /// Direction of the line, in the plane.
         direction: Vec2<N>,
     },
     /// A line of the link passes a point of the plane.
     Slot {
-        /// A point of the line, in the link.
+        /// A point of the line, in the frame of the link.
         through: Point<N>,
-        /// The line's, in the link.
+        /// Direction of the line, in the frame of the link.
         direction: Vec2<N>,
         /// The point, in the plane.
         pin: Point<N>,
@@ -41,7 +42,7 @@ pub enum TriadLeg<N = f64> {
 }
 
 impl<N: Real> TriadLeg<N> {
-    /// The nearest leg in `f64`.
+    /// Returns the nearest leg in `f64`.
     pub fn approx(&self) -> TriadLeg {
         match *self {
             TriadLeg::Circle { near, far, radius } => TriadLeg::Circle { near: near.approx(), far: far.approx(), radius: radius.approx() },
@@ -54,7 +55,7 @@ impl<N: Real> TriadLeg<N> {
         }
     }
 
-    /// The locus of the link's origin when its axis is `axis`.
+    /// Returns the locus of the link's origin for the direction `axis` of its frame.
     pub fn locus(&self, axis: Vec2<N>) -> Locus<N> {
         match *self {
             TriadLeg::Circle { near, far, radius } => Locus::Circle { centre: far - near.to_vec2().rotate_by(axis), radius },
@@ -65,7 +66,7 @@ impl<N: Real> TriadLeg<N> {
         }
     }
 
-    /// Signed distance by which the leg is missed.
+    /// Returns the signed distance by which the leg is missed.
     pub fn miss(&self, origin: Point<N>, axis: Vec2<N>) -> N {
         match self.locus(axis) {
             Locus::Circle { centre, radius } => origin.distance(centre) - radius,
@@ -73,7 +74,8 @@ impl<N: Real> TriadLeg<N> {
         }
     }
 
-    /// Derivatives of [`TriadLeg::miss`] by the origin's x and y and by the angle times `scale` (so that all three compare).
+    /// Returns the derivatives of [`TriadLeg::miss`] by the origin's x and y and by the angle times
+    /// `scale` (so that all three are comparable).
     pub fn gradient(&self, origin: Point<N>, axis: Vec2<N>, scale: f64) -> [N; 3] {
         let (by_origin, by_angle) = match *self {
             TriadLeg::Circle { near, far, .. } => {
@@ -92,10 +94,13 @@ impl<N: Real> TriadLeg<N> {
     }
 }
 
-/// All assemblies (origin, axis), at most one for each root of the eliminant and each place that two legs leave there.
+/// Returns all assemblies (origin, axis), at most one for each root of the eliminant and each
+/// position that two legs allow there.
 ///
-/// Each pair of legs takes its turn in giving the place: where two legs only just reach each other, or run parallel, their meeting point is not
-/// accurate; with another pair it is. Near a fold two assemblies fall together: the sketched pose is refined as well, which finds the one meant.
+/// Each pair of legs is used in turn to give the position: if two legs barely reach each other, or
+/// are parallel, their intersection is not accurate; that of another pair is. Near a fold two
+/// assemblies coincide: the sketched pose is refined as well, which gives the assembly of the
+/// sketch.
 pub(super) fn assemblies(legs: &[TriadLeg; 3], sketched: Option<(Point, Vec2)>) -> Vec<(Point, Vec2)> {
     let scale = scale_of(legs);
     let mut found: Vec<(Point, Vec2)> = Vec::new();
@@ -105,7 +110,7 @@ pub(super) fn assemblies(legs: &[TriadLeg; 3], sketched: Option<(Point, Vec2)>) 
             let places = meet(legs[a].locus(axis), legs[b].locus(axis)).unwrap_or_default();
             let near = places.into_iter().filter(|p| p.is_finite() && legs[c].miss(*p, axis).abs() < ROUGH * scale);
             for hit in near.filter_map(|origin| polished(legs, (origin, axis), scale, POLISH)) {
-                // Once more from the root: the last step ended where it was small, not where it is none.
+                // Once more from the root: the last step ended at a small residual, not at zero.
                 keep(&mut found, polished(legs, hit, scale, POLISH).unwrap_or(hit), scale);
             }
         }
@@ -116,23 +121,24 @@ pub(super) fn assemblies(legs: &[TriadLeg; 3], sketched: Option<(Point, Vec2)>) 
     found
 }
 
-/// At a root of the eliminant the third leg is missed by rounding, next to a fold by the root of it: whatever misses by more is the other place
-/// that the two legs leave.
+/// At a root of the eliminant the third leg is missed within rounding, close to a fold within its
+/// square root. A position with a larger miss is the other position that the two legs allow.
 const ROUGH: f64 = 1e-2;
 
-/// The assembly near a pose, in the numbers of the legs.
+/// Returns the assembly near a pose, in the numbers of the legs.
 pub(super) fn refined<N: Real>(legs: &[TriadLeg<N>; 3], near: Pose) -> Result<Pose<N>, Unproven> {
     let start: Pose<N> = near.lift();
     if !N::refines() {
         return Ok(start);
     }
-    // An axis that was rounded to f64 is a unit vector only to f64.
+    // An axis rounded to f64 is a unit vector only to f64.
     let start = Pose { axis: start.axis.unit().ok_or(Unproven::NoRoot)?, ..start };
     let scale = scale_of(&legs.map(|l| l.approx()));
     proof::root(&Held { legs, scale }, start, scale)
 }
 
-/// A link on three legs as equations for its pose; all three unknowns are lengths, the angle's times `scale`.
+/// A link on three legs as equations for its pose; all three unknowns are lengths, that of the
+/// angle multiplied by `scale`.
 struct Held<'a, N> {
     legs: &'a [TriadLeg<N>; 3],
     scale: f64,
@@ -159,8 +165,8 @@ impl<N: Real> proof::System<N> for Held<'_, N> {
     }
 }
 
-/// Polished solutions are good to a few units of 1e-16 times their condition number; two assemblies nearer to one another
-/// than this are at a fold, where they are one.
+/// Polished solutions are accurate to a few units of 1e-16 times their condition number; two
+/// assemblies closer together than this are at a fold, where they are one.
 const SAME: f64 = 1e-7;
 
 fn keep(found: &mut Vec<(Point, Vec2)>, hit: (Point, Vec2), scale: f64) {
@@ -170,13 +176,13 @@ fn keep(found: &mut Vec<(Point, Vec2)>, hit: (Point, Vec2), scale: f64) {
     }
 }
 
-/// A polish moves by rounding; whatever moves farther would find another assembly or none.
+/// A polish moves by rounding; a longer motion would find another assembly or none.
 const POLISH: f64 = 1e-2;
 
-/// A sketch may be off by a tenth of the mechanism; a longer step is a leap to another assembly.
+/// A sketch may deviate by a tenth of the mechanism; a longer step leads to another assembly.
 const SKETCH: f64 = 0.3;
 
-/// Newton's method on the three legs; `None` where it does not settle near by.
+/// Solves the three legs by Newton's method; `None` if it does not converge nearby.
 fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64, longest: f64) -> Option<(Point, Vec2)> {
     let (mut origin, mut axis) = from;
     for _ in 0..12 {
@@ -198,7 +204,7 @@ fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64, longest: f64)
     (off < 1e-9 * scale).then_some((origin, axis))
 }
 
-/// The solution of three linear equations, and their determinant.
+/// Returns the solution of three linear equations, and their determinant.
 pub fn cramer(rows: [[f64; 3]; 3], rhs: [f64; 3]) -> ([f64; 3], f64) {
     let det = |c: [[f64; 3]; 3]| {
         c[0][0] * (c[1][1] * c[2][2] - c[1][2] * c[2][1]) - c[0][1] * (c[1][0] * c[2][2] - c[1][2] * c[2][0])
@@ -231,7 +237,7 @@ fn size(leg: &TriadLeg) -> f64 {
 mod tests {
     use super::*;
 
-    /// Numbers in [0, 1) that are the same everywhere.
+    /// Pseudo-random numbers in [0, 1), equal on every platform.
     struct Random(u64);
 
     impl Random {
@@ -246,7 +252,7 @@ mod tests {
             Point::new(4.0 * self.next() - 2.0, 4.0 * self.next() - 2.0)
         }
 
-        /// A leg of a kind that holds a link in a pose.
+        /// Returns a leg of a kind that holds a link in a pose.
         fn leg(&mut self, kind: usize, (origin, axis): (Point, Vec2)) -> TriadLeg {
             let direction = Vec2::from_angle(6.3 * self.next());
             let (near, other) = (self.point(), self.point());
@@ -265,7 +271,7 @@ mod tests {
         for k in 0..300 {
             let pose = (random.point(), Vec2::from_angle(6.3 * random.next()));
             let leg = random.leg(k % 3, pose);
-            // Somewhere else than where the leg holds the link, so that what is missed counts.
+            // A pose in which the leg does not hold the link, so that the miss is not zero.
             let (origin, axis, scale) = (random.point(), Vec2::from_angle(6.3 * random.next()), 0.5 + 2.0 * random.next());
             let slope = |by: &dyn Fn(f64) -> (Point, Vec2)| {
                 let miss = |h: f64| leg.miss(by(h).0, by(h).1);
@@ -283,7 +289,8 @@ mod tests {
         }
     }
 
-    /// A polish goes to the pose and no farther than it may; where the legs contradict one another there is none.
+    /// A polish converges to the pose within its limit; if the legs contradict one another it
+    /// fails.
     #[test]
     fn a_polish_settles_near_by_or_not_at_all() {
         let mut random = Random(0x2545_f491_4f6c_dd1d);
@@ -299,12 +306,12 @@ mod tests {
                 assert!(missed < 1e-9 * scale, "{k}: misses by {missed:e}");
                 settled += usize::from((origin - pose.0).norm() < 0.1 * scale);
             }
-            // A step that is longer than allowed is no polish.
+            // A step longer than the limit is no polish.
             let far = (pose.0 + Vec2::new(0.5 * scale, 0.3 * scale), pose.1.rotate_by(Vec2::from_angle(0.9)));
             refused += usize::from(polished(&legs, far, scale, 1e-6).is_none());
         }
         assert!(settled > 180 && refused == 200, "{settled} settle, {refused} are refused");
-        // A circle that the others keep the pin from reaching.
+        // A circle that the pin cannot reach because of the other two legs.
         let at = |x: f64, y: f64| Point::new(x, y);
         let unreachable = [
             TriadLeg::Line { near: at(0.0, 0.0), through: at(0.0, 0.0), direction: Vec2::new(1.0, 0.0) },
@@ -314,7 +321,8 @@ mod tests {
         assert!(polished(&unreachable, (at(0.0, 0.5), Vec2::new(1.0, 0.0)), 1.0, SKETCH).is_none());
     }
 
-    /// The pose from which the legs were made is among the assemblies, each of them holds, and none is there twice; a sketch adds none.
+    /// The pose from which the legs are made is among the assemblies, each assembly satisfies them,
+    /// and none occurs twice; a sketch adds none.
     #[test]
     fn every_assembly_is_found_once() {
         let mut random = Random(0x1234_5678_9abc_def1);

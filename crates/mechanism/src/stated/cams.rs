@@ -1,7 +1,8 @@
 //! Contact without penetration: the whole profile of a cam against the whole end of its follower.
 //!
-//! A round end keeps its radius from the nearest point of the profile and lies outside; a flat face lies on the support line of the profile in the
-//! direction of its normal. Which piece of the profile the solver took plays no part.
+//! A round end keeps its radius from the nearest point of the profile and is outside it; a flat
+//! face is on the support line of the profile in the direction of its normal. The check is
+//! independent of the piece of the profile that the solver took.
 
 use super::Judge;
 use hodograph_base::cam::{Follower, Motion, Segment, Side, Touch};
@@ -10,9 +11,9 @@ use hodograph_scene::{Cam, DriverKind, PointId, Turning};
 
 /// Distance of a follower from its cam.
 pub(super) struct Contact {
-    /// Distance between the two (m); less than zero: by so much the follower cuts into the cam.
+    /// Distance between the two (m); negative by the depth to which the follower cuts into the cam.
     pub clearance: f64,
-    /// A place near the contact.
+    /// A position near the contact.
     pub at: Point,
 }
 
@@ -34,7 +35,8 @@ impl Frame {
 }
 
 impl Judge<'_> {
-    /// Distance of a follower from its cam; `None` where the two are not placed, or the direction of a face is left to its pair.
+    /// Returns the distance of a follower from its cam; `None` if the two are not placed, or if the
+    /// pair determines the direction of the face.
     pub(super) fn contact(&self, cam: &Cam) -> Option<Contact> {
         if let Some(t) = &cam.disc
             && let Motion::Law { .. } = t.disc.motion
@@ -51,7 +53,7 @@ impl Judge<'_> {
         Some(Contact { clearance: frame.local(through).dot(n) - support(&segments, n)?, at: through })
     }
 
-    /// The profile of arcs and lines, with the frame in which it is told.
+    /// Returns the profile of arcs and lines, with its frame.
     fn profile(&self, cam: &Cam) -> Option<(Frame, Vec<Segment>)> {
         if let Some((centre, radius)) = cam.circle {
             let frame = Frame { origin: self.place(centre)?, axis: Vec2::unit_x() };
@@ -67,28 +69,31 @@ impl Judge<'_> {
         Some((self.cam_frame(cam, t)?, segments.clone()))
     }
 
-    /// The frame of a cam on a pivot: origin there, x along its first two points; of a cam that is the ground along the x axis.
+    /// Returns the frame of a cam on a pivot: origin there, x along its first two points; along the
+    /// x axis for a cam that is the ground.
     fn cam_frame(&self, cam: &Cam, t: &Turning) -> Option<Frame> {
         Some(Frame { origin: self.place(t.pivot)?, axis: self.axis(cam.cam, None)? })
     }
 
-    /// By how much a cam is turned from the angle in its carrier that the scene gives it (rad); `None` of one circle, whose piece needs no angle.
+    /// Returns the angle by which a cam deviates from the angle in its carrier that the scene gives
+    /// (rad); `None` for a single circle, whose piece needs no angle.
     pub(super) fn turned_off(&self, cam: &Cam) -> Option<f64> {
         let t = cam.disc.as_ref().filter(|_| cam.circle.is_none())?;
         let is = self.cam_frame(cam, t)?.axis.divide_by(self.carrier_axis(t)?).angle();
         Some(is - t.start - t.disc.sense * t.phi)
     }
 
-    /// A point of the face and its normal out of the cam, as the scene states them.
+    /// Returns a point of the face and its normal out of the cam, as the scene states them.
     fn face(&self, cam: &Cam) -> Option<(Point, Vec2)> {
         let Some(g) = cam.contact else { return self.face_of_driven(cam) };
         let (through, along) = self.line_of(g)?;
         let normal = if cam.left { -along.perp() } else { along.perp() };
-        // The pair that stands for the contact runs beside the face at the radius of the piece that is touched.
+        // The pair that represents the contact runs parallel to the face at the radius of the
+        // touched piece.
         Some((through + normal * cam.touched_radius()?, normal))
     }
 
-    /// The face of a follower whose contact a driver stands for.
+    /// Returns the face of a follower with a contact represented by a driver.
     fn face_of_driven(&self, cam: &Cam) -> Option<(Point, Vec2)> {
         let t = cam.disc.as_ref()?;
         let at = self.place(cam.follows.point())?;
@@ -110,7 +115,7 @@ impl Judge<'_> {
         }
     }
 
-    /// The x axis of the link that carries cam and follower.
+    /// Returns the x axis of the link that carries cam and follower.
     fn carrier_axis(&self, t: &Turning) -> Option<Vec2> {
         match t.axis(self.scene) {
             Some([a, b]) => (self.place(b)? - self.place(a)?).unit(),
@@ -118,15 +123,15 @@ impl Judge<'_> {
         }
     }
 
-    /// Distance of the follower from the place that its law gives it, counted outward.
+    /// Returns the distance of the follower from the position that its law gives, positive outward.
     fn by_law(&self, cam: &Cam, t: &Turning) -> Option<Contact> {
         let frame = self.cam_frame(cam, t)?;
         let carrier = self.carrier_axis(t)?;
-        // The law counts from its start in the sense in which the cam turns in its carrier.
+        // The law is measured from its start in the sense in which the cam turns in its carrier.
         let phi = t.disc.sense * (frame.axis.divide_by(carrier).angle() - t.start);
         let at = self.place(cam.follows.point())?;
         let here = self.coordinate(cam, t, frame.origin, carrier)?;
-        // At a jump of the law both sides are its places.
+        // At a jump of the law both sides are valid positions.
         let off = [Side::Before, Side::After].into_iter().filter_map(|side| {
             let due = t.disc.coordinate(phi, side)?.value();
             let off = here - due;
@@ -141,7 +146,7 @@ impl Judge<'_> {
         Some(Contact { clearance, at })
     }
 
-    /// The coordinate of a placed follower, as its geometry counts it.
+    /// Returns the coordinate of a placed follower, as its geometry defines it.
     fn coordinate(&self, cam: &Cam, t: &Turning, centre: Point, carrier: Vec2) -> Option<f64> {
         let end = cam.follows.point();
         match t.disc.follower {
@@ -152,7 +157,8 @@ impl Judge<'_> {
                         let (a, b) = self.line_of_driver(driver)?;
                         self.place(b)? - self.place(a)?
                     }
-                    // The outward normal is the direction of the face turned by a quarter, in the sense in which it goes out.
+                    // The outward normal is the direction of the face turned by a quarter, in the
+                    // sense in which it moves outward.
                     (None, Touch::Flat { .. }) => self.face(cam)?.1.perp() * -sense,
                     (None, Touch::Point { .. }) => {
                         let shared = |p: &&PointId| **p != end && self.scene.links[t.frame.0].points.contains(*p);
@@ -165,12 +171,12 @@ impl Judge<'_> {
     }
 }
 
-/// The distance of a place from a closed profile, less than zero within it.
+/// Returns the distance of a position from a closed profile, negative inside.
 fn outside(segments: &[Segment], at: Vec2) -> Option<f64> {
     segments.iter().map(|s| nearest(s, at)).min_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
-/// The signed distance of a place from the nearest point of one piece.
+/// Returns the signed distance of a position from the nearest point of one piece.
 fn nearest(segment: &Segment, at: Vec2) -> f64 {
     match *segment {
         Segment::Line { normal, distance, ends: [from, to] } => {
@@ -184,7 +190,7 @@ fn nearest(segment: &Segment, at: Vec2) -> f64 {
         }
         Segment::Arc { centre, radius, normals: [from, to] } => {
             let way = at - centre;
-            // The outward normal points away from the centre, of a hollow arc toward it.
+            // The outward normal points away from the centre, for a hollow arc toward it.
             let outward = if radius < 0.0 { -way } else { way };
             if segment.faces(outward.angle()) {
                 return if radius < 0.0 { -radius - way.norm() } else { way.norm() - radius };
@@ -199,7 +205,8 @@ fn nearest(segment: &Segment, at: Vec2) -> f64 {
     }
 }
 
-/// The support of a profile in a direction: how far it reaches that way from the origin of its frame.
+/// Returns the support of a profile in a direction: the greatest coordinate of its points along it,
+/// from the origin of its frame.
 fn support(segments: &[Segment], n: Vec2) -> Option<f64> {
     let reach = |s: &Segment| match *s {
         Segment::Line { normal, distance, ends } => {

@@ -1,9 +1,12 @@
-//! Proof of a configuration against what the scene states: lengths, coordinates, sides, guides, drivers, rolling pairs, contacts of cams.
+//! Proof of a configuration against the statements of the scene: lengths, coordinates, sides,
+//! guides, drivers, rolling pairs, contacts of cams.
 //!
-//! Drawing and loop equations share the positions, so neither of them proves these. This check reads the scene and the places that were found, and
-//! nothing of the solver: no loci, no closures, no guides that the solver laid into the plane. A configuration that breaks a statement is no answer.
+//! Drawing and loop equations share the positions, so neither of them proves these. This check uses
+//! the scene and the computed positions, and nothing of the solver: no loci, no closures, no guides
+//! that the solver placed in the plane. A configuration that breaks a statement is no answer.
 //!
-//! A distance counts as met within [`SAME`] of the size of the mechanism, which is what ten typed digits tell; an angle within that many radians.
+//! A distance is met within [`SAME`] of the size of the mechanism, the accuracy of ten typed
+//! digits; an angle within as many radians.
 
 mod cams;
 
@@ -19,10 +22,10 @@ use hodograph_scene::{
 };
 use std::f64::consts::TAU;
 
-/// Part of the mechanism's size, or radians, by which a statement may be missed.
+/// Permitted deviation from a statement, as a part of the mechanism's size, or in radians.
 const SAME: f64 = 1e-9;
 
-/// Angle (rad) beyond which an `f64` tells no phase to [`SAME`].
+/// Angle (rad) beyond which an `f64` determines no phase to [`SAME`].
 const MANY: f64 = 1e5;
 
 /// A statement of the scene that a configuration does not meet.
@@ -30,14 +33,14 @@ const MANY: f64 = 1e5;
 pub struct Breach {
     /// The item and the amount in words.
     pub words: Both,
-    /// The amount: metres, or radians where an angle is stated.
+    /// The amount: metres, or radians for a stated angle.
     pub off: f64,
     /// The statement in the file.
     pub span: hodograph_base::diag::Span,
 }
 
 impl Breach {
-    /// The breach as an error.
+    /// Returns the breach as an error.
     pub fn diagnostic(&self) -> Diagnostic {
         Diagnostic::error(UNPROVEN, both!("the position found is not that of the scene: {}", "所得位置与题设不符：{}", self.words))
             .at(self.span)
@@ -51,22 +54,24 @@ impl Breach {
 /// The code of a breach.
 const UNPROVEN: &str = "position-unproven";
 
-/// True if a position that is not the scene's is among the faults.
+/// True if a position that contradicts the scene is among the faults.
 pub fn is_unproven(faults: &Faults) -> bool {
     faults.list.iter().any(|d| d.code == UNPROVEN)
 }
 
-/// The moment at which a configuration is judged.
+/// The moment at which a configuration is checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Moment<'a> {
-    /// The scene's own instant: everything that the scene states holds.
+    /// The scene's own instant: all statements of the scene apply.
     Instant,
-    /// Another position of its motion: drivers stand elsewhere, sides may have changed, what was given for the instant has moved with its links.
-    /// Links keep the form that they have at the instant, which is this one.
+    /// Another position of its motion: drivers have other values, sides may have changed, and
+    /// quantities given for the instant have moved with their links. Links keep the shape that they
+    /// have at the instant, which is the given configuration.
     Later(&'a Configuration),
 }
 
-/// Statements of the scene that a configuration breaks, the largest amount first; what is not placed is not judged.
+/// Returns the statements of the scene that a configuration breaks, the largest amount first; parts
+/// without a position are not checked.
 pub fn breaches(scene: &Scene, mechanism: &Mechanism, at: &Configuration, moment: Moment<'_>) -> Vec<Breach> {
     let mut judge = Judge { scene, mechanism, at, moment, size: at.extent(), found: Vec::new() };
     judge.lengths();
@@ -85,17 +90,17 @@ pub fn breaches(scene: &Scene, mechanism: &Mechanism, at: &Configuration, moment
     judge.found
 }
 
-/// Checks that a configuration meets what the scene states.
+/// Checks that a configuration meets the statements of the scene.
 ///
 /// # Errors
-/// `position-unproven`, one for each statement that is broken.
+/// `position-unproven`, one for each broken statement.
 pub fn proved(scene: &Scene, mechanism: &Mechanism, at: &Configuration, moment: Moment<'_>) -> Result<(), Faults> {
     let mut faults = Faults::default();
     faults.list.extend(breaches(scene, mechanism, at, moment).iter().map(Breach::diagnostic));
     if faults.has_errors() { Err(faults) } else { Ok(()) }
 }
 
-/// The unit vector at an angle from the x axis.
+/// Returns the unit vector at an angle from the x axis.
 fn way_of(angle: &Angle) -> Vec2 {
     let (sine, cosine) = sin_cos(*angle);
     Vec2::new(cosine, sine)
@@ -119,14 +124,14 @@ impl Judge<'_> {
         self.scene.point_name(p)
     }
 
-    /// The length (m) by which a distance at a place may be missed.
+    /// Returns the permitted deviation (m) of a distance at a position.
     fn slack(&self, at: Point) -> f64 {
         SAME * self.size + 16.0 * f64::EPSILON * at.to_vec2().norm()
     }
 
-    /// Notes a length that is missed by `off` (m) at a place.
+    /// Records a length that deviates by `off` (m) at a position.
     fn length_off(&mut self, off: f64, at: Point, span: hodograph_base::diag::Span, words: impl FnOnce(&Self) -> Both) {
-        // What is no number is no proof.
+        // NaN is not accepted as a proof.
         if off.abs() <= self.slack(at) {
             return;
         }
@@ -134,7 +139,7 @@ impl Judge<'_> {
         self.found.push(Breach { words, off, span });
     }
 
-    /// Notes an angle that is missed by `off` (rad).
+    /// Records an angle that deviates by `off` (rad).
     fn angle_off(&mut self, off: f64, span: hodograph_base::diag::Span, words: impl FnOnce(String) -> Both) {
         let off = off - TAU * libm::round(off / TAU);
         if off.abs() <= SAME {
@@ -160,7 +165,8 @@ impl Judge<'_> {
         }
     }
 
-    /// True for a length of a link, or at a pin, that is a virtual constraint: it is judged elsewhere.
+    /// True for a length of a link, or at a pin, that is a virtual constraint: it is checked
+    /// elsewhere.
     fn is_opened_length(&self, a: PointId, b: PointId) -> bool {
         let on = |l: LinkId| [a, b].iter().all(|p| self.scene.links[l.0].points.contains(p));
         let opened =
@@ -195,13 +201,14 @@ impl Judge<'_> {
         }
     }
 
-    /// The place at given coordinates in the frame with its origin in `a` and x toward `b`.
+    /// Returns the position at given coordinates in the frame with its origin in `a` and x toward
+    /// `b`.
     fn seen_from(&self, a: PointId, b: PointId, xy: Vec2) -> Option<Point> {
         let origin = self.place(a)?;
         Some(origin + xy.rotate_by((self.place(b)? - origin).unit()?))
     }
 
-    /// Two points of a link are as far apart as at the instant.
+    /// Checks that points of a link keep their distances from the instant.
     fn forms(&mut self, instant: &Configuration) {
         for (l, link) in self.scene.links.iter().enumerate() {
             let opened = |p: PointId| self.mechanism.is_opened(&Opened::Pin(p, LinkId(l)));
@@ -211,7 +218,7 @@ impl Judge<'_> {
             let known: Vec<(PointId, Point, Point)> = (link.points.iter().copied().filter(|p| !opened(*p)))
                 .filter_map(|p| Some((p, self.place(p)?, instant.points[p.0]?)))
                 .collect();
-            // Two points fix the others: each is held to both.
+            // Two points fix the others: each is checked against both.
             for (k, (p, now, then)) in known.iter().enumerate().skip(1) {
                 for (q, from, was) in known.iter().take(k.min(2)) {
                     let off = now.distance(*from) - then.distance(*was);
@@ -228,7 +235,7 @@ impl Judge<'_> {
         for side in &self.scene.sides {
             let (Some(p), Some(a), Some(b)) = (self.place(side.point), self.place(side.from), self.place(side.to)) else { continue };
             let Some(along) = (b - a).unit() else { continue };
-            // To the left of the line by so much.
+            // Distance to the left of the line.
             let aside = along.cross(p - a);
             let wrong = if side.left { -aside } else { aside };
             if wrong <= 0.0 {
@@ -245,8 +252,8 @@ impl Judge<'_> {
         }
     }
 
-    /// The line of a straight guide in the plane by what the scene says of it: a point of it and its direction. `None` where the scene leaves one
-    /// of them to the pose.
+    /// Returns a point and the direction of a straight guide in the plane, from the statements of
+    /// the scene; `None` if the scene leaves one of them to the pose.
     fn line_of(&self, g: GuideId) -> Option<(Point, Vec2)> {
         let guide = &self.scene.guides[g.0];
         let GuidePath::Line { through, direction, offset } = &guide.path else { return None };
@@ -259,7 +266,7 @@ impl Judge<'_> {
         Some((offset.as_ref().map_or(at, |o| at + along.perp() * o.value), along))
     }
 
-    /// The direction of a straight guide on a link.
+    /// Returns the direction of a straight guide on a link.
     fn direction_of(&self, on: LinkId, direction: &Direction) -> Option<Vec2> {
         let turned = |way: Vec2, angle: &Given<Angle>| way.rotate_by(way_of(&angle.value));
         match direction {
@@ -271,7 +278,7 @@ impl Judge<'_> {
                 let way = (self.place(*b)? - self.place(*a)?).unit()?;
                 Some(turn.as_ref().map_or(way, |t| turned(way, t)))
             }
-            // The link has no line but its guide: its pose tells it.
+            // The link has no line but its guide: its pose gives the direction.
             Direction::Own => self.at.poses[on.0].map(|pose| pose.axis),
             Direction::Slid(angle) => {
                 let along = self.scene.guides.iter().find(|g| g.slider == Some(on))?;
@@ -301,7 +308,8 @@ impl Judge<'_> {
         }
     }
 
-    /// The direction from which an angle of a link counts: that of the given line, else of its first two points; of the ground the x axis.
+    /// Returns the direction from which an angle of a link is measured: that of the given line,
+    /// otherwise of its first two points; for the ground the x axis.
     fn axis(&self, link: LinkId, line: Option<(PointId, PointId)>) -> Option<Vec2> {
         let points = &self.scene.links[link.0].points;
         let (a, b) = match line {
@@ -357,7 +365,8 @@ impl Judge<'_> {
         }
     }
 
-    /// Two circles of given radii touch; a wheel keeps its radius from its track.
+    /// Checks that two circles of given radii touch, and that a wheel keeps its radius from its
+    /// track.
     fn distance_of_centres(&mut self, pair: &Rolling) {
         match &pair.contours {
             Contours::Circles { centres: [p, q], sizes: Sizes::Radii([a, b]), hollow, .. } => {
@@ -373,8 +382,8 @@ impl Judge<'_> {
         }
     }
 
-    /// The phase of two wheels: φ₂ + φ₁ρ₁/ρ₂ = phase, both angles counted from the line of centres, φ₁ as its driver writes it, else with as many turns as the
-    /// phase means.
+    /// Checks the phase of two wheels: φ₂ + φ₁ρ₁/ρ₂ = phase, both angles measured from the line of
+    /// centres, φ₁ as its driver gives it, otherwise with as many turns as the phase requires.
     fn phase(&mut self, pair: &Rolling) {
         let (Some(phase), Some([p, q])) = (&pair.phase, pair.round()) else { return };
         let (Some(a), Some(b)) = (self.place(p), self.place(q)) else { return };
@@ -393,7 +402,8 @@ impl Judge<'_> {
         let own = |d: &&Driver| d.kind.turned() == Some((pair.links[0], self.scene.ground)) && d.kind.lines()[0].is_none();
         let written = self.scene.drivers.iter().filter(own).find_map(|d| Some(d.kind.angle()?.value.radians() - line.angle()));
         let first = written.unwrap_or(first);
-        // After so many turns double precision no longer tells the angle of the second link in its turn.
+        // After this many turns double precision does not determine the angle of the second link
+        // within its turn.
         if (first * ratio).abs() > MANY {
             return;
         }

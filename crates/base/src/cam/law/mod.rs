@@ -1,10 +1,13 @@
-//! The usual motion laws, normalized: a rise of one over a way of one, S(x) with S(0) = 0 and S(1) = 1.
+//! The usual motion laws, normalized to unit rise over unit travel: S(x) with S(0) = 0 and S(1)
+//! = 1.
 //!
-//! Every law is written in pieces, each a polynomial and one wave, c₀ + c₁x + … + A sin(kx + p), whose coefficients have a value in any kind of
-//! number and a text. Derivatives are taken from the pieces, so none is typed twice.
+//! Every law consists of pieces. Each piece is a polynomial and one wave, c₀ + c₁x + … + A sin(kx +
+//! p); the coefficients have a value in any kind of number and a text. Derivatives are computed
+//! from the pieces and are not written separately.
 //!
 //! # Source
-//! 孙桓《机械原理》, table of the laws of followers; R. L. Norton, *Cam Design and Manufacturing Handbook*, chapters 3 and 4.
+//! 孙桓《机械原理》, table of the laws of followers; R. L. Norton, *Cam Design and Manufacturing
+//! Handbook*, chapters 3 and 4.
 
 mod elementary;
 mod modified;
@@ -18,27 +21,27 @@ use crate::number::Real;
 pub struct Exact {
     over: [f64; 3],
     under: [f64; 2],
-    /// The same number as an expression.
+    /// The number as an expression.
     pub text: &'static str,
 }
 
 impl Exact {
-    /// A number that is a binary fraction.
+    /// Returns a coefficient that is a binary fraction.
     const fn plain(value: f64, text: &'static str) -> Exact {
         Exact { over: [value, 0.0, 0.0], under: [1.0, 0.0], text }
     }
 
-    /// (a + bπ + c/π)/(d + eπ).
+    /// Returns the coefficient (a + bπ + c/π)/(d + eπ).
     const fn of(over: [f64; 3], under: [f64; 2], text: &'static str) -> Exact {
         Exact { over, under, text }
     }
 
-    /// Whether it is zero.
+    /// Returns true if the coefficient is zero.
     pub fn is_zero(&self) -> bool {
         self.over == [0.0; 3]
     }
 
-    /// Its value; a binary fraction is exact.
+    /// Returns the value; a binary fraction is exact.
     pub fn value<N: Real>(&self) -> N {
         let [a, b, c] = self.over;
         let [d, e] = self.under;
@@ -51,10 +54,10 @@ impl Exact {
     }
 }
 
-/// A piece of a law: a polynomial and a wave, up to its end.
+/// A piece of a law: a polynomial and a wave, valid up to its end.
 #[derive(Debug)]
 pub struct Piece {
-    /// Where it ends.
+    /// End of the piece on x.
     pub end: f64,
     /// Coefficients of 1, x, x², …
     pub polynomial: &'static [Exact],
@@ -63,7 +66,7 @@ pub struct Piece {
 }
 
 impl Piece {
-    /// S and its first three derivatives by x.
+    /// Returns S and its first three derivatives by x.
     pub fn at<N: Real>(&self, x: N) -> Jet<N> {
         let zero = N::from_f64(0.0);
         let mut out = [zero; 4];
@@ -84,7 +87,7 @@ impl Piece {
         Jet(out)
     }
 
-    /// The derivative of an order as an expression in a variable.
+    /// Returns the derivative of an order as an expression in a variable.
     fn text(&self, order: usize, x: &str) -> String {
         let mut terms: Vec<String> = Vec::new();
         for (i, coefficient) in self.polynomial.iter().enumerate().skip(order) {
@@ -115,7 +118,7 @@ impl Piece {
 pub enum Law {
     /// Constant velocity 等速: rigid shocks at both ends.
     Uniform,
-    /// Constant acceleration, then as much retardation 等加速等减速: soft shocks.
+    /// Constant acceleration, then equal retardation 等加速等减速: soft shocks.
     Parabolic,
     /// Simple harmonic motion 简谐 (余弦加速度): soft shocks at the ends.
     Harmonic,
@@ -132,7 +135,7 @@ pub enum Law {
 }
 
 impl Law {
-    /// All of them.
+    /// All laws.
     pub const ALL: [Law; 8] = [
         Law::Uniform,
         Law::Parabolic,
@@ -144,7 +147,7 @@ impl Law {
         Law::ModifiedTrapezoidal,
     ];
 
-    /// The name in a scene.
+    /// Returns the name in a scene.
     pub const fn name(self) -> &'static str {
         match self {
             Law::Uniform => "uniform",
@@ -158,7 +161,7 @@ impl Law {
         }
     }
 
-    /// The name in Chinese.
+    /// Returns the Chinese name.
     pub const fn name_zh(self) -> &'static str {
         match self {
             Law::Uniform => "等速",
@@ -172,12 +175,12 @@ impl Law {
         }
     }
 
-    /// The law of a name.
+    /// Returns the law with a name.
     pub fn named(name: &str) -> Option<Law> {
         Law::ALL.into_iter().find(|l| l.name() == name)
     }
 
-    /// Its pieces, in order.
+    /// Returns the pieces of the law, in order.
     pub fn pieces(self) -> &'static [Piece] {
         match self {
             Law::Uniform => elementary::UNIFORM,
@@ -191,7 +194,8 @@ impl Law {
         }
     }
 
-    /// The place in the list of the piece in which x lies; at a joint of that after it, or with `before` of that before it.
+    /// Returns the index of the piece that contains x; at a joint the following piece, or with
+    /// `before` the preceding one.
     pub fn place(self, x: f64, before: bool) -> usize {
         let on = |p: &Piece| if before { x <= p.end } else { x < p.end };
         self.pieces().iter().position(on).unwrap_or(self.pieces().len() - 1)
@@ -201,17 +205,18 @@ impl Law {
         &self.pieces()[self.place(x, before)]
     }
 
-    /// S, S′, S″, S‴ at x from 0 to 1.
+    /// Returns S, S′, S″, S‴ at x from 0 to 1.
     pub fn at(self, x: f64, side: super::Side) -> [f64; 4] {
         self.piece(x, side == super::Side::Before).at(x).0
     }
 
-    /// S, S′ and S″ of the piece in which x lies, as expressions in a variable.
+    /// Returns S, S′ and S″ of the piece that contains x, as expressions in a variable.
     pub fn text(self, x: f64, variable: &str) -> [String; 3] {
         std::array::from_fn(|order| self.piece(x, false).text(order, variable))
     }
 
-    /// The greatest magnitudes of S′, S″, S‴ within the piece ends: V, A, J of the tables, in units of h/β, h/β², h/β³.
+    /// Returns the greatest magnitudes of S′, S″, S‴ within the pieces, one-sided at their ends: V,
+    /// A, J of the tables, in units of h/β, h/β², h/β³.
     pub fn peaks(self) -> [f64; 3] {
         const STEPS: usize = 20_000;
         let mut most = [0.0f64; 3];
@@ -241,7 +246,7 @@ mod tests {
             assert!(ends[0].abs() < 1e-15 && (ends[1] - 1.0).abs() < 1e-14, "{}: {ends:?}", law.name());
             for joint in law.pieces().iter().map(|p| p.end).filter(|e| *e < 1.0) {
                 let [before, after] = [Side::Before, Side::After].map(|s| law.at(joint, s));
-                // No jump of S and S′; of S″ only the parabolic law has one inside.
+                // S and S′ are continuous; S″ jumps inside for the parabolic law only.
                 let orders = if law == Law::Parabolic { 2 } else { 3 };
                 for k in 0..orders {
                     assert!((before[k] - after[k]).abs() < 1e-12, "{} at {joint}, order {k}: {before:?} {after:?}", law.name());
@@ -264,7 +269,7 @@ mod tests {
         }
     }
 
-    /// The tables of the text books: 孙桓, Norton 8-3.
+    /// The tables of the textbooks: 孙桓, Norton 8-3.
     #[test]
     fn peaks_are_those_of_the_tables() {
         for (law, v, a, j) in [

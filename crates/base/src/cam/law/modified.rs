@@ -1,4 +1,5 @@
-//! The modified laws: accelerations of a trapezoid and of two sines, their corners rounded by quarter waves of an eighth of the way.
+//! The modified laws: accelerations of a trapezoid and of two sines, with corners rounded by
+//! quarter waves over an eighth of the travel.
 
 use super::{Exact, Piece};
 
@@ -20,8 +21,9 @@ const fn of_sine(over: [f64; 3], text: &'static str) -> Exact {
     Exact::of(over, [4.0, 1.0], text)
 }
 
-/// Over 2 + π: 2x − W; π/16 − 1/2π + (2 − π)x + 4πx²; −π/2 + (2 + 2π)x + W; 1/2π − 33π/16 + (2 + 7π)x − 4πx²; π + 2x − W, with
-/// W = sin(4πx)/2π. The acceleration rises by a quarter wave, stays, falls by half a wave, stays, and goes back.
+/// Over 2 + π: 2x − W; π/16 − 1/2π + (2 − π)x + 4πx²; −π/2 + (2 + 2π)x + W; 1/2π − 33π/16 + (2 +
+/// 7π)x − 4πx²; π + 2x − W, with W = sin(4πx)/2π. The acceleration rises by a quarter wave, stays
+/// constant, falls by half a wave, stays constant, and rises to zero.
 pub(super) const TRAPEZOIDAL: &[Piece] = &[
     Piece { end: 0.125, polynomial: &[NONE, ENDS], wave: Some((FALL, 720.0, 0.0)) },
     Piece {

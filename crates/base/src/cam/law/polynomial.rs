@@ -1,4 +1,5 @@
-//! Polynomials whose derivatives vanish at both ends: to the second order (3-4-5), to the third (4-5-6-7).
+//! Polynomials with derivatives that vanish at both ends: up to the second order (3-4-5), up to the
+//! third (4-5-6-7).
 
 use super::{Exact, Piece};
 

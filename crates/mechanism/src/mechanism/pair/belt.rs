@@ -1,5 +1,6 @@
-//! Two neighbours in a belt or chain. The belt neither stretches nor slips, and a link keeps the distance of the axes: against that link both
-//! turn as two wheels that roll on one another do, in an open belt as one inside the other.
+//! Two neighbours in a belt or chain. The belt neither stretches nor slips, and a link keeps the
+//! distance of the axes: relative to that link both turn as two wheels that roll on each other, in
+//! an open belt as one inside the other.
 
 use super::{Demands, Kind};
 use hodograph_base::diag::both;

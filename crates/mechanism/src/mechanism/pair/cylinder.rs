@@ -1,4 +1,4 @@
-//! A cylinder: a driver of the distance of two pins. Barrel and rod follow it.
+//! A cylinder: a driver of the distance of two pins. Barrel and rod follow the line of the pins.
 
 use super::{Demands, DriverForm, Form, Kind};
 use hodograph_base::diag::both;

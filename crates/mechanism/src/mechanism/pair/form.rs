@@ -1,14 +1,15 @@
-//! Forms: the few statements in link frames that all pairs and drivers come down to.
+//! Forms: the few statements in link frames to which all pairs and drivers reduce.
 //!
-//! A form says which points, links and guides it is about and which driver gives its value, and no more. Newton's method, the equations
-//! in exact numbers, motion, loop equations and sweep match forms, each differentiates them by itself: that two of them agree is
-//! evidence because a form holds no derivative. What follows from a form alone is said here too: the nodes that it joins, how many
-//! equations it is, what has to be laid in a link for it.
+//! A form names its points, links and guides and the driver that gives its value, and nothing else.
+//! Newton's method, the exact position equations, the motion, the loop equations and the sweep
+//! match forms, and each differentiates them separately: a form contains no derivative, so
+//! agreement of two of them is evidence. This module also derives what follows from a form alone:
+//! the nodes that it joins, its number of equations, and the guide that a link must contain for it.
 
 use super::super::Node;
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
-/// A statement about where points and links are.
+/// A statement about the positions of points and links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// A pin and the point of the same name on a link meet: two equations.
@@ -18,27 +19,29 @@ pub enum Form {
         /// The link.
         link: LinkId,
     },
-    /// The angles of two links differ by what a driver gives; without one, by what they differed at the instant.
+    /// The angles of two links differ by the value of a driver; without a driver, by the difference
+    /// at the instant.
     Angles {
-        /// The link whose angle counts.
+        /// The link whose angle is measured.
         of: LinkId,
-        /// The link from which it counts.
+        /// The link from which the angle is measured.
         against: LinkId,
         /// The driver.
         driver: Option<usize>,
     },
-    /// A point lies on the path of a guide; a link without a pin there keeps the distance from the path that it had at the instant.
+    /// A point is on the path of a guide; a link without a pin there keeps its distance from the
+    /// path at the instant.
     OnPath {
-        /// What lies there.
+        /// The runner on the path.
         runner: Runner,
         /// The guide.
         guide: GuideId,
         /// The link that carries it.
         on: LinkId,
     },
-    /// The coordinate of a point along the path of a guide is what a driver gives.
+    /// The coordinate of a point along the path of a guide equals the value of a driver.
     AlongPath {
-        /// What runs there.
+        /// The runner on the path.
         runner: Runner,
         /// The guide.
         guide: GuideId,
@@ -47,7 +50,7 @@ pub enum Form {
         /// The driver.
         driver: usize,
     },
-    /// The distance of two pins is what a driver gives.
+    /// The distance of two pins equals the value of a driver.
     Distance {
         /// One of them.
         from: PointId,
@@ -56,16 +59,17 @@ pub enum Form {
         /// The driver.
         driver: usize,
     },
-    /// Turnings of two links, and that of a line of centres or the way along a guide, are linearly related.
+    /// The rotations of two links, and the rotation of a line of centres or the displacement along
+    /// a guide, are linearly related.
     Related {
-        /// Which pair; its relation is that of the scene.
+        /// The pair; the scene gives its relation.
         pair: RollingId,
         /// The two links.
         links: [LinkId; 2],
     },
 }
 
-/// What runs in a guide.
+/// The runner in a guide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Runner {
     /// A pin.
@@ -75,7 +79,7 @@ pub enum Runner {
 }
 
 impl Form {
-    /// The two nodes that it joins.
+    /// Returns the two nodes that it joins.
     pub fn ends(&self) -> (Node, Node) {
         match *self {
             Form::Meet { pin, link } => (Node::Pin(pin), Node::Link(link)),
@@ -86,13 +90,13 @@ impl Form {
         }
     }
 
-    /// Whether a link is one of the two nodes.
+    /// Returns true if a link is one of the two nodes.
     pub fn joins(&self, link: LinkId) -> bool {
         let (a, b) = self.ends();
         a == Node::Link(link) || b == Node::Link(link)
     }
 
-    /// The pin that it puts on a link, and the link.
+    /// Returns the pin that it puts on a link, and the link.
     pub fn meets(&self) -> Option<(PointId, LinkId)> {
         match *self {
             Form::Meet { pin, link } => Some((pin, link)),
@@ -100,7 +104,7 @@ impl Form {
         }
     }
 
-    /// How many scalar equations it is.
+    /// Returns the number of its scalar equations.
     pub fn equations(&self) -> usize {
         match self {
             Form::Meet { .. } => 2,
@@ -108,7 +112,7 @@ impl Form {
         }
     }
 
-    /// The driver that gives its value.
+    /// Returns the driver that gives its value.
     pub fn driver(&self) -> Option<usize> {
         match *self {
             Form::Angles { driver, .. } => driver,
@@ -117,7 +121,7 @@ impl Form {
         }
     }
 
-    /// The two links of which the first keeps its direction against the second.
+    /// Returns the two links of which the first keeps its direction relative to the second.
     pub fn locks(&self) -> Option<(LinkId, LinkId)> {
         match *self {
             Form::Angles { of, against, driver: None } => Some((of, against)),
@@ -126,7 +130,7 @@ impl Form {
         }
     }
 
-    /// The guide on whose path it holds a point, and the link that carries the guide.
+    /// Returns the guide on whose path it holds a point, and the link that carries the guide.
     pub fn lies_on(&self) -> Option<(GuideId, LinkId)> {
         match *self {
             Form::OnPath { guide, on, .. } => Some((guide, on)),
@@ -134,7 +138,7 @@ impl Form {
         }
     }
 
-    /// The guide that has to be laid in its link for it.
+    /// Returns the guide that its link must contain.
     pub fn path(&self) -> Option<GuideId> {
         match *self {
             Form::OnPath { guide, .. } | Form::AlongPath { guide, .. } => Some(guide),
@@ -144,7 +148,7 @@ impl Form {
 }
 
 impl Runner {
-    /// The node that it is.
+    /// Returns the node of the runner.
     pub fn node(self) -> Node {
         match self {
             Runner::Pin(p) => Node::Pin(p),

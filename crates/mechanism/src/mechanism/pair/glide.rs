@@ -1,4 +1,4 @@
-//! A slider without a pin of its own, such as a yoke, keeps its distance from its guide.
+//! A slider without a pin, such as a yoke, keeps its distance from its guide.
 
 use super::{Demands, Form, Kind, Runner, lock};
 

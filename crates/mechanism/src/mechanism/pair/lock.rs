@@ -1,7 +1,7 @@
-//! A slider keeps its direction against the link that carries its guide.
+//! A slider keeps its direction relative to the link that carries its guide.
 //!
-//! A block that only follows its pin is no node of the graph: its constraint is left out with it. On an arc there are only such blocks,
-//! which turn with the tangent.
+//! A block that only follows its pin is no node of the graph: its constraint is omitted with it. On
+//! an arc there are only such blocks, which turn with the tangent.
 
 use super::{Demands, Form, Kind};
 use hodograph_base::diag::both;

@@ -1,9 +1,11 @@
-//! Pairs and drivers as values: one file a kind, and the list of them.
+//! Pairs and drivers as values: one file for each kind, and the list of kinds.
 //!
-//! Each kind says of which items of the scene it is, which [`Form`] it demands there, and how it is named. All else follows from the
-//! form: the nodes that a constraint joins and how many equations it is ([`form`]), the leg that it makes of a group
-//! ([`super::groups`]), its equations of position, motion and sweep. So a new pair is one file here, its line in [`KINDS`], the scene's
-//! reading of it and its symbol in the figure; only one that is none of the forms asks more of the solvers.
+//! Each kind defines its items of the scene, the [`Form`] that it demands there, and its name.
+//! Everything else follows from the form: the nodes that a constraint joins and its number of
+//! equations ([`form`]), the leg that it becomes in a group ([`super::groups`]), its equations of
+//! position, motion and sweep. A new pair therefore needs one file here, a line in [`KINDS`], its
+//! reading in the scene and its symbol in the figure; only a pair with a new form needs changes in
+//! the solvers.
 
 mod belt;
 mod cylinder;
@@ -23,10 +25,10 @@ use super::Node;
 use hodograph_base::diag::{Both, Span};
 use hodograph_scene::{DriverKind, Guide, GuideId, LinkId, PointId, RollingId, RollingKind, Scene};
 
-/// What of a scene constrains: a point on a link, a guide, a driver, a rolling pair.
+/// An item of a scene that constrains: a point on a link, a guide, a driver, a rolling pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Item {
-    /// A point at which something meets, on one of its links.
+    /// A joint, on one of its links.
     Pin(PointId, LinkId),
     /// A guide.
     Guide(GuideId),
@@ -36,33 +38,35 @@ pub enum Item {
     Rolling(RollingId),
 }
 
-/// A kind of pair or driver: the form that it demands of an item, if the item is of this kind, and its name in a message, from the two
-/// nodes that it joins.
+/// A kind of pair or driver: the form that it demands of an item of this kind, and its name in a
+/// message, from the two nodes that it joins.
 struct Kind {
     form: Demands,
     words: fn(&Scene, Node, Node) -> Both,
 }
 
-/// Of which items a kind is.
+/// The items of a kind, with the form that it demands.
 enum Demands {
     Pin(fn(PointId, LinkId) -> Option<Form>),
     Guide(fn(GuideId, &Guide) -> Option<Form>),
     Driver(DriverForm),
-    /// All of them relate turnings, or turning and sliding, linearly; `told` says in a list of pairs which links those are.
+    /// All of them relate rotations, or rotation and sliding, linearly; `told` names the links in a
+    /// list of pairs.
     Rolling {
         kind: RollingKind,
         told: fn(&str, &str) -> Both,
     },
 }
 
-/// What a kind of driver says besides: how it is named as what moves something, and what it moves.
+/// The additional data of a kind of driver: its name as a mover, and the name of the part that it
+/// moves.
 struct DriverForm {
     form: fn(usize, &DriverKind, &Scene) -> Option<Form>,
     mover: fn(&Scene, Node, Node) -> Both,
     moved: fn(&Scene, Node, Node) -> Both,
 }
 
-/// All kinds, in the order in which the constraints of one item come.
+/// All kinds, in the order of the constraints of one item.
 const KINDS: &[Kind] = &[
     pin::PIN,
     slot::SLOT,
@@ -86,7 +90,7 @@ pub struct Constraint {
     form: Form,
 }
 
-/// The constraints that an item of a scene stands for.
+/// Returns the constraints of an item of a scene.
 pub fn constraints_of(scene: &Scene, item: Item) -> impl Iterator<Item = Constraint> {
     let demanded = move |kind: &Kind| match (&kind.form, item) {
         (Demands::Pin(form), Item::Pin(p, l)) => form(p, l),
@@ -101,12 +105,12 @@ pub fn constraints_of(scene: &Scene, item: Item) -> impl Iterator<Item = Constra
     KINDS.iter().enumerate().filter_map(move |(kind, k)| Some(Constraint { kind, item, form: demanded(k)? }))
 }
 
-/// What an item of one constraint is called.
+/// Returns the name of an item with one constraint.
 pub fn words_of(scene: &Scene, item: Item) -> Both {
     constraints_of(scene, item).next().map_or_else(|| Both::same(""), |c| c.words(scene))
 }
 
-/// A rolling pair in a list of pairs.
+/// Returns the description of a rolling pair in a list of pairs.
 pub fn told_words(scene: &Scene, pair: RollingId) -> Both {
     let [a, b] = scene.rolling[pair.0].links.map(|l| scene.link_name(l));
     let told = |kind: &Kind| match kind.form {
@@ -116,12 +120,12 @@ pub fn told_words(scene: &Scene, pair: RollingId) -> Both {
     KINDS.iter().find_map(told).unwrap_or_else(|| Both::same(""))
 }
 
-/// How a driver is named as what moves something.
+/// Returns the name of a driver as a mover.
 pub fn mover_words(scene: &Scene, driver: usize) -> Both {
     driver_words(scene, driver, |d| d.mover)
 }
 
-/// How that is named which a driver moves.
+/// Returns the name of the part that a driver moves.
 pub fn moved_words(scene: &Scene, driver: usize) -> Both {
     driver_words(scene, driver, |d| d.moved)
 }
@@ -135,34 +139,34 @@ fn driver_words(scene: &Scene, driver: usize, words: impl Fn(&DriverForm) -> fn(
 }
 
 impl Constraint {
-    /// What it demands.
+    /// Returns the form.
     pub fn form(&self) -> Form {
         self.form
     }
 
-    /// The same lock said of another pair of links: where `a` turns as `b` and `b` as `c`, what locks `a` and `b` may as well lock `a`
-    /// and `c`.
+    /// Returns the lock applied to another pair of links: if `a` turns with `b` and `b` with `c`, a
+    /// lock of `a` and `b` is equivalent to a lock of `a` and `c`.
     pub(super) fn locking(self, of: LinkId, against: LinkId) -> Constraint {
         Constraint { form: Form::Angles { of, against, driver: None }, ..self }
     }
 
-    /// The item of the scene that it comes from.
+    /// Returns the item of the scene.
     pub fn item(&self) -> Item {
         self.item
     }
 
-    /// The two nodes that it joins.
+    /// Returns the two nodes that it joins.
     pub fn ends(&self) -> (Node, Node) {
         self.form.ends()
     }
 
-    /// Its name in a message.
+    /// Returns the name in a message.
     pub fn words(&self, scene: &Scene) -> Both {
         let (a, b) = self.ends();
         (KINDS[self.kind].words)(scene, a, b)
     }
 
-    /// Where the file says it.
+    /// Returns the span in the file.
     pub fn span(&self, scene: &Scene) -> Span {
         match self.item {
             Item::Pin(_, l) => scene.links[l.0].span,
@@ -174,7 +178,7 @@ impl Constraint {
 }
 
 impl Node {
-    /// The name that the file gives it.
+    /// Returns the name in the file.
     pub fn name(self, scene: &Scene) -> &str {
         match self {
             Node::Link(l) => scene.link_name(l),
@@ -184,7 +188,7 @@ impl Node {
 }
 
 impl Runner {
-    /// What runs in a guide: its pin, else its slider.
+    /// Returns the runner of a guide: its pin, otherwise its slider.
     fn of(guide: &Guide) -> Option<Runner> {
         guide.pin.map(Runner::Pin).or(guide.slider.map(Runner::Link))
     }

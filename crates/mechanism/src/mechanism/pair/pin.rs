@@ -1,4 +1,4 @@
-//! A pin on a link: the links that meet at a pin each hold their own point there.
+//! A pin on a link: each link at a pin has its own point there.
 
 use super::{Demands, Form, Kind};
 use hodograph_base::diag::both;

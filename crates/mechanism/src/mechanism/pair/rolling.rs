@@ -10,7 +10,7 @@ pub(super) const GEARS: Kind = Kind {
     words: |scene, a, b| both!("the gear pair of links {} and {}", "构件 {} 与 {} 的齿轮副", a.name(scene), b.name(scene)),
 };
 
-/// A wheel without teeth, which a guide of its own keeps on the track.
+/// A wheel without teeth that a separate guide keeps on the track.
 pub(super) const WHEEL: Kind = Kind {
     form: Demands::Rolling {
         kind: RollingKind::Wheel,

@@ -1,4 +1,4 @@
-//! A rope between a drum and the load that it draws along: it neither stretches nor slips.
+//! A rope between a drum and the load that it pulls: it neither stretches nor slips.
 
 use super::{Demands, Kind};
 use hodograph_base::diag::both;

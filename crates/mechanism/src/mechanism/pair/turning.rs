@@ -1,4 +1,4 @@
-//! A turning driver: a crank against ground or against another link.
+//! A rotary driver: a crank relative to ground or to another link.
 
 use super::{Demands, DriverForm, Form, Kind};
 use hodograph_base::diag::both;

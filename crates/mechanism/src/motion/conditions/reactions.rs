@@ -1,7 +1,8 @@
 //! Equilibrium of one group: the transposed system.
 //!
-//! Row i of the system says c_i·q̇ = rate. Without friction its pair does no work but by that rate, so that its reaction on the unknown k is
-//! λ_i c_ik, and equilibrium is Cᵀ λ = −Q with the loads Q of the group.
+//! Row i of the system is the condition c_i·q̇ = rate. Without friction its pair does work by that
+//! rate only, so its reaction on the unknown k is λ_i c_ik, and equilibrium is Cᵀ λ = −Q with the
+//! loads Q of the group.
 
 use super::{Condition, Conditions, Handle, Lu, own_point};
 use crate::mechanism::Node;
@@ -14,14 +15,14 @@ use hodograph_scene::{LinkId, PointId, Scene};
 /// Forces that act on links and pins.
 #[derive(Clone)]
 pub(in crate::motion) struct Acting<N> {
-    /// For each link a point of its own, about which its couple counts.
+    /// For each link one of its own points, about which its couple is taken.
     base: Vec<Point<N>>,
     pub links: Vec<Wrench<N>>,
     pub pins: Vec<Vec2<N>>,
 }
 
 impl<N: Real> Acting<N> {
-    /// Nothing acts.
+    /// Returns zero forces.
     pub fn none(scene: &Scene, at: &Configuration<N>) -> Acting<N> {
         let base = |l: usize| match LinkId(l) == scene.ground || at.poses[l].is_none() {
             true => Point::origin(),
@@ -34,13 +35,13 @@ impl<N: Real> Acting<N> {
         }
     }
 
-    /// Adds a force at a place of a link, with its couple about that place.
+    /// Adds a force at a position of a link, with its couple about that position.
     pub fn on_link(&mut self, link: LinkId, place: Point<N>, wrench: Wrench<N>) {
         let moved = wrench.seen_at(place - self.base[link.0]);
         self.links[link.0] = self.links[link.0].plus(moved);
     }
 
-    /// Sum of the forces on a link, with its couple about a place.
+    /// Returns the sum of the forces on a link, with its couple about a position.
     pub fn about(&self, link: LinkId, place: Point<N>) -> Wrench<N> {
         self.links[link.0].seen_at(self.base[link.0] - place)
     }
@@ -55,14 +56,15 @@ impl<N: Real> Acting<N> {
 #[derive(Clone, Copy)]
 pub(in crate::motion) enum Reaction<N> {
     Force(Vec2<N>),
-    /// For a factor of one.
+    /// The couple, for a factor of one.
     Couple(N),
 }
 
 impl<N: Real> Conditions<N> {
-    /// The constraint of each condition, and its reaction under the loads; what the reactions do upstream is added to `acting`.
+    /// Returns the constraint of each condition, and its reaction under the loads; the effect of
+    /// the reactions upstream is added to `acting`.
     ///
-    /// `None` where a pivot may be zero: the reactions are unbounded or not determined.
+    /// `None` if a pivot may be zero: the reactions are unbounded or not determined.
     pub(in crate::motion) fn reactions(&self, acting: &mut Acting<N>) -> Option<Vec<(usize, Reaction<N>)>> {
         let (n, zero, scale) = (self.unknowns, N::from_f64(0.0), N::from_f64(self.scale));
         if self.list.len() != n {
@@ -107,7 +109,8 @@ impl<N: Real> Conditions<N> {
         Some(out)
     }
 
-    /// −Q, in the order of the unknowns: a force over the scale of lengths, a couple about the own point of its link.
+    /// Returns −Q, in the order of the unknowns: a force divided by the scale of lengths, a couple
+    /// about the reference point of its link.
     fn loads(&self, acting: &Acting<N>) -> Vec<N> {
         let back = N::from_f64(1.0 / self.scale);
         let of_links = self.links.iter().flat_map(|(l, at)| {
@@ -120,7 +123,7 @@ impl<N: Real> Conditions<N> {
 }
 
 impl<N: Real> Handle<N> {
-    /// Adds a force on the point to what acts upstream.
+    /// Adds a force on the point to the forces that act upstream.
     fn passed_on(&self, force: Vec2<N>, acting: &mut Acting<N>) {
         match *self {
             Handle::Known(at, Node::Link(link)) => acting.on_link(link, at.at, Wrench { force, ..Wrench::zero() }),

@@ -1,8 +1,9 @@
-//! Rolling among the equations of a group that is found as a whole.
+//! Rolling in the equations of a group that is solved as a whole.
 //!
-//! At the instant two circles have the phase that the scene gives: ρ₁(φ₁ − β) + ρ₂(φ₂ − β) = ρ₂·phase with the angles of the links' lines. Later
-//! the same sum, of a straight track s + ρ(φ₂ − φ₁), has not changed since. Angles that are known but for whole turns are taken next to those of the
-//! pose that is meant.
+//! At the instant two circles have the phase given in the scene: ρ₁(φ₁ − β) + ρ₂(φ₂ − β) = ρ₂·phase
+//! with the angles of the links' lines. Later the change of this sum is zero, as is that of s +
+//! ρ(φ₂ − φ₁) for a straight track. Angles known up to whole turns are taken closest to those of
+//! the known pose.
 
 use super::{Coupled, Placed};
 use crate::position::equations::View;
@@ -12,14 +13,15 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::{GuideId, LinkId, PointId, Relation, RollingId};
 
-/// By how much a pair misses rolling, as an angle of its second link, and the coefficients of that in the lengths by which steps are counted.
+/// Deviation of a pair from rolling, as an angle of its second link, and the coefficients of the
+/// deviation for steps measured as lengths.
 pub(super) struct Slip<N> {
     pub off: N,
     pub row: Vec<N>,
 }
 
 impl<N: Real> Coupled<'_, N> {
-    /// The equation of a rolling pair; `None` where nothing but a rough sketch tells how it stands.
+    /// Returns the equation of a rolling pair; `None` if only a rough sketch determines it.
     pub(super) fn slip(&self, view: &Placed<N>, r: RollingId) -> Option<Slip<N>> {
         match (self.assembly.scene.rolling[r.0].relation(), self.assembly.instant) {
             (Relation::Turnings(centres), Some(then)) => self.turned_since(view, r, centres, then),
@@ -29,7 +31,7 @@ impl<N: Real> Coupled<'_, N> {
         }
     }
 
-    /// Two circles since the instant.
+    /// Returns the equation of two circles since the instant.
     fn turned_since(&self, view: &Placed<N>, r: RollingId, centres: [PointId; 2], then: &Configuration<N>) -> Option<Slip<N>> {
         let pair = &self.assembly.scene.rolling[r.0];
         let [a, b] = self.turned(view, r, then)?;
@@ -39,20 +41,20 @@ impl<N: Real> Coupled<'_, N> {
         self.of_circles(view, r, centres, [a, b, line_turned])
     }
 
-    /// Two circles in their phase.
+    /// Returns the equation of two circles in their phase.
     fn in_phase(&self, view: &Placed<N>, r: RollingId, centres: [PointId; 2]) -> Option<Slip<N>> {
         let a = self.assembly;
         let pair = &a.scene.rolling[r.0];
         let (s, c) = a.inputs.sin_cos(pair.phase.as_ref()?);
         let line = self.line(view, pair.links, centres)?;
-        // Counted from the line of centres.
+        // Measured from the line of centres.
         let angle = |k: usize| Some(a.mark(pair.links[k])?.rotate_by(view.pose(pair.links[k])?.axis).divide_by(line).angle());
         let mut slip = self.of_circles(view, r, centres, [angle(0)?, angle(1)?, N::from_f64(0.0)])?;
         slip.off = whole(slip.off - Vec2::new(c, s).angle(), 0.0);
         Some(slip)
     }
 
-    /// (φ₂ − β) + (φ₁ − β) ρ₁/ρ₂.
+    /// Returns the equation of (φ₂ − β) + (φ₁ − β) ρ₁/ρ₂.
     fn of_circles(&self, view: &Placed<N>, r: RollingId, centres: [PointId; 2], [a, b, line]: [N; 3]) -> Option<Slip<N>> {
         let pair = &self.assembly.scene.rolling[r.0];
         let [r1, r2] = pair.sizes(&self.assembly.inputs);
@@ -68,7 +70,7 @@ impl<N: Real> Coupled<'_, N> {
         Some(Slip { off: (b - line) + (a - line) * ratio, row })
     }
 
-    /// A wheel on a straight track since the instant.
+    /// Returns the equation of a wheel on a straight track since the instant.
     fn gone_since(&self, view: &Placed<N>, r: RollingId, (centre, guide): (PointId, GuideId), then: &Configuration<N>) -> Option<Slip<N>> {
         let pair = &self.assembly.scene.rolling[r.0];
         let ([on, wheel], [_, radius]) = (pair.links, pair.sizes(&self.assembly.inputs));
@@ -87,24 +89,25 @@ impl<N: Real> Coupled<'_, N> {
         Some(Slip { off: gone / radius + (b - a), row })
     }
 
-    /// By how much both links have turned since the instant.
+    /// Returns the rotations of both links since the instant.
     fn turned(&self, view: &Placed<N>, r: RollingId, then: &Configuration<N>) -> Option<[N; 2]> {
         let links = self.assembly.scene.rolling[r.0].links;
         let of = |k: usize| Some(whole(view.pose(links[k])?.axis.divide_by(then.poses[links[k].0]?.axis).angle(), self.near(r)[k]));
         Some([of(0)?, of(1)?])
     }
 
-    /// By how much links and line have turned in the pose that is meant.
+    /// Returns the rotations of links and line in the known pose.
     fn near(&self, r: RollingId) -> [f64; 3] {
         self.meant.rolled.get(r.0).and_then(Option::as_ref).map_or([0.0; 3], |rolled| rolled.turned())
     }
 
-    /// From the first centre to the second.
+    /// Returns the vector from the first centre to the second.
     fn line(&self, view: &Placed<N>, links: [LinkId; 2], centres: [PointId; 2]) -> Option<Vec2<N>> {
         Some(self.centre(view, links[1], centres[1])? - self.centre(view, links[0], centres[0])?)
     }
 
-    /// A centre moves with its link; a link without it there has it in the plane.
+    /// Returns the position of a centre: it moves with its link; if the link has no such point, the
+    /// centre's position in the plane is taken.
     fn centre(&self, view: &Placed<N>, link: LinkId, centre: PointId) -> Option<Point<N>> {
         match view.local(link, centre) {
             Some(local) => Some(view.pose(link)?.to_world(local)),

@@ -1,4 +1,4 @@
-//! Wheels by lengths: places of contact and senses of turning.
+//! Wheels by lengths: points of contact and senses of rotation.
 
 use super::*;
 use crate::mechanism::{Demand, Mechanism};
@@ -19,7 +19,8 @@ fn whole_turns_are_those_of_what_is_known_roughly() {
     }
 }
 
-/// The centres of curvature lie at Q − ρ₁n and Q + ρ₂n, whichever wheel is the larger one, or hollow, or straight.
+/// The centres of curvature are at Q − ρ₁n and Q + ρ₂n for any ratio of sizes, and for hollow
+/// and straight contours.
 #[test]
 fn normals_point_from_the_first_contour_to_the_second() {
     let pair = |links: &str, centres: &str, more: &str| {
@@ -51,7 +52,7 @@ fn normals_point_from_the_first_contour_to_the_second() {
             let (n, [r1, r2]) = (at.normal(&scene, RollingId(0)).unwrap(), at.shapes.rolling[0]);
             let contact = at.point(scene.rolling[0].at[0]);
             let [p, q] = scene.rolling[0].centres().map(|c| at.point(c.unwrap()));
-            // Of teeth alone the distance makes radii.
+            // For teeth alone the distance determines the radii.
             let unit = p.distance(q) / (r1 + r2).abs();
             let off = (contact - n * (r1 * unit)).distance(p).max((contact + n * (r2 * unit)).distance(q));
             assert!(off < 1e-15, "{off} m with radii {r1} and {r2}\n{text}");
