@@ -3,7 +3,10 @@
 #[path = "curvature/figures.rs"]
 mod figures;
 
+use hodograph::construct::pencil::{Blunt, Hand};
+use hodograph::curvature::by_hand::ByHand;
 use hodograph::curvature::drawing::{Drawing, How};
+use hodograph::curvature::known::Places;
 use hodograph::curvature::motion::{Bend, State};
 use hodograph::curvature::{Asked, Curvature, OfLink, centrodes, couplers, curvature};
 use hodograph::geom::{Point, Vec2};
@@ -106,6 +109,40 @@ fn drawing_is_analysis_everywhere() {
     }
     assert!(faults.is_empty(), "{} of {poses}:\n{}", faults.len(), faults.join("\n"));
     assert!(poses > 200 && balls > 100, "{poses} poses, {balls} Ball's points");
+}
+
+/// Tolerances of hand drawing go with the pencil, hold the readings of other drawings of as blunt a pencil,
+/// and vanish with it: the hand draws the exact construction.
+#[test]
+fn tolerances_of_hand_drawing_go_with_the_pencil() {
+    let mut compared = 0;
+    for name in ["crank-rocker", "slider-crank", "whitworth", "geared-five-bar", "hypocycloid", "shaper"] {
+        let with = |pencil_mm: f64| {
+            let mut scene = template(name, &[]);
+            scene.paper.pencil_mm = Some(pencil_mm);
+            all(&scene).with_drafting()
+        };
+        let (fine, blunt) = (with(0.01), with(0.02));
+        for (a, b) in fine.list.iter().zip(&blunt.list) {
+            let (Some(a), Some(b)) = (&a.by_hand, &b.by_hand) else { continue };
+            let bounds = |t: &ByHand| [t.pole, t.inflection_pole, t.diameter, t.ball].into_iter().chain(t.radii.clone()).collect::<Vec<_>>();
+            for (x, y) in bounds(a).into_iter().zip(bounds(b)).filter_map(|(x, y)| Some((x?, y?))) {
+                // A reading of the given, without any mark between, is exact.
+                if x > 0.0 {
+                    compared += 1;
+                    assert!((1.6..2.4).contains(&(y / x)), "{name}: {x} {y}");
+                }
+            }
+        }
+    }
+    assert!(compared > 20, "{compared}");
+    // A pencil without error draws what the ruler finds.
+    let scene = template("crank-rocker", &[]);
+    let found = all(&scene);
+    let hand = Hand::with(Blunt::new(0.0, 1), found.worked.construction.diagram.mu);
+    let places = Places { scene: &found.scene, at: &found.worked.configuration, against: found.against, hand: &hand };
+    let drawing = places.drawing_behind(found.list[0].link, &[]);
+    assert_eq!(drawing, found.list[0].drawing);
 }
 
 /// Numbers that look random and repeat on every machine (xorshift64*).

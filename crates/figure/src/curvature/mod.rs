@@ -64,3 +64,36 @@ fn paths(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     }
     Ok(Warned { value: pages, notes: Vec::new() })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::list::Extras;
+    use crate::sheet::Options;
+    use hodograph_methods::curvature::drawing::Drawing;
+    use hodograph_paper::render::svg;
+    use hodograph_scene::{Lang, read, templates};
+    use hodograph_worked::worked::{Scope, work};
+
+    /// A mark that is moved on the drawing is moved on the figure: nothing is taken from the analysis.
+    #[test]
+    fn the_figure_shows_the_drawing() {
+        let scene = read(templates::get("slider-crank").unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let (options, extras) = (Options::of_language(Lang::En), Extras::default());
+        let w = Wanted { scene: &scene, worked: &worked, options: &options, extras: &extras };
+        let asked = Asked { links: links(&w), ..Asked::default() };
+        let mut found = curvature(&scene, &asked).unwrap().value;
+        let circle = |found: &hodograph_methods::curvature::Curvature| {
+            let markup = svg::write(&construction::figure(&w, found, &found.list[0])).unwrap().value;
+            markup.lines().filter(|l| l.contains("class=\"curvature inflection")).map(str::to_owned).collect::<Vec<_>>()
+        };
+        let before = circle(&found);
+        assert!(!before.is_empty());
+        let Drawing::Rays(rays) = &mut found.list[0].drawing else { panic!("a crank and a guide are two rays") };
+        rays.inflection = rays.pole + (rays.inflection - rays.pole) * 0.5;
+        let after = circle(&found);
+        assert!(!after.is_empty());
+        assert_ne!(before, after);
+    }
+}

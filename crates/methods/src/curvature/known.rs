@@ -194,7 +194,7 @@ impl Places<'_> {
 
     /// Returns the drawing of a link's curvature from its rays; `behind` holds the links that wait
     /// for this one.
-    pub(super) fn drawing_behind(&self, link: LinkId, behind: &[LinkId]) -> Drawing {
+    pub fn drawing_behind(&self, link: LinkId, behind: &[LinkId]) -> Drawing {
         if let Some(p) = self.hinge(link) {
             return Drawing::Hinge(p);
         }
