@@ -1,8 +1,9 @@
-//! The lesson of a synthesis: one HTML page with the construction step by step, and the linkage that comes of it, which goes to each of
-//! the wanted positions.
+//! The lesson of a synthesis: one HTML page with the construction step by step and the linkage
+//! found, which moves to each of the prescribed positions.
 //!
-//! Decided here: what the page holds. The construction is that of [`crate::figure::synthesis`], the motion that of
-//! [`crate::sweep::follow`]; nothing is drawn or solved anew. The page fetches nothing and holds both languages.
+//! This module decides what the page holds. The construction is that of
+//! [`crate::figure::synthesis`], the motion that of [`crate::sweep::follow`]. The page fetches
+//! nothing and holds both languages.
 
 use super::LARGER;
 use super::motion::PLAYER;
@@ -39,7 +40,7 @@ const SCRIPT: &str = concat!(include_str!("design.js"), include_str!("player.js"
 /// Frames through a turn of the driver.
 const FRAMES: usize = 120;
 
-/// Words of this page beside those of [`PLAYER`]: key, both languages.
+/// Words of this page in addition to those of [`PLAYER`]: key, both languages.
 const WORDS: [(&str, [&str; 2]); 6] = [
     ("construction", ["Construction", "作图"]),
     ("linkage", ["The linkage", "所得机构"]),
@@ -66,12 +67,12 @@ fn word(key: &str, lang: Lang) -> &'static str {
     found[usize::from(lang == Lang::Zh)]
 }
 
-/// How the page is written.
+/// Options of the page.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The language in which it opens; it holds both.
+    /// The language in which the page opens; it holds both.
     pub lang: Lang,
-    /// Weights, sizes and fonts of the drawings; the colours are the page's.
+    /// Weights, sizes and fonts of the drawings; the page sets the colours.
     pub style: Style,
 }
 
@@ -87,10 +88,10 @@ pub struct Options {
 /// ```
 ///
 /// # Errors
-/// Drawing and formula disagree; a scene of ours that cannot be placed; those of the SVG writer.
+/// Drawing and formula disagree; a generated scene cannot be placed; those of the SVG writer.
 pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<String, Faults> {
     let board = figure::to_scale(task, candidate)?;
-    // Read from the last row, not from a sheet in the hand.
+    // Small type is enlarged: the page is read from the last row.
     let style = Style { small_mm: options.style.small_mm * LARGER, ..options.style.clone() };
     let set = Set { style: &style, lang: options.lang, whole: false };
     let mut drawn: Vec<Elements> = Vec::new();

@@ -1,8 +1,8 @@
-//! What the page says around the drawings, in both languages: one table.
+//! The words around the drawings of a page, in both languages, as one table.
 
 use crate::scene::Lang;
 
-/// Key, English, Chinese. `{}` is filled in by the page.
+/// Key, English, Chinese. The page fills in `{}`.
 const WORDS: [(&str, &str, &str); 88] = [
     ("lesson", "Lesson", "教学演示"),
     ("first", "First step", "第一步"),
