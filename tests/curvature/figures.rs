@@ -1,4 +1,4 @@
-//! The figures of curvature: what they say of themselves, the lines that they draw, their labels.
+//! The figures of curvature: their descriptions, their lines, their labels.
 
 use super::template;
 use hodograph::figure::list::{Extras, Wanted, named};
@@ -18,7 +18,8 @@ fn figures(name: &str, angle: f64, lang: Lang) -> Vec<Figure> {
     (named("curvature").unwrap().draw)(&wanted).unwrap().value.into_iter().map(|(_, page)| page).collect()
 }
 
-/// The figure says in both languages that its places are calculated, and claims no agreement with a drawing.
+/// The figure says in both languages that its places are calculated, and does not claim that a
+/// drawing agrees.
 #[test]
 fn a_figure_says_what_is_calculated() {
     for name in ["crank-rocker", "slider-crank", "watt-six-bar"] {
@@ -38,8 +39,9 @@ fn a_figure_says_what_is_calculated() {
     }
 }
 
-/// Ball's point is where its lines lead: both corners are named, the line of the corners passes through G, that of T through J, and the
-/// perpendicular from P ends in U. Where the paper does not hold all of it nothing is drawn of it.
+/// The lines to Ball's point end there: both corners are named, the line of the corners passes
+/// through G, that of T through J, and the perpendicular from P ends in U. Where the paper does not
+/// hold all of them, none is drawn.
 #[test]
 fn the_lines_to_the_point_of_ball_are_drawn() {
     for lang in [Lang::En, Lang::Zh] {
@@ -51,7 +53,7 @@ fn the_lines_to_the_point_of_ball_are_drawn() {
                 ref other => panic!("{name}: {other:?}"),
             }
         };
-        // Dashed lines are paths of dashes: the ends of the first and the last.
+        // Dashed lines are paths of dashes: the ends of the first and of the last dash.
         let ends = |shape: &Shape| match shape {
             Shape::Line { from, to, .. } => [*from, *to],
             Shape::Path { start, pieces, .. } => match pieces.last() {
@@ -62,7 +64,8 @@ fn the_lines_to_the_point_of_ball_are_drawn() {
         };
         let lines: Vec<[Point; 2]> = page.items.iter().filter(|i| i.id.contains("ball-")).map(|i| ends(&i.shape)).collect();
         let carries = |p: Point| lines.iter().filter(|[a, b]| ((*b - *a).unit().unwrap().cross(p - *a)).abs() < 0.05).count();
-        // Two sides of its rectangle and the line of the corners; that line, the parallel and the foot's; the two lines that end in U.
+        // Two sides of its rectangle and the line of the corners; that line, the parallel and the
+        // perpendicular; the two lines that end in U.
         for (name, least) in [("G_B", 3), ("G_C", 3), ("G", 3), ("U_2", 2)] {
             assert!(carries(spot(name)) >= least, "{name}: {}", carries(spot(name)));
         }
@@ -70,7 +73,7 @@ fn the_lines_to_the_point_of_ball_are_drawn() {
     }
 }
 
-/// Labels stand clear of one another on all figures, over positions and in both languages.
+/// Labels do not overlap on any figure, over positions and in both languages.
 #[test]
 fn labels_do_not_overlap() {
     let (mut figures, mut faults) = (0, Vec::new());
