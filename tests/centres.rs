@@ -93,8 +93,7 @@ fn counts_of_centres() {
     assert_eq!(closure.steps.iter().filter(|s| s.pair.has(scene.ground)).count(), 3);
 }
 
-/// The order of finding belongs to the plan: lengths, angles and angular velocities do not change
-/// it.
+/// The order of finding belongs to the plan: lengths, angles and speeds do not change it.
 #[test]
 fn the_order_of_finding_is_topology() {
     let text = templates::get("shaper").unwrap();
@@ -143,8 +142,7 @@ fn two_of_sixteen_eight_bars_stall() {
 
 type Chain = [[bool; 8]; 8];
 
-/// All graphs with these degrees left: the first link without all its neighbours takes one after
-/// it.
+/// All graphs with these degrees left: the first link that lacks neighbours takes one after it.
 fn grow(chain: &mut Chain, left: [usize; 8], out: &mut Vec<Chain>) {
     let Some(a) = left.iter().position(|d| *d > 0) else {
         out.push(*chain);
@@ -248,8 +246,7 @@ fn a_stalled_closure_is_told() {
     assert!(told.message.zh.contains("28") && told.message.zh.contains("P13"), "{}", told.message.zh);
 }
 
-/// The opening of a stalled closure is drawn: the normals to two velocities of a link intersect in
-/// its centre.
+/// A stalled closure is opened by drawing: normals to two velocities of a link meet in its centre.
 #[test]
 fn normals_to_two_velocities_open_a_stalled_closure() {
     let found = centres(&read(templates::get("double-butterfly").unwrap())).unwrap().value;
@@ -264,8 +261,7 @@ fn normals_to_two_velocities_open_a_stalled_closure() {
     assert_eq!(found.list.iter().filter(|c| found.normals(c).is_some()).count(), 1);
 }
 
-/// With two drivers, centres by the theorem hold always, the others for the given angular
-/// velocities.
+/// With two drivers, centres by the theorem hold always, the others for the given speeds.
 #[test]
 fn with_two_drivers_some_centres_rest_on_their_rates() {
     let text = templates::get("five-bar").unwrap();
@@ -300,8 +296,7 @@ fn the_rate_does_not_matter() {
     }
 }
 
-/// Where all lines of a centre coincide, the theorem gives nothing: velocities give the centre, or
-/// the program says that nothing does.
+/// If all lines of a centre coincide, velocities give it, or the program says that nothing does.
 #[test]
 fn lines_that_coincide_are_not_two() {
     let text = edit::with_parameters(templates::get("parallelogram").unwrap(), &[("phi_1", "0")]).unwrap();

@@ -1,9 +1,8 @@
 //! Random mechanisms, grown group by group.
 //!
 //! The pose comes first: every point gets a random place, and lengths, guides and driver values are
-//! read off it. Two separate streams of random numbers decide the topology and the places, so that
-//! one topology can have many geometries. A group with poor intersections of its unknown directions
-//! gets other places.
+//! read off it. Separate random streams decide topology and places, so that one topology can have
+//! many geometries. Groups with poor intersections of unknown directions get other places.
 
 use crate::rng::Rng;
 use hodograph::geom::{Point, Vec2};
@@ -47,13 +46,11 @@ pub struct Driver {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Link {
     pub points: Vec<usize>,
-    /// True if it takes no further points: a block, a lever with pivot and slot only, a part of a
-    /// cylinder.
+    /// True if it takes no further points: a block, a lever with pivot and slot, a cylinder part.
     pub closed: bool,
     /// True if it is named in `links` (a block with one pin need not be).
     pub listed: bool,
-    /// True if only coordinates give its angle or place: it slides without turning and has more
-    /// than one point.
+    /// True if only coordinates place it: it translates and has more than one point.
     pub by_coordinates: bool,
     /// True for cylinder parts, which have no place of their own to carry anything.
     pub follower: bool,
@@ -559,8 +556,7 @@ impl Grower {
             self.block(c)
         };
         let shape = if arc {
-            // Arc length is counted in the frame of the carrier, which only coordinates give from
-            // outside.
+            // Arc length counts in the carrier's frame, which only coordinates give.
             self.m.coordinates_only |= on != 0;
             Shape::Arc(self.new_point(&[on]))
         } else {

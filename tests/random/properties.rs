@@ -44,8 +44,7 @@ impl Case {
         self.worked.construction.polygon(DiagramKind::of(level)).map_or(0.0, |p| p.largest())
     }
 
-    /// The size against which a level's vectors are judged: if all vanish, that of the driver's
-    /// motion at the mechanism's size.
+    /// The size by which a level's vectors are judged: if all vanish, that of the driver's motion.
     fn scale(&self, level: Level) -> f64 {
         let (v, extent) = (self.largest(Level::Velocity), self.worked.configuration.extent().max(1e-300));
         if level == Level::Acceleration { self.largest(level).max(v * v / extent) } else { v }
@@ -163,8 +162,7 @@ pub struct Motion {
     pub at: Vec<Configuration>,
 }
 
-/// Central differences with steps h, 2h, 4h, extrapolated twice: the remaining error is
-/// proportional to h⁶.
+/// Central differences with h, 2h, 4h, extrapolated twice: the error is proportional to h⁶.
 const STEPS: [f64; 7] = [0.0, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0];
 
 impl Motion {
@@ -335,8 +333,7 @@ impl Oracle<'_> {
                     }
                     TermKind::SlideNormal => {
                         let Path::Arc { centre, radius } = path else { self.c.fail("a curved part on a straight guide") };
-                        // Toward the centre as seen from the carrier; reversed as seen from the
-                        // runner.
+                        // Toward the centre seen from the carrier; reversed from the runner.
                         let carrier = self.c.scene.guides[guide.0].on;
                         let v = self.c.worked.plan.vertex(t.of);
                         let carried = match (v.on, v.spot) {
@@ -355,8 +352,7 @@ impl Oracle<'_> {
     }
 }
 
-/// Each edge agrees with its term, each chain leads from its start to its target, each vertex is
-/// where the loop equations put it.
+/// Edges agree with their terms, chains lead to their targets, vertices are at their true places.
 #[test]
 fn every_edge_keeps_its_word() {
     let (mut edges, mut images, mut vertices) = (0, 0, 0);
@@ -400,8 +396,7 @@ fn every_edge_keeps_its_word() {
                         }
                     }
                 }
-                // The board draws the edges of an equation chain after chain, first the known ones,
-                // then one for each unknown line.
+                // The board draws edges chain by chain: known ones, then one per unknown line.
                 let mut rest = polygon.edges.iter().filter(|e| !e.between);
                 for group in plan.steps(DiagramKind::of(level)) {
                     for step in group.steps(group.drawn(c.worked.construction.acts.chosen[group.group])) {
@@ -427,8 +422,7 @@ fn every_edge_keeps_its_word() {
                                     (oracle.place(*target) - oracle.place(*a)).divide_by(oracle.place(*b) - oracle.place(*a)),
                                     (image(target) - image(a)).divide_by(image(b) - image(a)),
                                 );
-                                // Where the link does not turn, its image is a point without a
-                                // shape.
+                                // Without rotation the image is a single point.
                                 let base = (image(b) - image(a)).norm() * polygon.mu;
                                 if base > 1e-3 * largest && (link - drawn).norm() * base > near * (1.0 + link.norm()) {
                                     c.fail(format!("{level:?} image of {target:?} is not similar to its link: {link:?} {drawn:?}"));
@@ -493,7 +487,7 @@ fn compare(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, Va
     worst
 }
 
-/// The power of the length unit in a quantity.
+/// True if the quantity is proportional to the length unit.
 fn goes_with_length(text: &str) -> bool {
     !(text.starts_with("omega") || text.starts_with("alpha"))
 }
@@ -511,8 +505,7 @@ fn a_power_of_two_changes_no_digit() {
                     v => v.map(|x| x * stretch),
                 };
                 let near = 1e-9 * is.magnitude() + 1e-11 * scale(Value::Scalar(1.0)).magnitude();
-                // Positions that lose digits in `f64` are those of the decimals as written, and 2^k
-                // times a decimal is another one.
+                // Positions short of digits use the written decimals, which 2^k changes.
                 let written = || settled(&c.scene, &c.worked) || settled(&b.scene, &b.worked);
                 if scale(was) != is && (difference(scale(was), is) > near || !written()) {
                     c.fail(format!("2^{k} changes {text} from {was:?} to {is:?}\n{}\nand", b.text));
@@ -668,8 +661,7 @@ fn only_the_groups_upstream_are_solved() {
     }
 }
 
-/// Coordinates for some points in addition to lengths: a diagnosis or the right pose, never a wrong
-/// one.
+/// Coordinates for some points besides lengths: a diagnosis or the right pose, never a wrong one.
 #[test]
 fn partly_by_coordinates() {
     let (mut solved, mut refused) = (0, std::collections::BTreeMap::<&str, usize>::new());

@@ -74,7 +74,7 @@ fn a_width_is_kept_or_refused() {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Number of items of a class whose letters add up.
+/// Number of letters in the items of a class.
 fn written(f: &Figure, class: &str) -> usize {
     let of_class = f.items.iter().filter(|i| i.class.split(' ').any(|c| c == class));
     of_class.map(|i| if let Shape::Label { label, .. } = &i.shape { label.plain().trim().chars().count() } else { 0 }).sum()
