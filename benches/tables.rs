@@ -1,7 +1,7 @@
-//! Time that the command adds to the computation: start, and writing of tables. `cargo bench
-//! --bench tables` prints the table of docs/performance.md; `-- sweep STEPS` only runs sweeps of a
-//! four-bar in memory, `-- compiled STEPS` the same without compiling, and `-- chunk` its compiled
-//! program in cache, for `bench/peers`.
+//! Time that the command adds to the computation: start, and writing of tables.
+//! `cargo bench --bench tables` prints the table of docs/performance.md; `-- sweep STEPS` only runs
+//! sweeps of a four-bar in memory, `-- compiled STEPS` the same without compiling, and `-- chunk`
+//! its compiled program in cache, for `bench/peers`.
 //!
 //! Variants take turns, so that other load on the machine affects all alike; the medians are
 //! reported.

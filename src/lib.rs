@@ -34,77 +34,80 @@
 //!                                       positions       └─▶ Solution (loop equations) ──┴─▶ Agreement
 //! ```
 //! Every arrow is one public function from one finished value to the next; no value is changed
-//! afterwards. [`worked::work`] calls them all; [`problem::solve()`] does it for every kind of file.
+//! afterwards. [`worked::work`] calls them all; [`problem::solve()`] does it for every kind of
+//! file.
 //!
 //! # Rooms
 //! The modules of all crates:
 //! - [`scene`]: the scene file. JSON with places → raw mirror → valid [`scene::Scene`]; scenes
-//!   without JSON ([`scene::build`]); units, expressions, templates, schema; the questions, one file
-//!   for each family of quantities ([`scene::quantity`]); the unit in which a number is printed
-//!   ([`scene::book`]).
-//! - [`cam`]: disc cams as plain geometry: motion laws, profiles of arcs and lines, the profile by
-//!   inversion, pressure angle, curvature.
+//!   without JSON ([`scene::build`]); units, expressions, templates, schema; the questions, one
+//!   file for each family of quantities ([`scene::quantity`]); the unit in which a number is
+//!   printed ([`scene::book`]).
+//! - [`cam`]: disc cams as plain geometry: motion laws, profiles of arcs and lines, the profile
+//!   by inversion, pressure angle, curvature.
 //! - [`mechanism`]: links, pairs, drivers as a graph, each pair a value that demands a form;
 //!   mobility, and redundant pairs; Assur groups in the order of solution with their legs; the
 //!   demand of the questions.
-//! - [`position`]: positions of all points and links: a kernel for each dyad, triads, Newton's method
-//!   for the rest; the check that redundant pairs hold ([`position::redundant`]).
+//! - [`position`]: positions of all points and links: a kernel for each dyad, triads, Newton's
+//!   method for the rest; the check that redundant pairs hold ([`position::redundant`]).
 //! - [`stated`]: proof of a configuration against the data of the scene: lengths, sides, guides,
 //!   drivers, contacts without penetration. It shares nothing with the position solver.
-//! - [`motion`]: velocities and accelerations group by group, for any kind of number; [`number`]: the
-//!   kinds of number.
-//! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. It
-//!   holds no numbers.
-//! - [`construction`]: the acts with ruler and set squares, as plain data without coordinates, and
-//!   their evaluation for given places, scales and pencil.
-//! - [`construct`]: the drawing board: a plan written as acts and drawn; the only conversion between
-//!   SI and millimetres ([`construct::scale`]), polygons, readings.
+//! - [`motion`]: velocities and accelerations group by group, for any kind of number; [`number`]:
+//!   the kinds of number.
+//! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols.
+//!   It holds no numbers.
+//! - [`construction`]: the acts with ruler and set squares, as plain data without coordinates,
+//!   and their evaluation for given places, scales and pencil.
+//! - [`construct`]: the drawing board: a plan written as acts and drawn; the only conversion
+//!   between SI and millimetres ([`construct::scale`]), polygons, readings.
 //! - [`force`]: loads of an instant: given forces, weights, springs, inertia.
 //! - [`equilibrium`]: forces on the drawing board: moments and force polygons, group after group.
 //! - [`analytic`]: constraint rows, Jacobian, conditioning; singular poses by the next orders. It
 //!   uses neither plan nor paper.
 //! - [`paper`]: the parts of figures: typed items in mm, labels, words of both languages, fonts,
-//!   placement of labels, styles; [`render`]: the writers: numbers, SVG and PDF (the only places that
-//!   convert between y up and y down), PNG; animated GIF and SVG; the comparison of two figures
-//!   ([`render::diff`]).
-//! - [`answer`]: the meaning of a question, for both methods; [`accuracy`]: the difference between
-//!   them, and the effect of a pencil's error on the drawing.
+//!   placement of labels, styles; [`render`]: the writers: numbers, SVG and PDF (the only places
+//!   that convert between y up and y down), PNG; animated GIF and SVG; the comparison of two
+//!   figures ([`render::diff`]).
+//! - [`answer`]: the meaning of a question, for both methods; [`accuracy`]: the difference
+//!   between them, and the effect of a pencil's error on the drawing.
 //! - [`worked`]: the whole solution as one call, with the result of each stage.
-//! - [`certified`]: the number of true digits ([`certified::ladder`], for the steps of the drawing
-//!   [`certified::steps()`]); [`effort`]: the work done, and the cost of accuracy
+//! - [`certified`]: the number of true digits ([`certified::ladder`], for the steps of the
+//!   drawing [`certified::steps()`]); [`effort`]: the work done, and the cost of accuracy
 //!   ([`effort::ways`]).
-//! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two
-//!   lines drawn for each, angular velocities and speeds by centres beside those of drawing and
+//! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone,
+//!   two lines drawn for each, angular velocities and speeds by centres beside those of drawing and
 //!   analysis.
-//! - [`curvature`]: the curvature of paths: pole, inflection circle, centres of curvature with the
-//!   ruler and from accelerations; centrodes.
+//! - [`curvature`]: the curvature of paths: pole, inflection circle, centres of curvature with
+//!   the ruler and from accelerations; centrodes.
 //! - [`inversions`]: each link of a chain as ground in turn, each as a scene.
-//! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact ratio.
-//! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside the results of
-//!   drawing and analysis.
-//! - [`attempts`]: wrong solutions: the places where a known mistake is possible, and the result of
-//!   its equations, drawn on the same board.
-//! - [`composite`]: composite motion of a point: suitable moving points and frames with reasons, the
-//!   parts of the motion, projections.
-//! - [`particle`]: motions without a mechanism: pursuit, integrated with an error bound; a plate that
-//!   turns in space, in two views.
-//! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions;
-//!   limits and extremes of the motion; batches of mechanisms.
+//! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact
+//!   ratio.
+//! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside the results
+//!   of drawing and analysis.
+//! - [`attempts`]: wrong solutions: the places where a known mistake is possible, and the result
+//!   of its equations, drawn on the same board.
+//! - [`composite`]: composite motion of a point: suitable moving points and frames with reasons,
+//!   the parts of the motion, projections.
+//! - [`particle`]: motions without a mechanism: pursuit, integrated with an error bound; a plate
+//!   that turns in space, in two views.
+//! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of
+//!   positions; limits and extremes of the motion; batches of mechanisms.
 //! - [`search`]: crank-rockers with a coupler point that passes nearest to given places, by
 //!   differential evolution and Gauss–Newton.
-//! - [`synthesis`]: scenes for a prescribed task of a linkage: closed formulas, the construction with
-//!   ruler and paper, judgement by sweeping.
-//! - [`figure`]: diagram, polygons, tables, sheet as items on paper; for a motion line diagrams, paths
-//!   with hodographs, the sheet of many poses, the motion frame by frame.
-//! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments
-//!   for slides.
+//! - [`synthesis`]: scenes for a prescribed task of a linkage: closed formulas, the construction
+//!   with ruler and paper, judgement by sweeping.
+//! - [`figure`]: diagram, polygons, tables, sheet as items on paper; for a motion line diagrams,
+//!   paths with hodographs, the sheet of many poses, the motion frame by frame.
+//! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and
+//!   fragments for slides.
 //! - [`report`]: plan, construction, answers, diagnostics as text (in either language) and JSON.
-//! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown,
-//!   Typst, pages for PDF.
+//! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML,
+//!   Markdown, Typst, pages for PDF.
 //! - [`webfont`]: the embedded fonts of every page.
 //! - [`problem`]: every kind of file through one call: read, solve, and write the answers.
 //! - [`cli`]: the only module that prints, reads arguments or touches files.
-//! - [`templates`](problem::templates): the texts of the files under `templates/`, by their names.
+//! - [`templates`](problem::templates): the texts of the files under `templates/`, by their
+//!   names.
 //! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`budget`],
 //!   [`json`](hodograph_base::json), [`kind`], [`diagram`], [`lang`], [`notation`].
 //!
@@ -221,9 +224,9 @@
 //! compiler then reports every place that must handle a new variant, which `_ =>` would hide.
 //!
 //! # Invariants
-//! [`construct`] and [`analytic`] are independent: only for this reason is their agreement evidence.
-//! They share the mechanism and its positions, nothing else. No order of a hash map reaches an
-//! output. No decision depends on an absolute tolerance.
+//! [`construct`] and [`analytic`] are independent: only for this reason is their agreement
+//! evidence. They share the mechanism and its positions, nothing else. No order of a hash map
+//! reaches an output. No decision depends on an absolute tolerance.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

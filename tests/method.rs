@@ -45,7 +45,7 @@ fn scenes() -> Vec<(String, Scene)> {
     out
 }
 
-/// Those with a motion, solved.
+/// The scenes with a motion, solved.
 fn moving() -> impl Iterator<Item = (String, Scene, Worked)> {
     scenes().into_iter().filter_map(|(name, scene)| {
         let worked = work(&scene, Scope::Figure).ok()?.value;

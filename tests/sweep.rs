@@ -295,8 +295,7 @@ fn time_ratio_of_a_slotted_lever() {
     }
 }
 
-/// Khurmi & Gupta, fig. 5.32 (Whitworth): centres 50, crank 75, ram perpendicular: ratio
-/// 2.73523918263.
+/// Khurmi & Gupta, fig. 5.32: centres 50, crank 75, ram perpendicular: time ratio 2.73523918263.
 #[test]
 fn time_ratio_of_a_whitworth_mechanism() {
     let text = r#"{"links": {"1": ["C", "A"], "3": ["D", "P"], "4": ["C", "D"], "5": ["P", "R"]}, "ground": "4",

@@ -359,7 +359,7 @@ fn links_that_turn_alike_are_a_parallelogram() {
     }
 }
 
-/// Where the linear least-squares solution does not close at a pair, that of the angles is still
+/// If the linear least-squares solution does not close at a pair, that of the angles is still
 /// found.
 #[test]
 fn least_squares_go_on_where_the_linear_ones_do_not_close() {

@@ -18,12 +18,12 @@ use super::steps::writer;
 /// Returns, for each action of a polygon, its kind, its links, and the data of its first term; −1
 /// where there is none.
 ///
-/// * Kind: `l` a vector laid off, `d` a direction, `x` a crossing, `c` a copied image, `j` two points
-///   joined, `p` a perpendicular; empty where nothing is drawn.
-/// * Vertices: the term's own vertex and the vertex from which it is seen; for a crossing or an image the
-///   vertex found, and −1.
-/// * Sense, decided by: `t` an angular velocity or acceleration, `n` a centre, `k` an angular velocity and
-///   a sliding velocity, `s` a sliding velocity.
+/// * Kind: `l` a vector laid off, `d` a direction, `x` a crossing, `c` a copied image, `j` two
+///   points joined, `p` a perpendicular; empty where nothing is drawn.
+/// * Vertices: the term's own vertex and the vertex from which it is seen; for a crossing or an
+///   image the vertex found, and −1.
+/// * Sense, decided by: `t` an angular velocity or acceleration, `n` a centre, `k` an angular
+///   velocity and a sliding velocity, `s` a sliding velocity.
 /// * Formulas of symbol, direction, line and angular velocity or acceleration.
 pub fn acts(frame: &Frame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let (scene, paper) = (&frame.scene, &frame.worked.construction);

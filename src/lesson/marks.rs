@@ -23,7 +23,8 @@ use super::track::{UNIT, runs};
 ///
 /// * `seen`: the frames in which places, velocities and accelerations are known.
 /// * `list`: each vertex's name, whether its place is given, whether it is a moving point of the
-///   mechanism, whether a question asks for it, and the symbols of its vectors (−1 where it has none).
+///   mechanism, whether a question asks for it, and the symbols of its vectors (−1 where it has
+///   none).
 /// * `columns`: for each vertex x and y of its place, its velocity and its acceleration.
 pub fn marks(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
     let base = &frames.list[frames.base];

@@ -248,8 +248,8 @@ impl Maker<'_> {
         blocks.push(Block::Table(Table { kind: TableKind::Equation, rows: vec![symbols, second, third] }));
     }
 
-    /// Derives the angular velocity or acceleration of each link of the group from the vectors: `ω₃
-    /// = v_C / l_CD`.
+    /// Derives the angular velocity or acceleration of each link of the group from the vectors:
+    /// `ω₃ = v_C / l_CD`.
     fn rates(&self, blocks: &mut Vec<Block>, on: DiagramKind, group: &GroupSteps) {
         let w = self.writer();
         let formula = |(body, rate): &(Body, Rate)| {

@@ -75,8 +75,7 @@ fn a_straight_flank_has_an_infinite_radius() {
     assert_eq!(answer["why"]["code"], "infinite");
 }
 
-/// As in a single pose, no row is missing in a sweep, and a note gives the range in which the
-/// radius is infinite.
+/// In a sweep no row is missing, as in a single pose; a note gives the range of infinite radius.
 #[test]
 fn a_sweep_has_rows_on_a_straight_flank() {
     let at =
@@ -105,7 +104,7 @@ fn a_sweep_has_rows_on_a_straight_flank() {
     assert!(table.notes.iter().all(|d| d.code != "no-position"), "{:?}", table.notes);
 }
 
-/// Where ρ changes sign the least radius is negative, and a warning gives the place.
+/// If ρ changes sign, the least radius is negative, and a warning gives the place.
 #[test]
 fn an_undercut_profile_is_said_to_be_one() {
     for (base, undercut) in [("20", true), ("30", false)] {

@@ -69,7 +69,7 @@ fn geared(kind: &str, train: &Json, angle: f64) -> Scene {
     scene::read(scene.to_string()).unwrap_or_else(|f| panic!("{kind}: {f}\n{scene}")).value
 }
 
-/// The same cam driven directly, with the train's angular velocity and acceleration.
+/// The cam of [`geared`] driven directly, with the train's angular velocity and acceleration.
 fn direct(kind: &str, ratio: f64, angle: f64) -> Scene {
     let mut scene: Json = serde_json::from_str(&text(kind, &format!("{angle:?} deg"))).unwrap();
     scene["driver"]["omega"] = json!(format!("{:?} rad/s", OMEGA * ratio));

@@ -36,7 +36,7 @@ fn cured(task: &Json, code: &str, put: impl Fn(&mut Json, &[f64])) -> Design {
     design
 }
 
-/// As [`cured`]; the result must have no defect.
+/// Solves as [`cured`], and checks that the result has no defect.
 fn sound(task: &Json, code: &str, put: impl Fn(&mut Json, &[f64])) {
     let design = cured(task, code, put);
     let list: Vec<_> = design.candidates.iter().map(|c| &c.judged.defects).collect();

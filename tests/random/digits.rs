@@ -20,7 +20,7 @@ use hodograph::worked::{Scope, Worked, work};
 struct Tally {
     scenes: usize,
     printed: usize,
-    /// Of them, numbers in the steps of the construction.
+    /// Numbers among these from the steps of the construction.
     told: usize,
     /// Numbers printed with fewer digits than requested.
     short: usize,

@@ -1,7 +1,7 @@
 //! Changes that must not affect an answer: place and direction of the mechanism, units, names, and
-//! the order of lists. Shifts and rotations are written into the scene as arithmetic (`(0.3 m) +
-//! 1e6 m`, `x*cos(37.3 deg) - ...`), so that they are exact: the certified intervals must
-//! intersect, and the printed digits be equal.
+//! the order of lists. Shifts and rotations are written into the scene as arithmetic
+//! (`(0.3 m) + 1e6 m`, `x*cos(37.3 deg) - ...`), so that they are exact: the certified intervals
+//! must intersect, and the printed digits be equal.
 
 use crate::emit::{self, Ask, Pose, Style, scene as emitted};
 use crate::mech::Mech;

@@ -133,8 +133,8 @@ fn a_sound_drawing_keeps_the_conditions_of_opened_links() {
     assert!(levels.iter().all(|n| *n > 0), "{levels:?}");
 }
 
-/// Of two assemblies, one of which places a joint on another, the other one is taken, whichever of
-/// them the closed form finds first and at any size of the mechanism.
+/// If one of two assemblies places a joint on another, the other assembly is taken, whichever of
+/// the two the closed form finds first and at any size of the mechanism.
 #[test]
 fn an_assembly_that_falls_together_is_not_meant() {
     for size in [1e-3, 1.0, 250.0] {

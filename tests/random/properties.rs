@@ -549,7 +549,7 @@ fn turning_and_shifting_the_whole() {
     println!("worst change by turning {turned:.1e}, by shifting {shifted:.1e}");
 }
 
-/// As [`compare`]; values for which `map` gives NaN are not compared.
+/// Compares like [`compare`], without values for which `map` gives NaN.
 fn compare_skipping(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, Value) -> Value) -> f64 {
     let keep = |text: &str, v: Value| match map(text, v) {
         Value::Scalar(s) if s.is_nan() => v,

@@ -21,8 +21,8 @@ pub struct Frame {
     pub shift: Vec2,
 }
 
-/// As written; rotated, scaled and shifted, where `f64` leaves the pose singular only to its last
-/// digits.
+/// The frame as written, and others (rotated, scaled and shifted) in which `f64` leaves the pose
+/// singular only to its last digits.
 pub const FRAMES: [Frame; 4] = [
     Frame { turn: ["1", "0"], angle: "0 rad", scale: 1.0, shift: Vec2::ZERO },
     Frame { turn: ["0.8", "0.6"], angle: "atan(0.75)", scale: 0.37, shift: Vec2::new(0.3, -1.1) },

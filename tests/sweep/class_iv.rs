@@ -95,7 +95,7 @@ fn the_limits_of_a_group_of_class_iv() {
     }
 }
 
-/// Where a dyad beside the group of class IV becomes collinear first, its links are named; a crank
+/// If a dyad beside the group of class IV becomes collinear first, its links are named. A crank
 /// that is stopped in one sense reaches the remaining positions in the other.
 #[test]
 fn a_dyad_beside_a_group_of_class_iv_stops_it() {
