@@ -230,7 +230,8 @@
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+// clippy.toml lists the functions of f64 with a last bit that depends on the platform; tests may
+// use them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 // The list names private modules too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]

@@ -113,7 +113,7 @@ fn relative_motion_is_kept(names: &[&str]) -> usize {
             for (p, q) in &pairs {
                 assert!((q - p * factor).abs() < 1e-9 * largest.1.abs(), "{name} {}: {p} {q} {factor}", i.text);
             }
-            // The file is the scene.
+            // The file and the scene agree.
             assert_eq!(scene::read(&i.text).unwrap().value.links.len(), i.scene.links.len());
             seen += 1;
         }

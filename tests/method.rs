@@ -94,7 +94,7 @@ fn rolling_has_no_sliding_velocity() {
     assert!(rolling > 10, "{rolling}");
 }
 
-/// The ground does not turn, and no step says so.
+/// The ground does not turn, and no step mentions its rotation.
 #[test]
 fn no_step_turns_the_ground() {
     for (name, scene, worked) in moving() {

@@ -395,7 +395,7 @@ fn a_repetition_is_looked_at_as_far_as_the_driver_goes() {
             assert!(one.moved != 0.0 && one.moved.abs() < 0.05, "{}\n{text}", one.moved);
         }
     }
-    // A driver that turns freely goes the whole way.
+    // A driver that turns freely is moved the whole distance.
     let mut r = Random(3);
     for _ in 0..10 {
         let l = Locomotive::random(&mut r);

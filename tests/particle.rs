@@ -352,7 +352,7 @@ fn answers_have_the_units_of_the_file() {
     assert_eq!(si, same);
 }
 
-/// A circle without a radius has no path to run on.
+/// A circle without a radius gives no path.
 #[test]
 fn a_radius_of_nothing_is_refused() {
     let text = templates::get("ring-in-space").unwrap();

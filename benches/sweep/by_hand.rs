@@ -134,7 +134,7 @@ pub enum Mechanism {
 }
 
 impl Mechanism {
-    /// The leg.
+    /// The walking leg.
     pub fn leg() -> Mechanism {
         Mechanism::Leg { third_e: third(0.0415, 0.0401, 0.0558), third_g: third(0.0367, 0.049, 0.0657) }
     }

@@ -110,7 +110,7 @@ fn plan<'a>(input: &'a Input, mechanism: &'a Mechanism, a: &Args) -> Result<Batc
     Ok(Batch { scene, mechanism, variation, values, choice, driver, stations })
 }
 
-/// Faults of a part of an argument, at the place of that part.
+/// Returns the faults of a part of an argument, at the place of that part.
 fn at(text: &str, part: &str, faults: Faults) -> Faults {
     let start = text.find(part).unwrap_or_default();
     let place = Span::new(start, start + part.len());

@@ -1,4 +1,5 @@
-//! `hodograph curves`: displacements, velocities and accelerations against the position of the driver, as line diagrams.
+//! `hodograph curves`: displacements, velocities and accelerations over the position of the driver,
+//! as line diagrams.
 
 use super::args::Curves;
 use super::draw::style_of;

@@ -111,7 +111,8 @@ pub(super) fn width(given: Option<&str>) -> Result<Option<f64>, Failure> {
 /// SVG in a stream, SVG and PNG in a folder.
 ///
 /// # Errors
-/// `format` where the ending and `--format` contradict each other, or several formats are to go into one stream.
+/// `format` if the ending and `--format` contradict each other, or several formats are requested
+/// for one stream.
 fn formats(a: &args::Draw) -> Result<Vec<Format>, Failure> {
     let asked = once(&a.format);
     if is_stream(&a.output) {

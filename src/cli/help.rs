@@ -61,7 +61,7 @@ fn chinese(mut command: Command) -> Command {
     command.term_width(0)
 }
 
-/// One command with its arguments.
+/// Translates one command and its arguments.
 fn told(command: Command, name: &str) -> Command {
     let command = match entry(name, "") {
         Some(about) => command.about(about).long_about(about),

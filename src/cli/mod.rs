@@ -172,12 +172,12 @@ impl Told {
 }
 
 impl Failure {
-    /// Faults of a file.
+    /// Returns the failure for faults of a file.
     fn input(faults: impl Into<Faults>, name: &str, source: &str) -> Failure {
         Failure::Input(vec![Told { faults: faults.into(), name: name.into(), source: source.into() }])
     }
 
-    /// Faults of an argument.
+    /// Returns the failure for faults of an argument.
     fn argument(option: &str, text: &str, faults: impl Into<Faults>) -> Failure {
         Failure::Input(vec![Told::argument(option, text, faults)])
     }

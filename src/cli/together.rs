@@ -38,7 +38,7 @@ impl Together {
         self.add_with(path, |out| out.write_all(bytes))
     }
 
-    /// Adds a file piece by piece.
+    /// Adds a file that is written piece by piece.
     pub fn add_with(&mut self, path: &Path, fill: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<(), Failure> {
         stop::watch();
         let fail = |e: io::Error| unwritable(path, &e);

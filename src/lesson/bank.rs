@@ -129,7 +129,7 @@ pub fn told(frames: &[Option<String>], formulas: &mut Formulas) -> Value {
     json!([markup, sequence, numbers.join(" ")])
 }
 
-/// Equal neighbours as (value, count) in one list.
+/// Returns runs of equal neighbours as (value, count) in one list.
 pub fn runs(list: &[i64]) -> Vec<i64> {
     let mut out: Vec<i64> = Vec::new();
     for &v in list {
@@ -141,7 +141,7 @@ pub fn runs(list: &[i64]) -> Vec<i64> {
     out
 }
 
-/// The form as HTML, with holes for the changing numbers.
+/// Returns the form as HTML, with placeholders for the changing numbers.
 fn form(words: &[String], numbers: &[&str], open: &[bool], formulas: &mut Formulas) -> String {
     // A number that occurs in no sentence keeps the place of the placeholder while the formula is
     // parsed.

@@ -65,7 +65,7 @@ struct Found {
     centres: Centres,
 }
 
-/// The page of a task.
+/// Writes the page of a task.
 ///
 /// # Errors
 /// No pose can be drawn; those of the SVG writer.

@@ -119,7 +119,7 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
         "links": motion.links, "pins": motion.pins, "blocks": motion.blocks, "frames": motion.frames,
         "stops": motion.stops, "full": motion.full, "fixed": motion.fixed,
     });
-    // Inside a script element `</` could end it, and after `<!--` nothing might.
+    // In a script element, `</` may end the script, and `<!--` may hide its end.
     let data = data.to_string().replace("</", "<\\/").replace("<!", "\\u003c!");
     Ok(filled(
         PAGE,
@@ -216,7 +216,7 @@ struct Motion {
     links: Vec<Vec<usize>>,
     /// Pins, also those on the ground: they are drawn over the links.
     pins: Vec<usize>,
-    /// Points with a block.
+    /// Points with a slider block.
     blocks: Vec<usize>,
     frames: Vec<Value>,
     /// The frames of the prescribed positions.

@@ -21,12 +21,15 @@ use super::bank::{Formulas, runs};
 use super::frames::{Frame, Frames, groups};
 use super::steps::{LANGS, writer};
 
-/// For the page: what is written, and which frames follow which variant of the construction.
+/// Returns the texts of the equations for the page, and the variant of the construction in each
+/// frame.
 ///
-/// `written`: a table is a list of columns (sign before it, symbol, direction, magnitude: indices of formulas, −1 for none), a
-/// statement an object with both languages. `variants`: for each polygon, then for each group's forces, and each of its actions 0, or the index of what is written
-/// and the columns that the action draws. `acts`: for each variant and polygon what its actions are about ([`super::acts`]). `frames`:
-/// runs of variants, −1 for none; 0 for the first in all.
+/// * `written`: a table is a list of columns (sign before it, symbol, direction, magnitude: indices
+///   of formulas, −1 for none), a statement is an object with both languages.
+/// * `variants`: for each polygon, then for each group's forces, and for each of its actions: 0, or
+///   the index of the text and the columns that the action draws.
+/// * `acts`: for each variant and polygon the data of its actions ([`super::acts`]).
+/// * `frames`: runs of variants, −1 for none; 0 if all frames have the first.
 pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
     let mut table = Book { written: Vec::new() };
     let (mut variants, mut about): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());

@@ -50,7 +50,7 @@ pub struct Frames {
     pub zoom: ByKind<Zoom>,
     /// The division of each polygon into several drawings, if it is split.
     pub split: ByKind<Split>,
-    /// The links of each group whose forces are drawn in the scene's own pose.
+    /// The links of each group with forces drawn in the scene's own pose.
     pub groups: Vec<Vec<LinkId>>,
     /// True if some polygon next to a limit is too large for the paper.
     pub cut: bool,
@@ -81,7 +81,7 @@ impl Frames {
     }
 }
 
-/// The groups whose forces a pose draws.
+/// The groups with forces drawn in a pose.
 pub fn groups(worked: &Worked) -> &[GroupForces] {
     worked.equilibrium.as_ref().map_or(&[], |of| &of.groups)
 }
@@ -191,7 +191,7 @@ impl Maker<'_> {
         Some(Trial { travel: pose.travel, scene, at: pose.configuration.clone(), worked })
     }
 
-    /// The poses beside a singular one.
+    /// Returns the poses next to a singular one.
     fn beside(&self, sweep: &Sweep, k: usize, parts: &[f64]) -> Vec<Trial> {
         let here = &sweep.poses[k];
         let neighbours = [k.checked_sub(1), Some(k + 1)].map(|n| n.and_then(|n| sweep.poses.get(n)));
@@ -249,7 +249,7 @@ impl Maker<'_> {
         for (i, truth) in marks(middle).iter().enumerate() {
             let Some((scale, truth)) = *truth else { continue };
             let mark = |n: usize| keys.get(n).and_then(|key| key.1.get(i).copied().flatten());
-            // A pose next to a singular one may have fewer marks.
+            // A pose next to a singular one may have fewer points.
             if (at.saturating_sub(1)..(at + 3).min(keys.len())).any(|n| mark(n).is_none()) {
                 continue;
             }
@@ -344,7 +344,7 @@ impl Maker<'_> {
             let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));
             frames.list.push(Frame { travel: trial.travel, scene, worked, shown: if end { Vec::new() } else { shown }, end });
         }
-        // A scene in a singular pose begins beside it.
+        // For a scene in a singular pose, the nearest frame is the base.
         let from_own = |k: &usize| frames.list[*k].travel.abs();
         frames.base = (0..frames.list.len()).min_by(|a, b| from_own(a).total_cmp(&from_own(b))).unwrap_or(0);
         if frames.list.is_empty() {

@@ -48,7 +48,8 @@ pub struct Options {
     pub lang: Lang,
     /// Notation of vectors; it is the same in both languages.
     pub notation: Notation,
-    /// Poses through a full turn, or through the travel of a slider; more are added where the motion bends.
+    /// Number of poses through a full turn, or through the travel of a slider; more are added where
+    /// the motion curves strongly.
     pub positions: usize,
     /// The driver or the time that is moved.
     pub swept: Swept,

@@ -27,7 +27,7 @@ pub fn told(page: &str) -> Option<String> {
 /// Upper limit of the data of a lesson; a larger file is not accepted as a lesson.
 const MOST_BYTES: usize = 1 << 26;
 
-/// Digits: printable characters that need no escape in JSON nor in HTML.
+/// The digits: printable characters that need no escape in JSON or HTML.
 const DIGITS: &[u8; 88] = b"!#$%'()*+,-./0123456789:;=?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[]^_`abcdefghijklmnopqrstuvwxyz{|}";
 /// The last digit of a number comes from the first half, all digits before it from the second.
 const HALF: u64 = 44;

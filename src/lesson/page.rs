@@ -195,7 +195,7 @@ fn drawing(d: &Scenery, told: &[Told], many: bool) -> Value {
         // elements in `data-id`.
         layout["markup"] = json!(told.markup.replace(" id=\"", " data-id=\""));
     }
-    // One group alone has no number.
+    // A single group has no number.
     let part = d.shows.part.filter(|_| d.shows.on != DiagramKind::Force || many);
     json!({"key": d.shows.key(), "level": d.shows.level(), "part": part, "shown": runs(d.shown.iter().copied()), "layouts": layouts})
 }
@@ -303,8 +303,8 @@ fn limits(scene: &Scene, mechanism: &Mechanism, sweep: &Sweep) -> Value {
     said.collect()
 }
 
-/// The point by which the driver is dragged, over the frames: two packed columns ([`UNIT`]) in mm of the mechanism's paper, from its
-/// origin, y up.
+/// The point by which the driver is dragged, over the frames: two packed columns ([`UNIT`]) in mm
+/// of the mechanism's paper, from its origin, y up.
 fn handle(frames: &Frames, driver: usize) -> Value {
     let arm = arm(frames, driver);
     let places: Vec<Point> = frames.list.iter().map(|f| grip(f, driver, arm).unwrap_or(Point::ORIGIN) + stray(frames, f)).collect();

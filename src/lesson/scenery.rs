@@ -201,7 +201,7 @@ impl<'a> Studio<'a> {
                 boxes.reduce_with(Rect::union).map(|r| with_names(r, self.options.style.label_mm))
             };
             let mut mu = own_mu;
-            // Arrows keep their length, so that the box does not grow as the scale does.
+            // Arrows keep their length, so the box grows less than the scale.
             for _ in 0..PASSES {
                 let Some([wide, high]) = around(mu).map(size) else { break };
                 mu = (mu * (wide / w).max(high / h)).max(own_mu / NEAREST).min(own_mu * FARTHEST);

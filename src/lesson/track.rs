@@ -184,7 +184,7 @@ fn source(item: &Item) -> &str {
 fn blank(item: &Item) -> Item {
     let mut item = item.clone();
     if let Shape::Label { label, anchor, at, size_mm, .. } = &mut item.shape {
-        // The writer places a label by its start.
+        // The writer places a label by its left end.
         let width = crate::paper::text::set(label).width_em;
         at.x -= crate::paper::extent::anchor_shift_em(*anchor, width) * *size_mm;
         *anchor = crate::paper::item::Anchor::Start;

@@ -24,7 +24,7 @@ pub(super) struct Built {
     pub below: f64,
 }
 
-/// Sets a formula whose em is `em` mm.
+/// Sets a formula with an em of `em` mm.
 pub(super) fn built(parts: &[Math], em: f64, fonts: &Fonts) -> Built {
     let mut out = Built { items: Vec::new(), above: em, below: 0.3 * em };
     let mut x = 0.0;

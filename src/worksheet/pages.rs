@@ -38,7 +38,7 @@ const WIDE_BESIDE_PART: f64 = 0.69;
 const BESIDE_GAP_MM: f64 = 8.0;
 /// Size of the type: 11 point.
 const TEXT_MM: f64 = 3.9;
-/// Distance of baselines, in em: formulas in the line have scripts above and below.
+/// Distance of baselines, in em: formulas in a line have superscripts and subscripts.
 const LINE_EM: f64 = 1.6;
 /// Distance of baselines in close setting: with less, the scripts of two lines touch.
 const CLOSE_LINE_EM: f64 = 1.4;

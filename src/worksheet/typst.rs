@@ -83,7 +83,7 @@ fn inline(phrase: &Phrase) -> String {
     phrase.pieces().iter().map(piece).collect()
 }
 
-/// A string of Typst's code.
+/// A string literal of Typst.
 fn string(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {

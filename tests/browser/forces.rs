@@ -131,7 +131,7 @@ fn every_step_of_forces_reveals_what_it_names() {
     assert_quiet(&b, "steps of forces");
 }
 
-/// The vectors that the groups lay off, in order, and the number of vertices in which lines cross.
+/// The vectors that the groups lay off, in order, and the number of vertices found by intersection.
 fn laid(worked: &Worked) -> (Vec<[f64; 2]>, usize) {
     let of = worked.equilibrium.as_ref().unwrap();
     let acts = |group: &GroupForces| of.acts(group);

@@ -165,7 +165,7 @@ fn what_a_figure_draws_is_a_drawing_in_the_json() {
     }
 }
 
-/// The parts of a relative acceleration are drawn along and square to the drawn v_r.
+/// The parts of a relative acceleration are drawn along and perpendicular to the drawn v_r.
 #[test]
 fn parts_along_a_path_that_no_pair_gives_are_drawn() {
     for (template, frame) in [("lathe", "T/2"), ("cam-offset-roller", "B3/2"), ("cam-eccentric", "E3/2")] {

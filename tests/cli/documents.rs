@@ -7,8 +7,8 @@ use hodograph::scene;
 use serde_json::Value;
 use std::path::Path;
 
-/// Every command line in a `sh` block of the README and the guide runs as it stands, in order, in an empty
-/// folder.
+/// Every command line in a `sh` block of the README and the guide runs unchanged, in order, in an
+/// empty folder.
 #[test]
 fn commands_of_the_documents_run() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

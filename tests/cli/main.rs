@@ -293,7 +293,8 @@ fn accuracy_tells_every_way_and_what_it_costs() {
     hodograph().args(["accuracy", near, "--patience", "1", "-o", "costs.txt"]).assert().code(2);
 }
 
-/// A group of class IV has a range and strokes; a link on three legs stops where they meet.
+/// A group of class IV has a range and strokes; a link on three legs stops where its legs intersect
+/// in one point.
 #[test]
 fn limits_of_higher_groups_are_told() {
     let scene = r#"{"links": {"1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "4": ["C","E"], "5": ["D","E","G"], "6": ["O","G"]},

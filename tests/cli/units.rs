@@ -9,7 +9,7 @@ type Units = [(&'static str, &'static str, f64); 6];
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// No unit of the first list is an SI unit, nor the word of one.
+/// No unit of the first list is an SI unit or the name of one.
 const BOOKS: [Units; 3] = [
     [
         ("length", "in", 0.0254),

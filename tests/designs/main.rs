@@ -112,7 +112,8 @@ fn slider_cranks_and_slotted_levers_are_found_from_their_time_ratio() {
         let task = json!({"synthesis": "time-ratio", "linkage": "slotted-lever", "K": ratio, "frame": mm(frame)});
         found(&task, &[("AB", a), ("AC", frame)]);
         let inner = a * r.between(0.3, 0.8);
-        // While the lever turns from one dead line to the other the crank turns by twice the angle whose cosine is AC/AB.
+        // While the lever turns from one limit to the other, the crank turns by twice the angle
+        // with the cosine AC/AB.
         let quick = 2.0 * (inner / a).acos();
         let task =
             json!({"synthesis": "time-ratio", "linkage": "whitworth", "K": 2.0 * PI / quick - 1.0, "crank": mm(a), "stroke": "100 mm"});
@@ -168,7 +169,7 @@ fn linkages_are_found_from_three_places_of_their_coupler_point() {
         };
         let task = json!({"synthesis": "path", "points": [place(0), place(1), place(2)],
             "ground": {"A": [mm(0.0), mm(0.0)], "D": [mm(l[3]), mm(0.0)]}, "crank": mm(l[0]), "BE": mm(u.hypot(v))});
-        // B may lie on either side of AE in each place, and change it from one to the next.
+        // B may be on either side of AE in each place, and change sides from one to the next.
         assert!(design(&task).candidates.iter().any(|c| is(c, &[("AB", l[0]), ("BC", l[1]), ("CD", l[2])])), "{task}: {l:?}");
     }
 }

@@ -277,7 +277,7 @@ fn fuzz_arguments() {
         let code = run.status.code();
         assert!(matches!(code, Some(0 | 1 | 2 | 4)), "{line:?}: {code:?} {said}");
         assert!(!said.contains("panicked") && !said.contains('\u{1b}') && !out.contains('\u{1b}'), "{line:?}: {said:?}");
-        // Differences are an answer: they are printed.
+        // Differences count as an answer: they are printed.
         let answered = code == Some(0) || code == Some(4) || code == Some(1) && line[0] == "diff" && !out.is_empty();
         assert!(answered || !said.is_empty(), "{line:?}: {code:?} without a word");
         assert_eq!(fs::read(folder.path().join("scene.json")).unwrap(), before, "{line:?}: the scene was written over");

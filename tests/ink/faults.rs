@@ -114,7 +114,8 @@ fn spread(ink: &Ink, label: &Text) -> Option<f64> {
     (wide > ONE_MM).then_some(wide)
 }
 
-/// The name of the point whose image has this letter: `c'` of C, `a_3` of A3. Names that are longer, or have a number, are left out.
+/// The name of the point with an image of this letter: `c'` of C, `a_3` of A3. Names that are
+/// longer, or have a number, are left out.
 fn point_of(letter: &str) -> Option<String> {
     let plain = letter.replace(['{', '}', '_', '\''], "").to_uppercase();
     plain.chars().all(|c| c.is_ascii_alphanumeric()).then_some(plain)

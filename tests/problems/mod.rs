@@ -165,7 +165,7 @@ fn mobility_of_further_problems() {
 fn shuffled(scene: &Json, seed: usize) -> Json {
     let mut scene = scene.clone();
     let order = |n: usize| -> Vec<usize> {
-        // A step prime to the length, and another start.
+        // A step coprime to the length, and another start.
         let step = (1..n.max(2)).filter(|s| (2..=*s).all(|d| s % d > 0 || !n.is_multiple_of(d))).nth_back(seed % 2).unwrap_or(1);
         (0..n).map(|k| (seed + 1 + k * step) % n).collect()
     };

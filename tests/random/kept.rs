@@ -324,7 +324,7 @@ fn what_is_written_is_told_from_the_exact_dead_centre() {
                 assert!(c.why.is_none(), "{name} at {h:e}: {} {c:?}", scene.find[r.find].text);
             }
             assert_eq!(scene.find[done.results[0].find].text, first);
-            // Velocities go with 1/h.
+            // Velocities are proportional to 1/h.
             let first = certified(&certify(&scene, &done, 15)[0]).unwrap_or_else(|| panic!("{name} at {h:e}: no certificate"));
             let product = first.magnitude() * h;
             if let Some(last) = last {

@@ -7,7 +7,7 @@
 use crate::rng::Rng;
 use hodograph::geom::{Point, Vec2};
 
-/// Below this sine (of a dyad's crossing; for a triad the normalised determinant) a group is drawn anew.
+/// Below this sine (dyad's intersection; triad's normalised determinant) a group is redrawn.
 const GOOD_ANGLE: f64 = 0.25;
 const SHORTEST: f64 = 0.2;
 
@@ -444,7 +444,7 @@ impl Grower {
         Check::Two(Force::Normal(g), Force::Normal(h))
     }
 
-    /// A link that slides without turning on a known one, and is held once more.
+    /// A link that slides without turning on a known one, with one more constraint.
     fn rpp(&mut self) -> Check {
         let x = self.new_link(&[]);
         let on = self.known_link(&[x]);

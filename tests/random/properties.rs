@@ -212,7 +212,7 @@ fn vectors_are_differences_of_positions() {
         let (v, a) = (c.largest(Level::Velocity), c.largest(Level::Acceleration));
         let rates = c.worked.construction.rates.iter().filter(|r| r.on == DiagramKind::Velocity);
         let omega = rates.map(|r| r.value.abs()).fold(v / extent, f64::max);
-        // Where a motion is strongly amplified its higher derivatives swamp any difference formula.
+        // If a motion is strongly amplified, its higher derivatives spoil any difference formula.
         if c.worked.solution.condition > 2e2 || omega > 20.0 {
             continue;
         }

@@ -8,7 +8,8 @@ use hodograph::worked::{Scope, Worked, work};
 
 type Four = [(&'static str, f64, f64); 4];
 
-/// Two motions lead through each: parallelograms both ways in line, a rhombus, a kite, 2 + 5 = 3 + 4.
+/// Two motions pass through each: parallelograms both ways in line, a rhombus, a kite, 2 + 5 = 3 +
+/// 4.
 const CHANGE_POINTS: [Four; 5] = [
     [("A", 0.0, 0.0), ("B", 1.0, 0.0), ("C", 4.0, 0.0), ("D", 3.0, 0.0)],
     [("A", 0.0, 0.0), ("B", -1.0, 0.0), ("C", 2.0, 0.0), ("D", 3.0, 0.0)],

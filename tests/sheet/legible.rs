@@ -172,7 +172,8 @@ fn every_pose_can_be_read() {
     assert!(faults.is_empty(), "{} sheets:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// The centres of every template at all positions: no label on another, none off the paper.
+/// Checks the centres of every template at all positions: no label overlaps another, none is off
+/// the paper.
 #[test]
 fn every_centre_can_be_read() {
     let only = std::env::var("HODOGRAPH_ONLY").unwrap_or_default();

@@ -163,7 +163,7 @@ fn tables_of_poses_are_printed_on_a4_or_a3() {
     assert!(formats[0] > formats[1], "{formats:?}");
 }
 
-/// Only the first drawing of a column has the names of its vectors and links; letters of points have all of them.
+/// Only the first drawing of a column names its vectors and links; all drawings name their points.
 #[test]
 fn names_stand_in_the_first_row() {
     let (scene, worked) = open("crank-rocker");
@@ -178,7 +178,7 @@ fn names_stand_in_the_first_row() {
     }
 }
 
-/// A fixed paper makes pages; one that is too small is refused.
+/// A fixed paper size gives several pages; one that is too small is refused.
 #[test]
 fn a_fixed_paper_makes_pages() {
     let (mut scene, worked) = open("slider-crank");

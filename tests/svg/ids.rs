@@ -75,7 +75,8 @@ fn compared(name: &str, text: &str) -> (Vec<String>, usize) {
     let ids = |f: &Figure| -> BTreeSet<String> { f.items.iter().filter(|i| is_named_alike(i)).map(|i| i.id.clone()).collect() };
     let (mut out, mut count, mut first) = (Vec::new(), 0, None);
     for (lang, notation) in [(Lang::En, "en"), (Lang::Zh, "cn"), (Lang::En, "cn"), (Lang::Zh, "en")] {
-        // Language and notation change one by one on the sheet, which has most kinds of items, together on all figures.
+        // Language and notation change one by one on the sheet, which has most kinds of items, and
+        // together on all figures.
         let all = figures(&scene, &worked, (lang, notation), (lang == Lang::En) == (notation == "en"));
         all.iter().for_each(|(what, f)| out.extend(faults(&format!("{name} {what} {lang:?} {notation}"), f)));
         let named: Vec<(String, BTreeSet<String>)> = all.iter().map(|(what, f)| (what.clone(), ids(f))).collect();

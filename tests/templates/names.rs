@@ -156,7 +156,7 @@ impl Renamed {
                 "frame" => self.frame(&text),
                 "line" => self.pair(&text),
                 "centre" => self.point(&text),
-                // The contact of a cam is no point of the scene.
+                // The contact of a cam is not a point of the scene.
                 "point" | "pair" => self.points.get(&text).cloned().unwrap_or(text),
                 _ => text,
             }
@@ -196,7 +196,7 @@ impl Renamed {
         }
     }
 
-    /// A place in a link.
+    /// A place on a link.
     fn place(&self, place: &mut Value) {
         if let Some(base) = place.get_mut("base") {
             *base = self.pair(base.as_str().unwrap()).into();
