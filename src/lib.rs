@@ -33,8 +33,8 @@
 //!                        groups     └─▶ Configuration ──┤                 └─▶ Answers ──┐
 //!                                       positions       └─▶ Solution (loop equations) ──┴─▶ Agreement
 //! ```
-//! Every arrow is one public function from one finished value to the next; no value is changed
-//! afterwards. [`worked::work`] calls them all; [`problem::solve()`] does it for every kind of
+//! Every arrow is one public function from one finished value to the next; no stage uses the result
+//! of a later one. [`worked::work`] calls them all; [`problem::solve()`] does it for every kind of
 //! file.
 //!
 //! # Rooms
@@ -206,14 +206,20 @@
 //! them by itself; nodes, numbers of equations and legs follow from them. The table lists the files
 //! for each addition.
 //! ```text
-//! a new pair of these forms   its file in mechanism/pair and its line in the list there; its reading and writing in the scene; its symbol
-//! a new kind of driver        as a new pair, and its answers in scene/driver.rs; its statement, its JSON, its symbol in the lesson
-//! a new rolling pair          its kind, and its contour if that is new, in scene/rolling.rs; its file in mechanism/pair; its section (scene/decode),
-//!                             its sentence (report/given), its writing (inversions), its symbol (figure/mechanism)
-//! a new kind of contact       also: its points (position/rolling.rs, belt.rs), motion/conditions.rs, plan/contact.rs and locus.rs,
-//!                             construct/special.rs and measure.rs, sweep/compile/rolling.rs
-//! a new form                  also: its equation (position/equations.rs), coefficients (position/coupled.rs), motion
-//!                             (motion/conditions.rs), rows (analytic/rows.rs), legs (mechanism/groups.rs, plan/reduce.rs), sweep/train.rs
+//! a new pair of these forms   its file in mechanism/pair and its line in the list there; its reading
+//!                             and writing in the scene; its symbol
+//! a new kind of driver        as a new pair, and its answers in scene/driver.rs; its statement, its
+//!                             JSON, its symbol in the lesson
+//! a new rolling pair          its kind, and its contour if that is new, in scene/rolling.rs; its file
+//!                             in mechanism/pair; its section (scene/decode), its sentence
+//!                             (report/given), its writing (inversions), its symbol (figure/mechanism)
+//! a new kind of contact       also: its points (position/rolling.rs, belt.rs), motion/conditions.rs,
+//!                             plan/contact.rs and locus.rs, construct/special.rs and measure.rs,
+//!                             sweep/compile/rolling.rs
+//! a new form                  also: its equation (position/equations.rs), coefficients
+//!                             (position/coupled.rs), motion (motion/conditions.rs), rows
+//!                             (analytic/rows.rs), legs (mechanism/groups.rs, plan/reduce.rs),
+//!                             sweep/train.rs
 //! ```
 //! Kinds of pair are private to their folder, so that no other file can match them. `tests/tidy.rs`
 //! keeps the lists of files that match forms, kinds of driver and kinds of leg; these lists only

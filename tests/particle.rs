@@ -85,7 +85,7 @@ fn pursuit_of_a_straight_runner_ends_when_the_formula_says() {
     }
 }
 
-/// For a straight target at any angle: D·(v e + u) changes at a constant rate, so T = (v l +
+/// For a straight target at any angle, d/dt of D·(v e + u) is the constant v² − u², so T = (v l +
 /// u·D)/(v² − u²) from any first line of sight.
 #[test]
 fn pursuit_from_any_side_and_at_any_instant_keeps_its_integral() {
