@@ -100,7 +100,7 @@ fn solved(scene: &Scene, m: &Mechanism, value: f64) -> Option<(Vec<f64>, f64)> {
     Some((row, solution.condition))
 }
 
-/// True with kept cams (see `tests/says`) or groups above class II (see differences and lengths).
+/// True with kept cams (see `tests/says`) or groups above class II (tested by differences).
 fn followed(scene: &Scene, m: &Mechanism) -> bool {
     scene.kept_cams().next().is_some() || m.groups.iter().any(|g| g.class().is_some_and(|c| c != "II"))
 }

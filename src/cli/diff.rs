@@ -37,7 +37,7 @@ fn compared(a: &Diff) -> Run {
     let usual = Options::default();
     let options = Options {
         tolerance_mm: a.tolerance.unwrap_or(usual.tolerance_mm),
-        // A tolerance for items allows pixels to change.
+        // A tolerance for items removes the default limit of changed pixels.
         pixels: a.pixels.or(usual.pixels.filter(|_| a.tolerance.is_none())),
         ..usual
     };
