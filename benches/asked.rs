@@ -1,8 +1,10 @@
-//! Time against what is asked, for one mechanism of eight links: what is not asked for costs nothing.
+//! Time over the questions asked, for one mechanism of eight links: quantities that are not asked
+//! for cost nothing.
 //!
-//! `cargo bench --bench asked` times the engine behind the scene reader and the topology, up to the answers (positions,
-//! plan, drawing board, loop equations), and prints the table of docs/performance.md: each question in turn with its work and its time
-//! against all questions. Variants take turns, so that whatever else the machine does falls on all alike.
+//! `cargo bench --bench asked` times the computation from topology to answers (positions, plan,
+//! drawing board, loop equations), without reader and topology, and prints the table of
+//! docs/performance.md: the work and the time of each question, compared with all questions.
+//! Variants take turns, so that other load on the machine affects all alike.
 
 use hodograph::answer::evaluate;
 use hodograph::construct::scale::Boxes;
@@ -15,7 +17,7 @@ use serde_json::{Value, json};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Calls timed together, so that the clock's own time vanishes in them.
+/// Number of calls timed together, so that the clock's own time is negligible.
 const CALLS: u32 = 50;
 /// Rounds; the median of each variant is taken.
 const ROUNDS: usize = 2000;
@@ -38,7 +40,7 @@ impl Variant {
         Variant { name, scene, mechanism }
     }
 
-    /// From the topology to the answers: what `worked::work` does, without the topology.
+    /// Solves from the topology to the answers, as `worked::work` does.
     fn solve(&self) {
         let (scene, m) = (black_box(&self.scene), &self.mechanism);
         let demand = Demand::of(scene, m);
@@ -57,7 +59,7 @@ impl Variant {
     }
 }
 
-/// A further dyad, on the foot: links 9 and 10 that nothing asks about.
+/// Adds a dyad on the foot: links 9 and 10, which no question refers to.
 fn with_a_dyad(json: &mut Value) {
     json["links"]["9"] = json!(["G", "H"]);
     json["links"]["10"] = json!(["H", "K"]);
@@ -85,7 +87,7 @@ fn main() {
         Variant::new("last joint F: acceleration, with a further dyad", &["a_F"], with_a_dyad),
         Variant::new("last joint F: velocity, the driver with α", &["v_F"], |j| j["driver"]["alpha"] = json!("3 rad/s^2")),
     ];
-    // `cargo test --all-targets` runs benches too: once through will do.
+    // `cargo test --all-targets` runs benches too: a single round is enough there.
     let rounds = if std::env::args().any(|a| a == "--bench") { ROUNDS } else { 1 };
     let mut times = vec![Vec::with_capacity(rounds); variants.len()];
     for _ in 0..rounds {

@@ -1,5 +1,6 @@
-//! What a rung of the precision ladder costs: positions, motions and answers of one scene in each kind of number, and the
-//! whole of `certify` against the plain `f64` solution. Ratios of one run: `cargo bench --bench ladder`.
+//! Cost of a rung of the precision ladder: positions, motions and answers of one scene in each kind
+//! of number, and the whole of `certify` compared with the plain `f64` solution. Ratios within one
+//! run: `cargo bench --bench ladder`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use hodograph::answer::evaluate;

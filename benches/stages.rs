@@ -1,6 +1,6 @@
-//! Each stage of a scene's way to the sheet, and the whole command.
+//! Each stage from a scene to the sheet, and the whole command.
 //!
-//! `cargo bench --bench stages` prints medians; the table of docs/performance.md is made from it.
+//! `cargo bench --bench stages` prints medians; they make the table of docs/performance.md.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use hodograph::construct::scale::Boxes;
@@ -50,7 +50,8 @@ fn stages(c: &mut Criterion) {
 fn command(c: &mut Criterion) {
     let folder = tempfile::tempdir().unwrap();
     let mut g = c.benchmark_group("whole command");
-    // The lessons of the mechanisms whose groups have no closed form, and of the one with the most links.
+    // The lessons of the mechanisms with groups without closed form, and of the one with the most
+    // links.
     for (template, name, extra) in [
         ("shaper", "svg", vec!["draw", "--format", "svg", "-o", "."]),
         ("shaper", "png 150 dpi", vec!["draw", "--format", "png", "--dpi", "150", "-o", "."]),

@@ -1,8 +1,10 @@
-//! What the command adds to the computation: starting, and writing tables. `cargo bench --bench tables` prints the table of docs/performance.md;
-//! `-- sweep STEPS` only runs sweeps of a four-bar in memory, `-- compiled STEPS` the same without compiling, and `-- chunk` its compiled
-//! program in cache, for `bench/peers`.
+//! Time that the command adds to the computation: start, and writing of tables.
+//! `cargo bench --bench tables` prints the table of docs/performance.md; `-- sweep STEPS` only runs
+//! sweeps of a four-bar in memory, `-- compiled STEPS` the same without compiling, and `-- chunk`
+//! its compiled program in cache, for `bench/peers`.
 //!
-//! Variants take turns, so that whatever else the machine does falls on all alike; medians count.
+//! Variants take turns, so that other load on the machine affects all alike; the medians are
+//! reported.
 
 use hodograph::mechanism::Mechanism;
 use hodograph::report::table::{Csv, Format, Head, Npy, Parquet, Standing};
@@ -21,11 +23,11 @@ use std::time::Instant;
 /// Mechanisms of the batch; 200 positions each.
 const MECHANISMS: u64 = 10_000;
 
-/// The arguments that make the command write the same batch.
+/// The arguments by which the command writes the same batch.
 const ARGUMENTS: &str = "--vary l_AB=60..120 --vary l_BC=200..300 --vary l_CD=180..260 --random 10000 --seed 1 --from 0deg --to 358.2deg \
     --steps 199 --find v_C,a_C -o";
 
-/// Mechanisms of a block, as the command cuts them.
+/// Mechanisms in a block of the command.
 const STEP: u64 = 476;
 
 fn median(mut times: Vec<f64>) -> f64 {
@@ -43,16 +45,17 @@ fn asked(find: &[&str]) -> Scene {
     read(edit::with_find(templates::get("crank-rocker").unwrap(), find).unwrap()).unwrap().value
 }
 
-/// What of a sweep is done again and again.
+/// The part of a sweep that is repeated.
 #[derive(PartialEq)]
 enum Again {
-    /// All of it: scene to table.
+    /// The whole sweep: scene to table.
     Whole,
-    /// What follows the compiling: stations to table.
+    /// The part after compiling: stations to table.
     Compiled,
 }
 
-/// Sweeps of so many steps in memory, one after the other; how many positions. The caller measures, and says on how many cores.
+/// Runs sweeps of this number of steps in memory, one after the other; returns the number of
+/// positions. The caller measures the time and states the number of cores.
 fn in_memory(steps: usize, again: Again) -> usize {
     let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
@@ -72,7 +75,7 @@ fn in_memory(steps: usize, again: Again) -> usize {
     (0..20_000_000 / steps).map(|_| one()).sum()
 }
 
-/// The compiled program over one chunk again and again, in cache; how many positions.
+/// Runs the compiled program over one chunk repeatedly, in cache; returns the number of positions.
 fn in_cache() -> usize {
     let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
@@ -86,8 +89,8 @@ fn in_cache() -> usize {
     chunks * stations.len()
 }
 
-/// Writes blocks as the command does: the next is given its form while the last one is written, into a part that then takes the place
-/// of the file before.
+/// Writes blocks as the command does: the next block is formatted while the last one is written,
+/// into a part that then replaces the earlier file.
 fn write(blocks: &[Block], format: &dyn Format, path: &Path) {
     let part = path.with_extension("part");
     let mut file = File::create(&part).unwrap();
@@ -152,7 +155,7 @@ fn writing() {
         compute.push(seconds(|| drop(computed())));
         for (k, (ending, format)) in formats.iter().enumerate() {
             let arguments = format!("batch templates/crank-rocker.json {ARGUMENTS}");
-            // Whoever comes second finds memory that was just given back: each is first in turn.
+            // The second variant finds memory that has just been freed: each is first in turn.
             for first in [round % 2 == 0, round % 2 != 0] {
                 if first {
                     alone[k].push(seconds(|| write(&kept, &**format, &path(ending))));
@@ -178,7 +181,7 @@ fn writing() {
     let _ = std::fs::remove_dir_all(&folder);
 }
 
-/// Starting the command against starting an empty program.
+/// Time to start the command, compared with an empty program.
 fn starting() {
     let run = |program: &str, arguments: &[&str]| {
         let mut c = Command::new(program);

@@ -1,13 +1,15 @@
-//! The letters of pages: a subset of Tinos in each, so that words and formulas look alike on every machine and as in the figures.
+//! Web fonts of the HTML pages. Each page carries a subset of Tinos, so that words and formulas
+//! look the same on every machine and as in the figures.
 //!
-//! Not decided here: in what they are set where the subset has no sign; each page's style names what follows.
+//! Fallback fonts for signs that the subset lacks are named by each page's own style sheet.
 
 use std::sync::LazyLock;
 
 use crate::paper::font::{PAGE_ITALIC, PAGE_UPRIGHT};
 use base64::prelude::{BASE64_STANDARD, Engine};
 
-/// The two faces of the family `Hodograph`, as rules of CSS that carry the fonts; the upright one has the constants by which browsers set formulas.
+/// CSS rules with the two faces of the family `Hodograph`, fonts included. The upright face has the
+/// constants by which browsers set formulas.
 pub fn faces() -> &'static str {
     static FACES: LazyLock<String> = LazyLock::new(|| {
         let face = |style: &str, font: &[u8]| {

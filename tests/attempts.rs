@@ -1,4 +1,5 @@
-//! Wrong solutions: the number of each wrong equation is calculated here by another way, from the formulas of the wrong equation written out.
+//! Wrong solutions: the number of each wrong equation is recalculated here, from the formulas of
+//! the wrong equation.
 
 use hodograph::answer::Value;
 use hodograph::attempts::{Attempt, sites, wanted};
@@ -34,7 +35,8 @@ fn scalar(v: Value) -> f64 {
     }
 }
 
-/// a_E3 = a_E2 + 2ω₂ × v_E3E2 + aʳ with aʳ along the face: on the normal only the known parts are left.
+/// a_E3 = a_E2 + 2ω₂ × v_E3E2 + aʳ with aʳ along the face: along the normal only the known parts
+/// remain.
 #[test]
 fn printed_flat_face_comes_from_its_equation() {
     for (name, [ax, ay], omega, truth, lacks) in [
@@ -44,14 +46,14 @@ fn printed_flat_face_comes_from_its_equation() {
         let (scene, worked, all) = all(name);
         let a = all.iter().find(|a| a.site.mistake() == Mistake::ContactPoint).expect("it is named");
         let [right, wrong] = answer(&scene, &worked, a, "alpha_3").map(scalar);
-        // B in the origin, C 60 mm to the right, E on the rim under 60 degrees.
+        // B is the origin, C is 60 mm to the right, E is on the rim at 60 degrees.
         let (e, c) = ([0.015, 0.03 * 3_f64.sqrt() / 2.0], [0.06, 0.0]);
         let n = [0.5, 3_f64.sqrt() / 2.0];
         let dot = |p: [f64; 2], q: [f64; 2]| p[0] * q[0] + p[1] * q[1];
         let from = |p: [f64; 2], q: [f64; 2]| [p[0] - q[0], p[1] - q[1]];
         let turned = |w: f64, p: [f64; 2]| [-w * p[1], w * p[0]];
         let (ae, ce) = (from(e, [ax, ay]), from(e, c));
-        // Velocities agree along the normal.
+        // The normal components of the velocities are equal.
         let omega3 = dot(turned(omega, ae), n) / dot(turned(1.0, ce), n);
         let slide = from(turned(omega3, ce), turned(omega, ae));
         let coriolis = turned(2.0 * omega, slide);
@@ -64,7 +66,8 @@ fn printed_flat_face_comes_from_its_equation() {
     }
 }
 
-/// Without its normal part the acceleration of a crank-rocker's pin is a linear equation of two unknowns.
+/// Without the normal part, the acceleration of a crank-rocker's pin is a linear equation in two
+/// unknowns.
 #[test]
 fn a_rocker_without_its_normal_part() {
     let (scene, worked, all) = all("crank-rocker");
@@ -86,7 +89,8 @@ fn a_rocker_without_its_normal_part() {
     assert!((wrong - alpha3).abs() < 1e-9 * alpha3.abs(), "{wrong} against {alpha3}");
 }
 
-/// With the wrong angular velocity the Coriolis part is longer by the ratio of the two.
+/// With the wrong angular velocity, the Coriolis part is larger by the ratio of the two angular
+/// velocities.
 #[test]
 fn coriolis_by_the_wrong_link() {
     let (scene, worked, all) = all("whitworth");
@@ -95,12 +99,13 @@ fn coriolis_by_the_wrong_link() {
     let omega3 = scalar(worked.results.iter().find(|r| r.find == find).unwrap().value());
     let omega1 = scene.drivers[0].rate.value;
     let gaps = [Mistake::NoCoriolis, Mistake::CoriolisWrongOmega].map(|m| of(m).gap.vector);
-    // The gaps are −2ω₃×v and 2(ω₁−ω₃)×v.
+    // The missing terms are −2ω₃×v and 2(ω₁−ω₃)×v.
     let expected = gaps[0] * -((omega1 - omega3) / omega3);
     assert!((gaps[1] - expected).norm() < 1e-9 * expected.norm(), "{:?} against {expected:?}", gaps[1]);
 }
 
-/// Every known mistake can be made in some template, is drawn at one pole to one scale, and differs from the right solution.
+/// Every known mistake is possible in some template, is drawn from one pole to one scale, and
+/// differs from the right solution.
 #[test]
 fn every_mistake_is_there() {
     let mut met = BTreeSet::new();
@@ -140,7 +145,8 @@ fn a_mistake_that_cannot_be_made_is_refused() {
     }
 }
 
-/// a_E2 = a_E3 + 2ω₃ × v_E2E3 + aʳ with aʳ along the face: the other equation that is printed, of E of the disc sliding on the face.
+/// a_E2 = a_E3 + 2ω₃ × v_E2E3 + aʳ with aʳ along the face: the other printed equation, for E of the
+/// disc, which slides on the face.
 #[test]
 fn the_contact_of_the_disc_seen_from_the_face() {
     let text = templates::get("flat-face-mistake")
@@ -149,7 +155,8 @@ fn the_contact_of_the_disc_seen_from_the_face() {
     let (scene, worked) = worked(&text);
     let all = wanted(&scene, &worked, false).unwrap();
     let [_, wrong] = answer(&scene, &worked, &all[0], "alpha_3").map(scalar);
-    // A in the origin; E under 60 degrees on the rim about B, C 80 mm to the right; the normal out of the disc.
+    // A is the origin; E is at 60 degrees on the rim about B, C is 80 mm to the right; the normal
+    // points out of the disc.
     let (e, c, n) = ([0.035, 0.03 * 3_f64.sqrt() / 2.0], [0.08, 0.0], [0.5, 3_f64.sqrt() / 2.0]);
     let dot = |p: [f64; 2], q: [f64; 2]| p[0] * q[0] + p[1] * q[1];
     let ce = [e[0] - c[0], e[1] - c[1]];
@@ -161,7 +168,8 @@ fn the_contact_of_the_disc_seen_from_the_face() {
     assert!((wrong - alpha).abs() < 1e-9 && (alpha - 128.3).abs() < 0.01, "{wrong} against {alpha}");
 }
 
-/// The point of contact may be asked for beside what a wrong equation is about: it is the same point there, and moves as that equation has it.
+/// The point of contact may be asked for together with a wrong equation: its motion is then that of
+/// the wrong equation.
 #[test]
 fn the_contact_may_be_asked_for_in_every_attempt() {
     let rocker = templates::get("flat-face-mistake").unwrap();
@@ -187,7 +195,8 @@ fn the_contact_may_be_asked_for_in_every_attempt() {
         assert_eq!(beside.len(), alone.len(), "{asked}");
         for ((right, wrong, contact), (_, before, _)) in beside.into_iter().zip(&alone) {
             assert!((wrong - before).abs() < 1e-9, "{asked}: {wrong} against {before}");
-            // E of the rocker goes round C: its part square to CE is α₃ CE, right or wrong.
+            // E of the rocker moves on a circle about C: its part perpendicular to CE is α₃ CE,
+            // right or wrong.
             let [x, y] = [0.035 - 0.08, 0.03 * 3_f64.sqrt() / 2.0];
             if let Some([ax, ay]) = contact {
                 let told = (x * ay - y * ax) / (x * x + y * y);
@@ -215,8 +224,9 @@ fn the_rolling_point_as_base_of_another() {
     assert!((wrong.x - expected[0]).hypot(wrong.y - expected[1]) < 1e-9, "{wrong:?} against {expected:?}");
 }
 
-/// The flat face in three ways: the centre of the disc on the bar, the contact on the disc, the contact in axes that translate with the centre. The
-/// equation of each, projected on the normal with the parts known there, gives one α.
+/// The flat face solved in three ways: the centre of the disc on the bar, the contact on the disc,
+/// the contact in axes that translate with the centre. Each equation, projected on the normal with
+/// its known parts, gives one α.
 #[test]
 fn three_right_ways_agree() {
     for (name, alpha) in [("flat-face-mistake", 25.6600119639834), ("flat-face-mistake-2", 0.0)] {
@@ -247,8 +257,8 @@ fn three_right_ways_agree() {
     }
 }
 
-/// Along the normal of any contact the relative acceleration is what the formula makes of the velocities: flat faces and round ends, seen from the
-/// cam, from the follower, and from axes with the centre.
+/// At any contact the relative acceleration along the normal follows from the velocities: flat
+/// faces and round ends, seen from the cam, from the follower, and from axes with the centre.
 #[test]
 fn relative_accelerations_at_contacts_follow_from_the_velocities() {
     let flat = |k: i32| {

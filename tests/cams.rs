@@ -1,5 +1,6 @@
-//! Cams through their whole turn: what drawing and loop equations make of the equivalent linkage in each pose is what the geometry of the cam says, on
-//! every piece and on both sides of every joint; sweeps say the same.
+//! Cams through their whole turn: in each pose, drawing and loop equations of the equivalent
+//! linkage agree with the geometry of the cam, on every piece and on both sides of every joint; so
+//! do sweeps.
 
 use hodograph::analytic::third;
 use hodograph::answer::Value;
@@ -81,7 +82,7 @@ fn text(kind: &str, angle: &str) -> String {
     )
 }
 
-/// Rate and acceleration of the follower by the geometry of the cam, outward.
+/// Velocity and acceleration of the follower by the geometry of the cam, positive outward.
 fn expected(scene: &Scene) -> [f64; 2] {
     let t = scene.cams[0].disc.as_ref().unwrap();
     let Jet([_, d, dd, _]) = t.disc.coordinate(t.phi, t.side).unwrap();
@@ -113,8 +114,8 @@ fn agree(kind: &str, angle: f64) {
     assert_eq!(worked.results.len(), 2, "{kind} at {angle}");
 }
 
-/// A roller that rolls without slip: in the frame of the cam it turns by what the normal turns, less the arc that it rolled over its radius. By
-/// differences of the contact.
+/// A roller that rolls without slip: in the frame of the cam it turns by the angle of the normal,
+/// less the rolled arc divided by its radius. Checked by differences of the contact.
 #[test]
 fn rollers_spin_as_they_roll() {
     let kinds = ["tangent", "hollow", "rocker", "law cycloidal", "swing 3-4-5"];
@@ -132,7 +133,7 @@ fn rollers_spin_as_they_roll() {
             let along = -normal.perp();
             let turned = low.normal.cross(high.normal).atan2(low.normal.dot(high.normal));
             let rolled = (high.contact - low.contact).dot(along) / radius;
-            // Per φ, which grows with the sense of the cam; and with the cam.
+            // Per φ, which grows with the sense of the cam; and together with the cam.
             let expected = OMEGA + (turned - rolled) / (2.0 * h) * t.disc.sense * OMEGA;
             let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{kind} at {angle}: {f}")).value;
             let Value::Scalar(spin) = worked.results[0].computed else { panic!("{kind}") };
@@ -141,8 +142,9 @@ fn rollers_spin_as_they_roll() {
     }
 }
 
-/// A roller that the file counts as a link, by the pair's word or by its points alone: solved as without it, asked for as any link, counted with its
-/// local freedom; a link that is more than a roller is refused.
+/// A roller may be a link of the file, by the pair's keyword or by its points alone. It is solved
+/// as without it, can be asked for like any link, and is counted with its local freedom; a link
+/// that is more than a roller is refused.
 #[test]
 fn a_roller_may_be_a_link() {
     let plain = text("law cycloidal", "40 deg");
@@ -195,7 +197,8 @@ fn laws_are_right_in_every_pose() {
     }
 }
 
-/// Beside an inflection of the pitch curve no arc stands for the profile, beyond some degrees one does: the answers are those of the law all the way.
+/// Next to an inflection of the pitch curve no arc replaces the profile, from some degrees on one
+/// does: the answers are those of the law throughout.
 #[test]
 fn a_law_is_right_through_the_inflections_of_its_pitch_curve() {
     let mut found = 0;
@@ -225,7 +228,8 @@ fn a_law_is_right_through_the_inflections_of_its_pitch_curve() {
     assert!(found >= 2, "{found}");
 }
 
-/// ȧ = ω da/dφ + 2α dv/dφ, by differences of the loop equations' own velocities and accelerations in poses beside it.
+/// ȧ = ω da/dφ + 2α dv/dφ, by differences of the loop equations' own velocities and accelerations
+/// in neighbouring poses.
 #[test]
 fn the_third_derivative_of_a_follower_is_that_of_its_law() {
     for kind in ["law cycloidal", "law harmonic", "swing 3-4-5", "swing cycloidal"] {
@@ -302,7 +306,8 @@ fn eccentric(angle: f64, told: &str, find: &[&str]) -> Scene {
     scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value
 }
 
-/// The roller's centre (mm): the circle of 52 mm about Q crossed with that of 110 mm about P, left or right of the line PQ.
+/// The roller's centre (mm): the circle of 52 mm about Q intersected with that of 110 mm about P,
+/// left or right of the line PQ.
 fn roller(angle: f64, left: bool) -> hodograph::geom::Vec2 {
     use hodograph::geom::Vec2;
     let (p, q) = (Vec2::new(100.0, 60.0), Vec2::from_angle(angle.to_radians()) * 20.0);
@@ -312,8 +317,9 @@ fn roller(angle: f64, left: bool) -> hodograph::geom::Vec2 {
     p + way * (foot / d) + way.perp() * (if left { height / d } else { -height / d })
 }
 
-/// On which side of the cam an arm lies may be told by a sketch, by the line of the pivots, or by that to the centre of the disc; the rise takes the angle
-/// through which the cam turns while the roller goes out.
+/// The side of the cam on which an arm lies may be given by a sketch, by the line of the pivots, or
+/// by the line to the centre of the disc; the rise takes the angle through which the cam turns
+/// while the roller moves outward.
 #[test]
 fn an_arm_lies_on_its_side_however_that_is_told() {
     let find = ["Phi_3", "pressure_3", "psi_3", "phi_3"];

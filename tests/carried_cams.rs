@@ -1,5 +1,6 @@
-//! Cams whose pivot and follower are carried by a moving link, and cams that are the ground itself with a carrier driven round them: against the same
-//! cam on the ground, against differences of positions, and over a sweep; and what is said where a law has no meaning.
+//! Cams with pivot and follower on a moving link, and cams that are the ground with a carrier
+//! driven round them: compared with the same cam on the ground, with differences of positions, and
+//! over a sweep; and the message where a law has no meaning.
 
 #[path = "cams/matrix/mod.rs"]
 mod matrix;
@@ -31,7 +32,7 @@ fn driver(link: &str, against: &str, start: [f64; 3], t: f64) -> String {
     )
 }
 
-/// What touches, and the profile.
+/// The contact and the profile.
 fn cam(kind: &str) -> &'static str {
     match kind {
         "law slide" => {
@@ -61,7 +62,7 @@ fn cam(kind: &str) -> &'static str {
 
 const KINDS: [&str; 6] = ["law slide", "law flat", "law swing", "arcs slide", "arcs swing", "arcs swinging face"];
 
-/// On what the cam stands.
+/// The carrier of the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum On {
     /// Cam 2 and follower 3 on the ground.
@@ -111,7 +112,7 @@ fn text(kind: &str, on: On, angle: f64, t: f64, find: &str) -> String {
         On::Still => (
             format!(r#""1": ["O", "Q"], "4": ["O", "H", {with}]"#),
             format!(r#""O": [0, 0], "Q": ["35 mm", 0], "{name}": {{"base": "OH", "x": "{x} mm", "y": "{y} mm"}}"#),
-            // The cam turns in its carrier against the carrier's own sense.
+            // In its carrier, the cam turns against the carrier's own sense.
             driver("4", "1", [-angle, -CAM[1], -CAM[2]], t),
         ),
     };
@@ -149,12 +150,12 @@ fn answers(kind: &str, on: On, angle: f64, t: f64, find: &str) -> Vec<f64> {
     worked.results.iter().flat_map(|r| numbers(r.computed)).collect()
 }
 
-/// The point whose motion is looked at.
+/// The point of the follower that is examined.
 fn point(kind: &str) -> &'static str {
     if kind.ends_with("face") { "W" } else { "B" }
 }
 
-/// In its carrier a follower moves as on the ground.
+/// In its carrier, a follower moves as on the ground.
 #[test]
 fn a_carried_follower_swings_in_its_carrier_as_on_the_ground() {
     for kind in KINDS.into_iter().filter(|k| k.contains("swing")) {
@@ -171,7 +172,7 @@ fn a_carried_follower_swings_in_its_carrier_as_on_the_ground() {
     }
 }
 
-/// Velocities and accelerations are what differences of positions make.
+/// Velocities and accelerations agree with differences of positions.
 #[test]
 fn carried_followers_move_as_differences_say() {
     let h = 1e-4;
@@ -194,7 +195,7 @@ fn carried_followers_move_as_differences_say() {
     }
 }
 
-/// A sweep over the cam's driver, from piece to piece, says what each pose says.
+/// A sweep over the cam's driver, from piece to piece, agrees with each single pose.
 #[test]
 fn sweeps_of_carried_cams_say_what_each_pose_says() {
     for kind in KINDS {
@@ -213,7 +214,7 @@ fn sweeps_of_carried_cams_say_what_each_pose_says() {
                 let angle = (2.0 + 18.0 * k as f64).to_radians() * way;
                 let exact = answers(kind, on, angle, 0.0, &find);
                 let row: Vec<f64> = table.columns.iter().skip(1).map(|c| c.values[k]).collect();
-                // Behind the driver: v_B.x, v_B.y, v_B, a_B.x, ...
+                // After the driver: v_B.x, v_B.y, v_B, a_B.x, ...
                 for (got, exact) in [row[0], row[1], row[3], row[4]].into_iter().zip(exact) {
                     assert!((got - exact).abs() < 1e-9 * exact.abs().max(1e-2), "{kind} {on:?} row {k}: {got} {exact}");
                 }
@@ -250,8 +251,8 @@ fn a_law_without_a_carrier_says_why_it_has_no_meaning() {
     }
 }
 
-/// Cams of several pieces that stand on another link than their followers, two drivers telling the pose: a roller on an arm, a face on an arm, a slide
-/// whose cam is carried round.
+/// Cams of several pieces on another link than their followers, with two drivers giving the pose: a
+/// roller on an arm, a face on an arm, a slider with a cam carried round it.
 fn apart(kind: &str, [cam, crank]: [f64; 2], rates: [f64; 2], find: &str) -> String {
     let swings = r#""links": {"1": ["O", "G"], "2": ["O", "Q"], "3": ["P", "B"], "4": ["G", "P"]},
         "points": {"O": [0, 0], "G": ["-100 mm", "-30 mm"]}, "lengths": {"OQ": "30 mm", "GP": "30 mm", "PB": "110 mm"}"#;
@@ -277,8 +278,9 @@ fn apart(kind: &str, [cam, crank]: [f64; 2], rates: [f64; 2], find: &str) -> Str
     )
 }
 
-/// A turn of either driver, and both through time, go over from piece to piece where cam and follower stand on different links: each row is what its
-/// own pose says, whose piece is found without any motion.
+/// A turn of either driver, and both through time, pass from piece to piece where cam and follower
+/// are on different links: each row agrees with its single pose, in which the piece is found
+/// without any motion.
 #[test]
 fn motions_over_pieces_of_cams_on_other_links_say_what_each_pose_says() {
     for (kind, find) in [("roller", r#""a_B", "omega_3""#), ("face", r#""alpha_3", "omega_3""#), ("slide", r#""a_B", "y_B""#)] {
@@ -299,7 +301,7 @@ fn motions_over_pieces_of_cams_on_other_links_say_what_each_pose_says() {
         };
         let row = |table: &Table, k: usize| table.columns.iter().skip(1).map(|c| c.values[k]).collect::<Vec<f64>>();
         for driver in 0..2 {
-            // A crank goes back and forth, so that the arm does not leave the cam.
+            // The crank rocks, so that the arm does not leave the cam.
             let stations = if driver == 0 {
                 Stations::turned(Angle::Deg(3.0), Angle::Deg(363.0), 12)
             } else {
@@ -321,8 +323,9 @@ fn motions_over_pieces_of_cams_on_other_links_say_what_each_pose_says() {
     }
 }
 
-/// At a joint of two pieces the contact goes over to the one that follows in the sense in which it goes round the cam, and both accelerations are told;
-/// differences of the exact contact say the same (the nose of the tangent cam begins at φ₂, its follower's pivot moving).
+/// At a joint of two pieces the contact passes to the piece that follows in the direction of its
+/// motion round the cam, and both accelerations are reported; differences of the exact contact
+/// agree (the nose of the tangent cam begins at φ₂, and the follower's pivot moves).
 #[test]
 fn a_joint_of_a_cam_on_another_link_tells_both_accelerations() {
     let joint = r#"{"links": {"1": ["O", "G"], "2": ["O", "Q"], "3": ["P", "B"], "4": ["G", "P"]}, "ground": "1",
@@ -334,7 +337,7 @@ fn a_joint_of_a_cam_on_another_link_tells_both_accelerations() {
     let mut refused = 0;
     for (rate, alpha, words) in [("10", 13.5609, "from -11.34 rad/s² to 13.56"), ("-10", -64.6442, "from 80.04 rad/s² to -64.64")] {
         let text = joint.replace(r#""omega": "10 rad/s""#, &format!(r#""omega": "{rate} rad/s""#));
-        // The one call for files of every kind takes the piece that follows.
+        // The call for files of every kind takes the piece that follows.
         let read = problem::read(&text).unwrap();
         let solved = problem::solve(&read.value, &problem::Options::default()).unwrap();
         let Some(Value::Scalar(told)) = solved.answer("alpha_3", &problem::Look::default()).unwrap().value else { panic!("alpha_3") };
@@ -347,15 +350,16 @@ fn a_joint_of_a_cam_on_another_link_tells_both_accelerations() {
         let worked = work(&scene, Scope::Questions).unwrap().value;
         let Value::Scalar(found) = worked.results[1].value() else { panic!("alpha_3") };
         assert!((found - alpha).abs() < 1e-3, "{rate}: {found}");
-        // What follows knows the pieces beside it.
+        // The driven follower knows the neighbouring pieces.
         assert_eq!(over_a_turn(&scene).kept_cams().count(), 0);
     }
     assert_eq!(refused, 1, "of the two senses one leaves the piece that was read");
     assert!(instant(scene::read(joint.replace("2.45005", "2.46005")).unwrap().value).notes.is_empty());
 }
 
-/// Certifies the answers of a scene whose follower is a driver, and compares each number that is told with that of the scene with the pair in its place, in
-/// 640-bit arithmetic; tells how many there are, and how many have fewer digits than asked.
+/// Certifies the answers of a scene with a driver in place of the follower's pair, and compares
+/// each printed number with that of the scene with the pair, in 640-bit arithmetic; returns the
+/// number of answers, and of those with fewer digits than requested.
 fn told(name: &str, led: &Scene, pair: &Scene) -> [usize; 2] {
     let [led_worked, worked] = [led, pair].map(|s| work(s, Scope::Questions).unwrap_or_else(|f| panic!("{name}: {f}")).value);
     let (mut told, mut short) = (0, 0);
@@ -365,7 +369,7 @@ fn told(name: &str, led: &Scene, pair: &Scene) -> [usize; 2] {
             let all = truth::answers(pair, &worked).unwrap_or_else(|f| panic!("{name}: {f}"));
             for ((c, r), t) in certified.iter().zip(&led_worked.results).zip(all) {
                 let find = &led.find[r.find];
-                // A direction that is told in double precision has no longer number.
+                // A direction given in double precision has no longer number.
                 let Some(t) = t else { continue };
                 let t = t.map(|x| Ball::new(x, 1e-45 * x.approx().abs().max(1.0)));
                 let Ok(expected) = parts(find.what.kind(), t, r.scale, digits) else { continue };
@@ -386,7 +390,8 @@ fn told(name: &str, led: &Scene, pair: &Scene) -> [usize; 2] {
     [told, short]
 }
 
-/// A follower that a driver stands for is where double precision has put it, within a bound that is computed: no digit is told that the pair does not have.
+/// A follower replaced by a driver has its double-precision place, within a computed bound: no
+/// digit is printed that the pair does not have.
 #[test]
 fn digits_of_followers_that_are_led_are_those_of_their_pairs() {
     let mut all = [0, 0];

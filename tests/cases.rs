@@ -1,5 +1,5 @@
-//! The reference problems: each scene of `tests/cases` solved by drawing and by the loop equations, against answers that
-//! were computed without this project.
+//! The reference problems: each scene of `tests/cases` is solved by drawing and by the loop
+//! equations, and compared with answers that were computed without this project.
 
 #[path = "problems/mod.rs"]
 mod problems;
@@ -26,7 +26,7 @@ struct Row {
     tolerance: f64,
 }
 
-/// What the ladder says of an answer; NaN where it does not vouch for all digits.
+/// The ladder's value of an answer; NaN unless it certifies all digits.
 fn certified(c: &Certified) -> Value {
     let part = |p| c.part(p).filter(|_| c.why.is_none()).map_or(f64::NAN, |n| if n.zero { 0.0 } else { n.enclosure().approx });
     match c.part(Part::Scalar) {
@@ -35,7 +35,7 @@ fn certified(c: &Certified) -> Value {
     }
 }
 
-/// Digits asked of the ladder.
+/// Digits requested from the ladder.
 const DIGITS: usize = 12;
 
 fn number(v: &Json) -> f64 {
@@ -136,10 +136,12 @@ fn reference_cases() {
             let miss = |v: Value| {
                 let got = component(v, e["component"].as_str(), along) * scale;
                 let difference = if e["compare"] == "signed" { (got - exact).abs() } else { (got.abs() - exact.abs()).abs() };
-                // An answer of exactly zero has no relative error: its case says what size to judge it by.
+                // An answer of exactly zero has no relative error: its case gives the size for the
+                // comparison.
                 difference / if e["size"].is_null() { exact.abs() } else { number(&e["size"]) }
             };
-            // A group that is not drawn is said to be none; the day it is drawn, the case says so no more.
+            // A group that is not drawn is marked as such in its case; once it is drawn, the mark
+            // must go.
             let undrawn = e["drawn"] == false;
             if undrawn && outcome.drawn.is_some() {
                 failures.push(format!("{id}: {find} is drawn; its case says that it is not"));
@@ -186,11 +188,11 @@ fn reference_cases() {
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
 
-/// What a section of `docs/cases.md` says of its collection.
+/// The statement of a section of `docs/cases.md` about its collection.
 #[derive(Default)]
 struct Told {
     all: usize,
-    /// Cases that are scenes of the folder, their files and expected values.
+    /// Number of cases that are scenes of the folder, of their files and of their expected values.
     scenes: usize,
     files: usize,
     values: usize,
@@ -198,7 +200,8 @@ struct Told {
     not_yet: usize,
 }
 
-/// What is counted: of a scene (`count`, a place in the JSON of `hodograph mobility`), or from counts alone (`of`).
+/// Mobility counts: of a scene (`count`, a place in the JSON of `hodograph mobility`), or from
+/// counts alone (`of`).
 #[test]
 fn freedoms_are_counted() {
     let (mut failures, mut counted) = (Vec::new(), 0);
@@ -231,13 +234,14 @@ fn freedoms_are_counted() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// The folder holds what the documents say it holds: an empty one, a lost file or a lost expectation is a fault.
+/// The folder agrees with the documents: an empty folder, a lost file or a lost expected value is a
+/// fault.
 #[test]
 fn the_list_of_cases_is_true() {
     let read = |path: &str| std::fs::read_to_string(format!("{}/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    // Of each case its files and the values expected in them.
+    // The files of each case, and their expected values.
     let mut found: BTreeMap<String, (usize, usize)> = BTreeMap::new();
-    // Those without a mechanism are solved in tests/particle.rs.
+    // Cases without a mechanism are solved in tests/particle.rs.
     for file in files().into_iter().chain(files_of("tests/motions")) {
         let case: Json = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
         let centres = case["centres"].as_array().map_or(0, Vec::len);
@@ -280,7 +284,7 @@ fn the_list_of_cases_is_true() {
     assert!(read("README.md").contains(&claim), "README.md should say: {claim}");
 }
 
-/// The rows of a section against the folder; what they account for is taken out of `found`.
+/// Compares the rows of a section with the folder, and removes their cases from `found`.
 fn told(section: &str, found: &mut BTreeMap<String, (usize, usize)>, sweeps: &str, faults: &mut Vec<String>) -> Told {
     let mut out = Told::default();
     for row in section.lines().filter(|l| l.starts_with("| `")) {
@@ -301,7 +305,7 @@ fn told(section: &str, found: &mut BTreeMap<String, (usize, usize)>, sweeps: &st
                 }
             }
             (Some((1, n)), Ok(told)) if n == told => {}
-            // One value of one case may be asked in several poses.
+            // One value of one case may be asked for in several poses.
             (Some((n, _)), Ok(_)) if n > 1 && remarks.starts_with(&format!("{n} files")) => {}
             (found, _) => faults.push(format!("{name}: {told} in the table, (files, values) in the folder: {found:?}")),
         }

@@ -1,5 +1,5 @@
-//! Instantaneous centres: the cases against places that were computed without this project, which eight-bars stall, and what is said where
-//! lines coincide.
+//! Instantaneous centres: the cases against places that were computed without this project, the
+//! eight-bars that stall, and the message where lines coincide.
 
 use hodograph::answer::Value;
 use hodograph::centres::{By, Centres, How, Origin, Place, Undetermined, centres, closure, count};
@@ -23,7 +23,7 @@ fn number(v: &Json) -> f64 {
     v.as_str().map_or_else(|| v.as_f64(), |s| s.parse().ok()).unwrap_or_else(|| panic!("not a number: {v}"))
 }
 
-/// What a case asks of a centre, in its unit.
+/// The expected quantity of a centre, in its unit.
 fn answer(scene: &Scene, found: &Centres, e: &Json) -> f64 {
     let [i, j] = [0, 1].map(|k| link(scene, e["pair"][k].as_str().unwrap()));
     let centre = found.of(i, j).expect("every pair has a centre");
@@ -83,7 +83,7 @@ fn centres_of_the_reference_cases() {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Case `seed-000-ic-count`: three, six, ten and fifteen; of a four-bar three are absolute.
+/// Case `seed-000-ic-count`: three, six, ten and fifteen; three of a four-bar are absolute.
 #[test]
 fn counts_of_centres() {
     assert_eq!([3, 4, 5, 6].map(count), [3, 6, 10, 15]);
@@ -93,7 +93,7 @@ fn counts_of_centres() {
     assert_eq!(closure.steps.iter().filter(|s| s.pair.has(scene.ground)).count(), 3);
 }
 
-/// The order of finding belongs to the plan: neither lengths nor angles nor rates change it.
+/// The order of finding belongs to the plan: lengths, angles and speeds do not change it.
 #[test]
 fn the_order_of_finding_is_topology() {
     let text = templates::get("shaper").unwrap();
@@ -103,8 +103,9 @@ fn the_order_of_finding_is_topology() {
     assert!(order(text) != order(templates::get("whitworth").unwrap()));
 }
 
-/// The chains of one freedom of eight links and ten pins: sixteen. The theorem stalls on two of them, the double butterfly, where it
-/// finds none but the pins, and the single flier, where it finds two; and one centre from velocities closes each.
+/// The chains of eight links and ten pins with one degree of freedom: sixteen. The theorem stalls
+/// on two of them: on the double butterfly, where it finds only the pins, and on the single flier,
+/// where it finds two more. One centre from velocities closes each.
 ///
 /// # Source
 /// Sixteen: F. Crossley, 1964. Two: D. Foster, G. Pennock, ASME J. Mech. Des. 127 (2005) 249.
@@ -161,7 +162,7 @@ fn grow(chain: &mut Chain, left: [usize; 8], out: &mut Vec<Chain>) {
     }
 }
 
-/// Every part of it has a freedom, and it does not fall apart at one link.
+/// Every part of it has a freedom, and no single link separates it.
 fn moves_as_one(chain: &Chain) -> bool {
     let joints = |part: u32| {
         let inside = |k: usize| part >> k & 1 == 1;
@@ -208,7 +209,7 @@ fn permutations_within(degrees: &[usize; 8]) -> Vec<[usize; 8]> {
     out
 }
 
-/// A scene of a chain: its last link is the ground, one of that one's neighbours drives.
+/// A scene of a chain: its last link is the ground, and one of the neighbours of this link drives.
 fn eight_bar(chain: &Chain) -> String {
     let mut links: Vec<Vec<String>> = vec![Vec::new(); 8];
     let mut points = serde_json::Map::new();
@@ -245,7 +246,7 @@ fn a_stalled_closure_is_told() {
     assert!(told.message.zh.contains("28") && told.message.zh.contains("P13"), "{}", told.message.zh);
 }
 
-/// What opens a stalled closure is drawn: the normals to two velocities of a link cross in its centre.
+/// A stalled closure is opened by drawing: normals to two velocities of a link meet in its centre.
 #[test]
 fn normals_to_two_velocities_open_a_stalled_closure() {
     let found = centres(&read(templates::get("double-butterfly").unwrap())).unwrap().value;
@@ -260,7 +261,7 @@ fn normals_to_two_velocities_open_a_stalled_closure() {
     assert_eq!(found.list.iter().filter(|c| found.normals(c).is_some()).count(), 1);
 }
 
-/// Two drivers: what the theorem finds holds always, the rest for the rates that are given.
+/// With two drivers, centres by the theorem hold always, the others for the given speeds.
 #[test]
 fn with_two_drivers_some_centres_rest_on_their_rates() {
     let text = templates::get("five-bar").unwrap();
@@ -274,7 +275,8 @@ fn with_two_drivers_some_centres_rest_on_their_rates() {
     for (a, b) in one.list.iter().zip(&other.list) {
         assert_eq!(a.step, b.step);
         let (Some(Place::At(p)), Some(Place::At(q))) = (a.place, b.place) else { continue };
-        // The point of the first that lies on both links when both drivers turn alike may stay; the others move.
+        // The point of the first that belongs to both links when both drivers turn alike may stay;
+        // the others move.
         if !a.step.given_drivers {
             assert!(p.distance(q) < 1e-12, "{} moves", a.step.pair.name(&one.scene));
         }
@@ -282,7 +284,7 @@ fn with_two_drivers_some_centres_rest_on_their_rates() {
     assert!(one.list.iter().zip(&other.list).any(|(a, b)| a.step.given_drivers && a.place != b.place));
 }
 
-/// A driver without a rate, or at rest, has the same centres.
+/// A driver without an angular velocity, or at rest, gives the same centres.
 #[test]
 fn the_rate_does_not_matter() {
     let text = templates::get("crank-rocker").unwrap();
@@ -294,7 +296,7 @@ fn the_rate_does_not_matter() {
     }
 }
 
-/// Where all lines of a centre are one, the theorem tells nothing: velocities do, or it is said that nothing does.
+/// If all lines of a centre coincide, velocities give it, or the program says that nothing does.
 #[test]
 fn lines_that_coincide_are_not_two() {
     let text = edit::with_parameters(templates::get("parallelogram").unwrap(), &[("phi_1", "0")]).unwrap();
@@ -303,12 +305,14 @@ fn lines_that_coincide_are_not_two() {
     let waits = value.list.iter().filter(|c| c.why == Some(Undetermined::LinesCoincide)).count();
     assert_eq!(waits, 2, "{:?}", value.list);
     for c in value.list.iter().filter(|c| c.why.is_some()) {
-        // On its way through the pose the links translate, but no interval says so: neither is a place made up.
+        // On its way through the pose the links translate, but no interval says so: no place is
+        // made up.
         assert_eq!((c.place, c.origin), (None, None), "{c:?}");
     }
 }
 
-/// A centre whose first lines coincide in every pose of this mechanism, as its pivots stand over one another, waits for another line.
+/// A centre with first lines that coincide in every pose of this mechanism, as its pivots are
+/// aligned, waits for another line.
 #[test]
 fn a_centre_waits_for_another_line() {
     let scene = read(templates::get("shaper").unwrap());
@@ -317,7 +321,8 @@ fn a_centre_waits_for_another_line() {
     assert!(matches!(c.origin, Some(Origin::Crossing(_))) && c.round > c.step.round && c.why.is_none(), "{c:?}");
 }
 
-/// Whatever the pose, every centre is found, told to have no place, or refused with a reason; and what is found is right.
+/// In every pose each centre is found, reported to have no place, or refused with a reason; and
+/// every centre found is right.
 #[test]
 fn templates_at_many_positions() {
     let (mut found, mut missing) = (0, 0);
@@ -347,7 +352,7 @@ fn templates_at_many_positions() {
     assert!(found > 4000 && missing * 200 < found, "{found} found, {missing} missing");
 }
 
-/// `P_24` in `find`: by velocities, certified, and the same as by lines.
+/// `P_24` in `find`: by velocities, certified, and equal to the place by lines.
 #[test]
 fn centres_can_be_asked() {
     let mut asked = 0;
@@ -359,7 +364,7 @@ fn centres_can_be_asked() {
             let question = format!("P_{},{}", names[0], names[1]);
             let Ok(scene) = scene::read_asking(templates::get(t.name).unwrap(), &question) else { continue };
             let scene = scene.value;
-            // Velocities of zero tell no centre.
+            // Zero velocities give no centre.
             if scene.drivers.iter().all(|d| d.rate.value == 0.0) {
                 continue;
             }
@@ -394,8 +399,8 @@ fn centres_that_are_no_place_are_refused() {
     told("P_2,9", slide, "no link `9`");
 }
 
-/// A centre at infinity is an answer: its direction is that of the line of the fixed pivots, of the normal of the coupler's velocity, of the
-/// normal of the guide.
+/// A centre at infinity is an answer: its direction is that of the line of the fixed pivots, of the
+/// normal of the coupler's velocity, of the normal of the guide.
 #[test]
 fn a_centre_at_infinity_is_a_direction() {
     let directions = |name: &str, finds: &[&str]| -> Vec<Option<f64>> {
@@ -406,14 +411,16 @@ fn a_centre_at_infinity_is_a_direction() {
         assert!(worked.unanswered.is_empty() && worked.at_infinity.len() == finds.len(), "{name}: {:?}", worked.at_infinity);
         worked.at_infinity.iter().map(|f| f.direction_deg).collect()
     };
-    // AD lies along x; the cranks of the parallelogram stand under 60 degrees, and the coupler's points move square to them.
+    // AD is along x; the cranks of the parallelogram are at 60 degrees, and the coupler's points
+    // move perpendicular to them.
     let found = directions("parallelogram", &["P_13", "P_24"]);
     assert!(found[0].unwrap().abs() < 1e-9 && (found[1].unwrap() - 60.0).abs() < 1e-9, "{found:?}");
     let found = directions("offset-slider-crank", &["P_34"]);
     assert!((found[0].unwrap() - 90.0).abs() < 1e-9, "{found:?}");
 }
 
-/// "Find all centres of the mechanism shown": no driver and no rate; the same centres as with them, and questions that depend on neither.
+/// "Find all centres of the mechanism shown" needs no driver and no angular velocity: the centres
+/// are the same, and questions that depend on neither are answered.
 #[test]
 fn centres_need_no_driver() {
     let bare = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
@@ -435,7 +442,7 @@ fn centres_need_no_driver() {
     // i_24 = P₁₄P₂₄ : P₁₂P₂₄.
     let ratio = worked.results.iter().find(|r| r.find == 1).unwrap().value();
     assert!(matches!(ratio, hodograph::answer::Value::Scalar(i) if (i - 230.0 / 130.0).abs() < 1e-12), "{ratio:?}");
-    // What depends on the rate has no answer without one.
+    // A quantity that depends on the angular velocity has no answer without one.
     let depends = bare.replacen('{', r#"{"find": ["P_13", "v_B"], "#, 1);
     assert!(hodograph::scene::read_at_any_rate(depends).is_err());
 }

@@ -1,4 +1,5 @@
-//! The construction language: a plan written as acts is plain data without coordinates, and all that is drawn is an evaluation of it.
+//! The construction language: a plan written as acts is plain data without coordinates, and every
+//! drawing is an evaluation of it.
 
 use hodograph::construct::pencil::{Exact, Pencil};
 use hodograph::construct::{Acts, Layout, by_hand, read};
@@ -19,7 +20,8 @@ fn all() -> impl Iterator<Item = (&'static str, Scene, Worked)> {
     })
 }
 
-/// Written as JSON and read again, a construction is what it was, and draws the same places bit for bit. The JSON holds no number but counts.
+/// A construction that is written as JSON and read again is equal, and draws the same places bit
+/// for bit. The JSON holds no numbers except counts.
 #[test]
 fn a_construction_is_plain_data() {
     let mut compared = 0;
@@ -38,7 +40,7 @@ fn a_construction_is_plain_data() {
     assert!(compared > 500, "{compared}");
 }
 
-/// Other rates change no act: only the plan and the alternatives of its groups do.
+/// Other velocities change no act: only the plan and the alternatives of its groups do.
 #[test]
 fn other_numbers_are_drawn_by_the_same_acts() {
     let mut same = 0;
@@ -57,7 +59,7 @@ fn other_numbers_are_drawn_by_the_same_acts() {
     assert!(same > 30, "{same}");
 }
 
-/// Every act is of use: the construction of some template has it, in motion or at rest.
+/// Every act is used: the construction of some template contains it, in motion or at rest.
 #[test]
 fn each_act_is_written_for_a_template() {
     let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
@@ -85,7 +87,7 @@ fn each_act_is_written_for_a_template() {
     assert_eq!(seen.len(), 11, "{seen:?}");
 }
 
-/// The exact pencil, but for one of its marks, which falls beside its place.
+/// The exact pencil, except for one of its points, which is drawn beside its place.
 struct Stray {
     mark: usize,
     made: usize,
@@ -104,7 +106,8 @@ impl Pencil for Stray {
     }
 }
 
-/// Every measured answer depends on marks: moving one of them moves the answer, and its length is the distance of its two marks.
+/// Every measured answer depends on drawn points: moving one of them changes the answer, and its
+/// length is the distance of its two points.
 #[test]
 fn what_is_measured_moves_with_its_marks() {
     let mut moved_answers = 0;
@@ -125,7 +128,8 @@ fn what_is_measured_moves_with_its_marks() {
         }
         for (answer, moved) in exact.iter().zip(moved) {
             let Some((answer, measured)) = answer.as_ref().and_then(|a| Some((a, a.measured.as_ref()?))) else { continue };
-            // An image that falls on the pole because nothing is added to it is no mark of its own.
+            // An image that coincides with the pole because nothing is added to it is no point of
+            // its own.
             assert!(moved || measured.length_mm == 0.0, "{name}: {} is measured, and no mark moves it", scene.find[answer.find].text);
             let [from, to] = measured.marks.map(|(_, at)| at);
             assert!(measured.arm_m.is_some() || (from.distance(to) - measured.length_mm).abs() < 1e-12, "{name}: {measured:?}");

@@ -1,4 +1,5 @@
-//! Curvature: drawing with the ruler against accelerations, both against reference cases and against differences of places.
+//! Curvature: drawing with the ruler against accelerations, both against reference cases and
+//! against differences of places.
 
 #[path = "curvature/figures.rs"]
 mod figures;
@@ -84,7 +85,7 @@ fn the_collineation_point_is_where_the_rod_crosses_the_ground() {
     assert!(rays.how.iter().all(|h| matches!(h, How::Collineation(_))));
 }
 
-/// Every template with a coupler, at many positions: both ways are one, and Ball's point too.
+/// Every template with a coupler, at many positions: both methods agree, also on Ball's point.
 #[test]
 fn drawing_is_analysis_everywhere() {
     let (mut poses, mut balls, mut faults) = (0, 0, Vec::new());
@@ -125,7 +126,8 @@ fn tolerances_of_hand_drawing_go_with_the_pencil() {
         let (fine, blunt) = (with(0.01), with(0.02));
         for (a, b) in fine.list.iter().zip(&blunt.list) {
             let (Some(a), Some(b)) = (&a.by_hand, &b.by_hand) else { continue };
-            let bounds = |t: &ByHand| [t.pole, t.inflection_pole, t.diameter, t.ball].into_iter().chain(t.radii.clone()).collect::<Vec<_>>();
+            let bounds =
+                |t: &ByHand| [t.pole, t.inflection_pole, t.diameter, t.ball].into_iter().chain(t.radii.clone()).collect::<Vec<_>>();
             for (x, y) in bounds(a).into_iter().zip(bounds(b)).filter_map(|(x, y)| Some((x?, y?))) {
                 // A reading of the given, without any mark between, is exact.
                 if x > 0.0 {
@@ -145,7 +147,7 @@ fn tolerances_of_hand_drawing_go_with_the_pencil() {
     assert_eq!(drawing, found.list[0].drawing);
 }
 
-/// Numbers that look random and repeat on every machine (xorshift64*).
+/// Pseudo-random numbers that repeat on every machine (xorshift64*).
 struct Random(u64);
 
 impl Random {
@@ -203,7 +205,7 @@ impl Linkage {
         scene::read(&text).map(|s| s.value).map_err(|f| f.to_string())
     }
 
-    /// Where a point stands with the crank at an angle, from positions alone.
+    /// The place of a point with the crank at an angle, from positions alone.
     fn place(&self, p: &str, angle: f64) -> Option<Point> {
         let scene = self.scene(angle).ok()?;
         let m = Mechanism::new(&scene).ok()?.value;
@@ -212,7 +214,7 @@ impl Linkage {
     }
 }
 
-/// First and second derivative by time from seven places, to the sixth order in the step.
+/// First and second time derivative from seven places, to the sixth order in the step.
 fn derivatives(at: [Point; 7], step: f64) -> (Vec2, Vec2) {
     let first = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0];
     let second = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0];
@@ -220,7 +222,7 @@ fn derivatives(at: [Point; 7], step: f64) -> (Vec2, Vec2) {
     (sum(first, 60.0 * step), sum(second, 180.0 * step * step))
 }
 
-/// The pole by places alone: where the normals to the ways of two points cross, from differences.
+/// The places of a point at seven positions of the crank.
 fn seven(linkage: &Linkage, p: &str, angle: f64, step_deg: f64) -> Option<[Point; 7]> {
     let mut out = [Point::ORIGIN; 7];
     for (k, place) in out.iter_mut().enumerate() {
@@ -229,7 +231,8 @@ fn seven(linkage: &Linkage, p: &str, angle: f64, step_deg: f64) -> Option<[Point
     Some(out)
 }
 
-/// Radius and centre of curvature against differences of the path; pole velocity against differences of P; on random four-bars and six-bars.
+/// Radius and centre of curvature against differences of the path; pole velocity against
+/// differences of P; on random four-bars and six-bars.
 #[test]
 fn curvature_is_that_of_the_path() {
     let mut r = Random(20);
@@ -283,7 +286,8 @@ fn curvature_is_that_of_the_path() {
     assert!(points > 80 && poles > 20, "{points} points, {poles} poles");
 }
 
-/// At Ball's point the curvature of the path is zero and stays so to the next order: it differs from a straight line by the fourth power.
+/// At Ball's point the curvature of the path is zero, and stays zero to the next order: the path
+/// differs from a straight line by the fourth power.
 #[test]
 fn balls_point_runs_straight_to_the_third_order() {
     let mut r = Random(7);
@@ -305,21 +309,24 @@ fn balls_point_runs_straight_to_the_third_order() {
         let (Some(middle), [Some(a1), Some(a2)], [Some(b1), Some(b2)]) = (linkage.place("E", angle), places(4.0), places(2.0)) else {
             continue;
         };
-        // The even part of the way across the tangent: of the second order where the path bends, of the fourth here.
+        // The even part of the motion across the tangent: of second order for a curved path, of
+        // fourth order here.
         let t = (b2 - b1).unit().unwrap();
         let across = |p: Point, q: Point| (t.cross(p - middle) + t.cross(q - middle)).abs();
         let (far, near) = (across(a1, a2), across(b1, b2));
         let odd = |p: Point, q: Point| (t.cross(p - middle) - t.cross(q - middle)).abs();
         let (of, on) = (odd(a1, a2), odd(b1, b2));
         assert!(far < 1e-12 || far / near > 12.0, "{k}: {far:e} against {near:e}");
-        // The direction by the chord is off by the third order: what is left of it is of that order too, not of the first.
+        // The direction of the chord has a third-order error: the remainder is then also of third
+        // order, not of first.
         assert!(of < 1e-12 || on < 1e-12 || of / on > 6.0, "{k}: {of:e} against {on:e}");
         seen += 1;
     }
     assert!(seen > 5, "{seen}");
 }
 
-/// The centrodes roll on one another: seen from the link they are the moving one, and they have one tangent at the pole.
+/// The centrodes roll on one another: seen from the link they are the moving one, and they have a
+/// common tangent at the pole.
 #[test]
 fn centrodes_touch_in_the_pole() {
     for name in ["crank-rocker", "slider-crank", "shaper", "watt-six-bar", "elliptic-trammel", "oscillating-cylinder"] {
@@ -335,13 +342,14 @@ fn centrodes_touch_in_the_pole() {
             assert!(moving(at(k)).distance(pole.pole) < 1e-9 * of.motion.size, "{name}");
             let n = paths.stations.len();
             let (fixed, moved) = (at(k + 1).pole() - at(k + n - 1).pole(), moving(at(k + 1)) - moving(at(k + n - 1)));
-            // Equal ways: they roll without slip.
+            // Equal arcs: they roll without slip.
             assert!((fixed - moved).norm() < 2e-3 * fixed.norm(), "{name}: {fixed:?} {moved:?}");
         }
     }
 }
 
-/// Cardan's circles: the fixed centrode of the trammel's bar is a circle about the crossing of its guides, the moving one half as large.
+/// Cardan's circles: the fixed centrode of the trammel's bar is a circle about the intersection of
+/// its guides, the moving one is half as large.
 #[test]
 fn cardans_centrodes_are_circles() {
     let scene = template("elliptic-trammel", &[]);
@@ -354,7 +362,8 @@ fn cardans_centrodes_are_circles() {
     assert!(poles.len() > 100 && poles.iter().all(|p| (p.distance(centre) - radius).abs() < 1e-9 * radius));
 }
 
-/// The moving centrode of a wheel is its contour, and is dashed all round though the pole goes round it many times.
+/// The moving centrode of a wheel is its contour, and is dashed all round although the pole goes
+/// round it many times.
 #[test]
 fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
     use hodograph::figure::list::{Extras, Wanted, named};
@@ -383,7 +392,7 @@ fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
     assert_eq!(over, 1, "nothing is drawn over the dashes: {circles:?}");
 }
 
-/// What is said where something is nowhere.
+/// Messages where a point or centre does not exist.
 #[test]
 fn degenerate_poses_are_told() {
     let state = |name: &str, values: &[(&str, &str)]| {
@@ -395,7 +404,7 @@ fn degenerate_poses_are_told() {
     // A parallelogram's coupler translates.
     let (s, drawing, _) = state("parallelogram", &[("phi_1", "70")]);
     assert!(matches!(s, State::Translation(_)) && matches!(drawing, Drawing::Parallel(_)), "{s:?} {drawing:?}");
-    // The slider-crank in its dead centre: the crosshead is the pole, its path stops.
+    // The slider-crank at its dead centre: the crosshead is the pole, and its path has an end.
     let dead = read(
         r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A", "B"], "2": ["B", "C"], "3": ["C"], "4": ["A"]}, "ground": "4",
         "points": {"A": [0, 0]}, "lengths": {"AB": 100, "BC": 300}, "guides": [{"pin": "C", "slider": "3", "through": "A", "angle": 0}],
@@ -405,13 +414,13 @@ fn degenerate_poses_are_told() {
     let (s, drawing, points) = (of.state, of.drawing, of.points);
     assert!(matches!(s, State::Turning(_)), "{s:?} {drawing:?}");
     assert!(points.iter().any(|p| p.bend == Bend::AtPole), "{points:?}");
-    // With the crank square to the guide it translates.
+    // With the crank perpendicular to the guide, the coupler translates.
     let (s, drawing, _) = state("slider-crank", &[("phi_1", "90")]);
     assert!(matches!(s, State::Translation(_)) && matches!(drawing, Drawing::Parallel(_)), "{s:?} {drawing:?}");
-    // The crosshead of a slider-crank runs straight: its centre is nowhere.
+    // The crosshead of a slider-crank moves straight: its centre of curvature does not exist.
     let (_, _, points) = state("slider-crank", &[]);
     assert!(points.iter().any(|p| p.bend == Bend::Straight), "{points:?}");
-    // A crank turns about its pin, for good.
+    // A crank turns about its pin, permanently.
     let scene = template("crank-rocker", &[]);
     let asked = Asked { links: vec![link(&scene, "1")], ..Asked::default() };
     let found = curvature(&scene, &asked).unwrap().value;

@@ -1,4 +1,5 @@
-//! The dimensioned diagram: from what is printed on it one can draw the mechanism again, and every number can be read.
+//! The dimensioned diagram: its printed numbers suffice to draw the mechanism again, and every
+//! number is legible.
 
 use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{Options, diagram};
@@ -13,7 +14,7 @@ fn dimensioned(scene: &Scene, worked: &Worked, lang: Lang) -> Figure {
     diagram(scene, worked, &Options::of_language(lang), &overlay)
 }
 
-/// All that is printed, but for the scale.
+/// All printed texts, without the scale.
 fn printed(figure: &Figure) -> Vec<String> {
     let text = |s: &Shape| match s {
         Shape::Label { label, .. } | Shape::Turned { label, .. } => Some(label.source().to_owned()),
@@ -24,7 +25,8 @@ fn printed(figure: &Figure) -> Vec<String> {
     all
 }
 
-/// The same file with one of its numbers a little larger, for each number that says how large something is or how it lies.
+/// The file with one of its numbers slightly increased, for each number that is a size or a
+/// position.
 fn varied(source: &str) -> Vec<(String, String)> {
     let root: serde_json::Value = serde_json::from_str(source).unwrap();
     let mut places = Vec::new();
@@ -51,7 +53,7 @@ fn larger(value: f64) -> f64 {
     if value.fract() == 0.0 && value.abs() < 1e6 { value + value.signum() } else { (value * 1.013 * 1e6).round() / 1e6 }
 }
 
-/// `"100 mm"` → `"101 mm"`; what does not begin with a number is no quantity.
+/// `"100 mm"` → `"101 mm"`; a text that does not begin with a number is not a quantity.
 fn quantity(text: &str) -> Option<String> {
     let end = text.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')).unwrap_or(text.len());
     let value: f64 = text[..end].parse().ok().filter(|v| *v != 0.0)?;
@@ -69,13 +71,14 @@ fn leaves(value: &serde_json::Value, place: &str, out: &mut Vec<String>) {
     }
 }
 
-/// How far the points of two poses are apart, against the size of the first.
+/// Distance between the points of two poses, relative to the size of the first.
 fn apart(a: &Worked, b: &Worked) -> f64 {
     let pairs = a.configuration.points.iter().zip(&b.configuration.points);
     pairs.filter_map(|(p, q)| Some(p.as_ref()?.distance((*q)?))).fold(0.0, f64::max) / a.configuration.extent()
 }
 
-/// Whatever moves the pose, when it is changed in the file, changes something that is printed: so the pose follows from what is printed.
+/// Any number of the file that changes the pose also changes a printed number: the pose therefore
+/// follows from the printed numbers.
 #[test]
 fn the_pose_follows_from_what_is_printed() {
     let (mut silent, mut told) = (Vec::new(), 0);
@@ -102,7 +105,7 @@ fn the_pose_follows_from_what_is_printed() {
     assert!(silent.is_empty(), "{} numbers are not told:\n{}", silent.len(), silent.join("\n"));
 }
 
-/// Whether two convex areas overlap (separating axes).
+/// True if two convex areas overlap (separating axes).
 fn overlap(a: &[Point], b: &[Point]) -> bool {
     let sides = |p: &[Point]| (0..p.len()).map(|k| (p[(k + 1) % p.len()] - p[k]).perp()).collect::<Vec<_>>();
     let span = |p: &[Point], n: hodograph::geom::Vec2| {

@@ -1,4 +1,4 @@
-//! Drawing by hand: tolerances against simulation, scales for 1 %, bad angles and what helps.
+//! Drawing by hand: tolerances against simulation, scales for 1 %, bad intersections and remedies.
 
 #[path = "drafting/board.rs"]
 mod board;
@@ -22,7 +22,7 @@ fn template(name: &str) -> (Scene, Worked) {
     worked(templates::get(name).unwrap())
 }
 
-/// The exact pencil draws again, bit for bit, what was drawn.
+/// The exact pencil reproduces the drawing bit for bit.
 #[test]
 fn the_exact_pencil_changes_nothing() {
     for t in templates::list() {
@@ -34,7 +34,7 @@ fn the_exact_pencil_changes_nothing() {
     }
 }
 
-/// What is derived step by step is what happens in many drawings.
+/// Tolerances derived step by step agree with many simulated drawings.
 #[test]
 fn tolerances_are_those_of_many_drawings() {
     const RUNS: usize = 600;
@@ -51,8 +51,8 @@ fn tolerances_are_those_of_many_drawings() {
                 assert_eq!(s.within_95, 0.0, "{} {}: given, yet it scatters", t.name, find.text);
                 continue;
             }
-            // The limit of 95 % in 600 drawings is known to about 4 %; the median of a normal error along a line is 0.34 of
-            // that limit, of one alike in all directions 0.48.
+            // The 95 % limit of 600 drawings is known to about 4 %; the median of a normal error
+            // along a line is 0.34 of that limit, of one equal in all directions 0.48.
             let (limit, median) = (s.within_95 / d.absolute, s.median / d.absolute);
             assert!((0.85..1.18).contains(&limit), "{} {}: {limit} of what was derived", t.name, find.text);
             assert!((0.29..0.54).contains(&median), "{} {}: median {median}", t.name, find.text);
@@ -62,7 +62,7 @@ fn tolerances_are_those_of_many_drawings() {
     assert!(compared > 200, "{compared}");
 }
 
-/// Twice as large a drawing is twice as good.
+/// A drawing twice as large is twice as accurate.
 #[test]
 fn tolerance_falls_with_the_scale() {
     let (scene, w) = template("shaper");
@@ -105,7 +105,8 @@ fn positions_are_read_off_the_diagram() {
     );
     let drawn = w.drawn(&scene);
     let [x, l, phi] = &drafting(&drawn, 0.1).tolerances[..] else { panic!("three answers") };
-    // 1.96 deviations of 0.1 mm / 2.448; one joint and a reading, two joints and a reading, two joints and two marks of the ruler.
+    // 1.96 deviations of 0.1 mm / 2.448; one joint and a reading, two joints and a reading, two
+    // joints and two ruler marks.
     let one = 1.959_964 * 0.1 / 2.447_747 * 1e-3;
     for (t, marks) in [(x, 2.0f64), (l, 3.0)] {
         assert!((t.as_ref().unwrap().absolute / (one * marks.sqrt()) - 1.0).abs() < 1e-4, "{t:?}");
@@ -118,7 +119,7 @@ fn positions_are_read_off_the_diagram() {
     }
 }
 
-/// With the scales that are proposed for 1 % the tolerance is no more than 1 %.
+/// With the scales proposed for 1 %, the tolerance is no more than 1 %.
 #[test]
 fn the_proposed_scales_keep_their_promise() {
     let (scene, w) = template("shaper");
@@ -148,14 +149,14 @@ fn a_bad_angle_is_told_with_a_pose_that_is_better() {
     let [bad] = &w.bad_angles[..] else { panic!("{:?}", w.bad_angles) };
     assert!(bad.crossing.angle_deg() < 10.0 && (bad.crossing.moves_mm * bad.crossing.sine.abs() - 0.1).abs() < 1e-12);
     assert!(bad.special.is_none());
-    // The pose is what it says: worked anew, from lengths, at that angle.
+    // The pose agrees with its description: solved anew, from lengths, at that angle.
     let pose = bad.pose.unwrap();
     let there = templates::instantiate("crank-rocker", &[("phi_1", &pose.to_deg.unwrap().to_string()), ("l_BC", "201"), ("l_CD", "200")]);
     let (_, there) = worked(&there.unwrap());
     assert!(there.bad_angles.is_empty());
     let angle = accuracy::crossings(&there.construction, 0.1)[0].angle_deg();
     assert!((angle - pose.crossing_deg).abs() < 1e-6 && angle >= 20.0, "{angle}");
-    // The larger scale too: all answers within 1 %.
+    // The larger scale as well: all answers within 1 %.
     let mut larger = scene.clone();
     let factor = bad.larger.unwrap();
     for on in DiagramKind::ALL {
@@ -181,7 +182,8 @@ fn another_special_point_is_proposed_where_it_helps() {
     assert!((worst - special.worst_deg).abs() < 1e-9 && worst > 10.0, "{worst}");
 }
 
-/// Nothing is proposed that was not found: near a triad's singular pose no scale and no other point helps.
+/// No remedy is proposed unless one was found: near a triad's singular pose no scale and no other
+/// point helps.
 #[test]
 fn no_help_is_invented() {
     let case = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases/triad-near-singular-5.json")).unwrap();
@@ -194,7 +196,7 @@ fn no_help_is_invented() {
     }
 }
 
-/// The sheet itself says it, in both languages, and has a letter for everything it says.
+/// The sheet itself remarks on it, in both languages, and its fonts have every letter.
 #[test]
 fn the_sheet_remarks_on_bad_angles() {
     for (lang, words) in
@@ -223,13 +225,13 @@ fn the_sheet_remarks_on_bad_angles() {
     }
 }
 
-/// Scenes with sound crossings say nothing but what a pencil makes of all answers, and without being asked no sheet shows a tolerance of
-/// each.
+/// Scenes with good intersections have no remark except the pencil's effect on all answers, and no
+/// sheet shows the tolerance of each answer unless asked to.
 #[test]
 fn sound_drawings_carry_no_remarks() {
     for t in templates::list() {
         let (scene, w) = template(t.name);
-        // What repeats other pairs is remarked on in every drawing.
+        // Redundant pairs are remarked on in every drawing.
         if !w.redundant.is_empty() {
             continue;
         }

@@ -1,4 +1,5 @@
-//! Forces against virtual work: on every template each moving link is loaded, and the drivers' balancing moments and forces must do the opposite work.
+//! Forces against virtual work: on every template each moving link is loaded, and the work of the
+//! drivers' balancing moments and forces must be opposite to that of the loads.
 
 #[path = "forces/drawn.rs"]
 mod drawn;
@@ -27,7 +28,7 @@ use hodograph::sweep::energy::{self, Energy};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value as Json, json};
 
-/// Digits asked of the ladder.
+/// Digits requested from the ladder.
 const DIGITS: usize = 8;
 
 /// A load of a scene: force at a point of a link.
@@ -83,7 +84,7 @@ fn friction(scene: &Scene) -> Json {
     pins.chain(sliders.into_iter().map(|s| json!({"slider": s, "f": 0.02}))).collect()
 }
 
-/// Templates that were checked, and balancing moments that were drawn, with what is wrong.
+/// Number of templates checked and of balancing moments drawn, with the faults.
 #[derive(Default)]
 struct Balance {
     checked: usize,
@@ -92,7 +93,8 @@ struct Balance {
 }
 
 impl Balance {
-    /// Loads a template, with friction where `rough` says so, and compares the drivers' work with that of the loads and of friction.
+    /// Loads a template, with friction if `rough`, and compares the drivers' work with that of the
+    /// loads and of friction.
     fn of(&mut self, name: &str, text: &str, plain: &Scene, rough: bool) -> Result<(), String> {
         let (mut json, loads) = loaded(text, plain);
         if rough {
@@ -100,7 +102,8 @@ impl Balance {
         }
         let scene = scene::read(json.to_string()).map_err(|f| f.to_string())?.value;
         let worked = work(&scene, Scope::Questions).map_err(|f| f.to_string())?.value;
-        // Friction rests on reactions, which a repeated link or pair, or a belt, leaves open.
+        // Friction depends on reactions, which a redundant link or pair, or a belt, leaves
+        // undetermined.
         if rough && !is_determined(&scene, &worked.mechanism) {
             return Ok(());
         }
@@ -153,7 +156,7 @@ fn balancing_moments_do_the_work_of_the_loads() {
             let name = template.name;
             let text = templates::get(name).unwrap();
             let Ok(plain) = scene::read(text) else { continue };
-            // A template with forces of its own lacks points without them.
+            // A template with forces of its own lacks points that have none.
             if plain.value.loads.is_empty()
                 && let Err(why) = all.of(name, text, &plain.value, rough)
             {
@@ -188,11 +191,12 @@ fn near(found: f64, expected: f64) {
     assert!((found - expected).abs() <= 1e-10 * expected.abs(), "{found} is not {expected}");
 }
 
-/// `flywheel-press` of docs/cases.md: 20 kN over the last quarter of the outward stroke; the work is that force times the way.
+/// `flywheel-press` of docs/cases.md: 20 kN over the last quarter of the outward stroke; the work
+/// is that force times the travel.
 #[test]
 fn the_flywheel_of_a_press() {
     let load = json!({"on": "3", "F": "20 kN", "against": "motion", "over": {"slide": "C", "toward": "0 deg", "stroke": [0.75, 1]}});
-    // Wherever the driver stands in the file.
+    // For any position of the driver in the file.
     for angle in ["-30 deg", "100 deg", "-54.314665287347946 deg"] {
         let e = energy(&press(&load, angle));
         near(e.mean, 159.154_943_091_895_34);
@@ -220,7 +224,8 @@ fn the_flywheel_of_an_engine() {
     near(e.fastest.to_degrees().rem_euclid(180.0), 104.166_666_666_666_67);
 }
 
-/// A load over a part of a stroke is that force there and none elsewhere, told in parts, in lengths, by a diagram, or by the slower stroke.
+/// A load over a part of a stroke acts there only, whether given in parts, in lengths, by a
+/// diagram, or by the slower stroke.
 #[test]
 fn loads_act_where_they_are_told_to() {
     let moment = |load: &Json, angle: &str| {
@@ -246,11 +251,11 @@ fn loads_act_where_they_are_told_to() {
             assert!((found - expected).abs() <= 1e-9 * 2000.0, "{way} at {angle}: {found}, not {expected}");
         }
     }
-    // In proportion between its points.
+    // Linear between its points.
     let rising = json!({"on": "3", "angle": "180 deg", "diagram": {"slide": "C", "toward": "0 deg", "points": [[0, 0], [1, "20 kN"]]}});
     let part = (0.1 * libm::cos(-1.0) + (0.16 - (0.1 * libm::sin(1.0)).powi(2)).sqrt() - 0.3) / 0.2;
     near(moment(&rising, "-1 rad"), part * moment(&constant, "-1 rad"));
-    // Which of two equal strokes is meant the file has to tell.
+    // With two equal strokes, the file must name one.
     let untold = json!({"on": "3", "F": "20 kN", "against": "motion", "over": {"slide": "C", "stroke": [0.75, 1]}});
     let scene = scene::read(press(&untold, "30 deg")).unwrap().value;
     let Warned { value: worked, notes } = work(&scene, Scope::Questions).unwrap();
@@ -283,7 +288,8 @@ fn a_wedge_locks_itself_below_twice_the_angle_of_friction() {
     }
 }
 
-/// Every reaction of every loaded template, asked both ways: F_ij = −F_ji, by the rows and by the ladder.
+/// Every reaction of every loaded template, asked for both ways: F_ij = −F_ji, by the rows and by
+/// the ladder.
 #[test]
 fn links_press_on_each_other_alike() {
     let (mut failures, mut checked) = (Vec::new(), 0);
@@ -327,7 +333,8 @@ fn links_press_on_each_other_alike() {
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
 
-/// `khurmi-15-two-mass` of docs/cases.md: the rod as a mass at the gudgeon pin and another in its centre of percussion, or as masses at both pins with a couple.
+/// `khurmi-15-two-mass` of docs/cases.md: the rod as a mass at the gudgeon pin and another at its
+/// centre of percussion, or as masses at both pins with a couple.
 #[test]
 fn a_rod_is_told_as_two_masses() {
     let scene = json!({
@@ -351,7 +358,8 @@ fn a_rod_is_told_as_two_masses() {
     }
 }
 
-/// A couple on a slider moves the force of its guide off its pin: outside the length of the slider its two corners bear it, one in each sense.
+/// A couple on a slider shifts the force of its guide off its pin: beyond the length of the slider
+/// its two corners carry it, one in each sense.
 #[test]
 fn a_slider_tilts_where_its_guide_ends() {
     let notes = |length: &str| -> Vec<String> {

@@ -1,8 +1,10 @@
-//! Every output of the program beside that of another build of it, for a change of structure that is to change nothing.
+//! Compares every output of the program with that of another build, for a refactoring that must
+//! change nothing.
 //!
-//! `HODOGRAPH_PROGRAM=/path/of/the/other cargo test --test frozen`: what each command says and writes for each template, design task, motion
-//! and near-singular scene, in both languages, byte for byte (some half an hour; `HODOGRAPH_FROZEN=cam` takes the files whose name has this in it).
-//! Without the other build nothing is compared.
+//! `HODOGRAPH_PROGRAM=/path/of/the/other cargo test --test frozen` compares the output and the
+//! files of each command for each template, design task, motion and near-singular scene, in both
+//! languages, byte for byte (about half an hour; `HODOGRAPH_FROZEN=cam` takes the files with this
+//! in their names). Without the other build nothing is compared.
 
 use hodograph::problem::templates;
 use std::collections::BTreeMap;
@@ -77,7 +79,7 @@ fn written(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     all
 }
 
-/// Every command says and writes for every file what another build says and writes.
+/// For every file, every command prints and writes the same as another build.
 #[test]
 fn every_output_is_that_of_another_build() {
     let Some(other) = std::env::var_os("HODOGRAPH_PROGRAM") else { return };

@@ -1,8 +1,10 @@
-//! Golden files: of every template plan and construction as text, for some the plan as JSON, the sheet as SVG (outlines folded to a hash) and PNG.
+//! Golden files: for every template plan and construction as text, for some the plan as JSON, the
+//! sheet as SVG (outlines folded to a hash) and PNG.
 //!
-//! To accept what the program now makes: `HODOGRAPH_ACCEPT=1 cargo test --test golden`. That run writes what differs and
-//! fails, naming each file; look at them (`git diff`), the next run without the variable passes. Of the sheets a quarter is compared, all with
-//! `HODOGRAPH_WIDE=1`, and all are written when accepting. [`files`] lists the files.
+//! To accept the current output: `HODOGRAPH_ACCEPT=1 cargo test --test golden`. That run writes the
+//! files that differ and fails, naming each; look at them (`git diff`), the next run without the
+//! variable passes. A quarter of the sheets is compared, all with `HODOGRAPH_WIDE=1`, and all are
+//! written when accepting. [`files`] lists the files.
 
 #[path = "golden/files.rs"]
 mod files;
@@ -51,7 +53,8 @@ fn hash(text: &str) -> String {
     format!("#{:016x}", text.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3)))
 }
 
-/// Outlines, and the letters of a label, as `#` and a hash: a changed letter still shows, and the file stays readable.
+/// Replaces outlines, and the letters of a label, by `#` and a hash: a changed letter still shows,
+/// and the file stays readable.
 fn folded(svg: &str) -> String {
     let mut out = String::with_capacity(svg.len() / 3);
     let mut rest = svg;
@@ -101,7 +104,8 @@ fn check_figure(folder: &str, name: &str, lang: Lang, svg: &str, dpi: f64, failu
     }
 }
 
-/// A lesson: its markup with outlines folded, its data with what is packed folded; style and script are files of their own.
+/// A lesson: its markup with folded outlines, and its data with folded packed columns; style and
+/// script are files of their own.
 fn lesson_text(page: &str) -> String {
     fn fold(value: &mut serde_json::Value) {
         match value {
@@ -210,7 +214,7 @@ fn kinds_of_figures_look_as_accepted() {
     finish(&failures);
 }
 
-/// Kinds of picture that are asked for by name; of several pages the last.
+/// Figures that are requested by name; of several pages the last.
 #[test]
 fn pictures_asked_for_look_as_accepted() {
     let mut failures = Vec::new();
@@ -310,7 +314,8 @@ fn designs_look_as_accepted() {
     finish(&failures);
 }
 
-/// A slider's displacement, velocity and acceleration: signs, extremes between the stations, what turns unwound.
+/// A slider's displacement, velocity and acceleration: signs, extremes between the stations,
+/// unwound angles.
 #[test]
 fn line_diagrams_look_as_accepted() {
     let mut failures = Vec::new();
@@ -324,7 +329,8 @@ fn line_diagrams_look_as_accepted() {
         let diagram = Diagram::of(&placed, 0, &table, &Notation::of_language(lang));
         let figure = curves::figure(&scene, &diagram, &Style::default(), lang);
         check_figure(name, "curves", lang, &svg::write(&figure).unwrap().value, 110.0, &mut failures);
-        // The ram stands where the lever turns back: its extremes are those that `limits` locates by Newton's method.
+        // The ram is at the reversal of the lever: its extremes are those that `limits` finds by
+        // Newton's method.
         let limits = extreme::limits(&scene, &mechanism, 0).unwrap();
         let stroke = diagram.panels[0].curves[0]
             .extremes
@@ -356,8 +362,8 @@ fn polar_diagrams_look_as_accepted() {
     finish(&failures);
 }
 
-/// Paths with their hodographs: a coupler curve, a foot in other positions too, a crank that is stopped, a slider and its pin;
-/// and the sheet of many poses, with hodographs behind its polygons.
+/// Paths with their hodographs: a coupler curve, a foot also in other positions, a crank that is
+/// stopped, a slider and its pin; and the sheet of many poses, with hodographs behind its polygons.
 #[test]
 fn pictures_of_motion_look_as_accepted() {
     let mut failures = Vec::new();
@@ -407,7 +413,7 @@ fn motions_look_as_they_are_drawn() {
     finish(&failures);
 }
 
-/// The gallery shows every template there is.
+/// The gallery shows every template.
 #[test]
 fn the_gallery_is_current() {
     let mut failures = Vec::new();

@@ -1,4 +1,5 @@
-//! Inversions: every one is a scene, its links move against one another as in the original, and types follow Grashof's rule.
+//! Inversions: each is a scene with the same relative motion of links, and the types follow
+//! Grashof's rule.
 
 use hodograph::answer::Source;
 use hodograph::inversions::{Inversion, inversions};
@@ -40,7 +41,7 @@ fn wheels_roll_on_one_another_as_before() {
     assert_eq!(relative_motion_is_kept(&names), 4 + 5 + 5 + 3 + 4 + 5);
 }
 
-/// Barrels and rods are links like others, and several drivers stay what they are.
+/// Barrels and rods are treated like other links, and several drivers are kept.
 #[test]
 fn cylinders_and_several_drivers_are_kept() {
     assert_eq!(relative_motion_is_kept(&["excavator"]), 12);
@@ -51,7 +52,8 @@ fn cylinders_and_several_drivers_are_kept() {
     }
 }
 
-/// A cam of one circle touches its follower whichever link is the ground: faces, rollers and edges, at any angle.
+/// A cam of one circle touches its follower with any link as ground: faces, rollers and edges, at
+/// any angle.
 #[test]
 fn cams_of_one_circle_are_kept() {
     assert_eq!(relative_motion_is_kept(&["cam-eccentric", "cam-centres", "eccentric-three-ways", "flat-face-mistake"]), 4 * 3);
@@ -68,7 +70,8 @@ fn cams_of_one_circle_are_kept() {
                 assert_eq!(c.left, side == "left", "{}", i.text);
                 let at = &i.worked.configuration;
                 let hodograph::position::Path::Line { through, direction } = at.guides[c.contact.unwrap().0].unwrap() else { panic!() };
-                // The centre's parallel runs where it ran, and the face through C lies its radius beside it.
+                // The centre's parallel is where it was, and the face through C is at the distance
+                // of its radius.
                 assert!(direction.cross(at.points[centre.0].unwrap() - through).abs() < 1e-12, "{}", i.text);
                 let own = at.points[c.follows.point().0].unwrap();
                 assert!((direction.cross(through - own).abs() - radius).abs() < 1e-12, "{}", i.text);
@@ -77,7 +80,8 @@ fn cams_of_one_circle_are_kept() {
     }
 }
 
-/// Relative angular velocities are those of the scene, to a common factor: the driver's rate. How many inversions were compared.
+/// Relative angular velocities are those of the scene, up to a common factor: the driver's. Returns
+/// the number of inversions compared.
 fn relative_motion_is_kept(names: &[&str]) -> usize {
     let mut seen = 0;
     for name in names {
@@ -109,7 +113,7 @@ fn relative_motion_is_kept(names: &[&str]) -> usize {
             for (p, q) in &pairs {
                 assert!((q - p * factor).abs() < 1e-9 * largest.1.abs(), "{name} {}: {p} {q} {factor}", i.text);
             }
-            // The file is the scene.
+            // The file and the scene agree.
             assert_eq!(scene::read(&i.text).unwrap().value.links.len(), i.scene.links.len());
             seen += 1;
         }
@@ -122,7 +126,8 @@ fn types_follow_grashofs_rule() {
     let kinds = |scene: &Scene| -> Vec<(String, Grashof)> {
         all(scene).iter().map(|i| (i.scene.link_name(i.scene.ground).to_owned(), i.limits.grashof.unwrap().0)).collect()
     };
-    // s + l < p + q: the shortest fixed gives a double crank, its neighbours crank-rockers, its opposite a double rocker.
+    // s + l < p + q: the shortest link fixed gives a double crank, its neighbours crank-rockers,
+    // its opposite a double rocker.
     let scene = template("crank-rocker", &[]);
     for (ground, kind) in kinds(&scene) {
         let expected = match ground.as_str() {
@@ -144,13 +149,14 @@ fn what_cannot_be_inverted_is_told() {
     {
         let faults = inversions(&template(name, &[])).map(|_| ()).unwrap_err();
         let one = faults.list.iter().find(|d| d.code == code && d.help.is_some()).unwrap_or_else(|| panic!("{name}: {faults}"));
-        // Every pair has its own place in the file.
+        // Each pair has its own place in the file.
         assert!(one.message.en.contains(told) && (one.span.is_some() || code != "inversion-pairs"), "{name}: {one}");
         assert!(faults.list.iter().all(|d| d.english_in_chinese().is_none()));
     }
 }
 
-/// Collected cases are inverted or refused: also the one of a body that translates, where the driver of an inversion can hardly move.
+/// Collected cases are inverted or refused, including one with a translating body, where the driver
+/// of an inversion can hardly move.
 #[test]
 fn collected_cases_are_inverted() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases");

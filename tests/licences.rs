@@ -9,7 +9,8 @@ fn allowed() -> Vec<String> {
     list.split('"').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
-/// The packages that are built here, as Cargo resolves them. Those of other systems need not have been downloaded.
+/// The packages of this build as Cargo resolves them. Those of other systems need not have been
+/// downloaded.
 fn packages() -> Vec<serde_json::Value> {
     let cargo = env!("CARGO");
     let version = Command::new(cargo).arg("-vV").output().unwrap();
@@ -22,7 +23,7 @@ fn packages() -> Vec<serde_json::Value> {
     metadata["packages"].as_array().unwrap().clone()
 }
 
-/// What a package has against it.
+/// The fault of a package, if any.
 fn fault(package: &serde_json::Value, allowed: &[String]) -> Option<String> {
     let name = format!("{} {}", package["name"].as_str()?, package["version"].as_str()?);
     let own = package["source"].is_null();

@@ -1,4 +1,5 @@
-//! The method that a sheet claims: that the task is solved as it asks, and that each step of a construction can be done as it is said.
+//! The method of a sheet: the task is solved as it asks, and each step of a construction can be
+//! carried out as described.
 
 use hodograph::answer::Value;
 use hodograph::centres::{Place, Task};
@@ -44,7 +45,7 @@ fn scenes() -> Vec<(String, Scene)> {
     out
 }
 
-/// Those that have a motion, worked through.
+/// The scenes with a motion, solved.
 fn moving() -> impl Iterator<Item = (String, Scene, Worked)> {
     scenes().into_iter().filter_map(|(name, scene)| {
         let worked = work(&scene, Scope::Figure).ok()?.value;
@@ -52,7 +53,8 @@ fn moving() -> impl Iterator<Item = (String, Scene, Worked)> {
     })
 }
 
-/// A line is drawn through a mark that is there: where a vector is nothing, the mark at its other end is found by this very line.
+/// A line is drawn through an existing point: where a vector is zero, the point at its other end is
+/// found by this very line.
 #[test]
 fn lines_are_drawn_through_marks_that_are_there() {
     let mut lines = 0;
@@ -77,7 +79,7 @@ fn lines_are_drawn_through_marks_that_are_there() {
     assert!(lines > 500, "{lines}");
 }
 
-/// Without slip the two points at a contact have one velocity: none is drawn between them.
+/// Without slip the two points of a contact have the same velocity: none is drawn between them.
 #[test]
 fn rolling_has_no_sliding_velocity() {
     let mut rolling = 0;
@@ -92,7 +94,7 @@ fn rolling_has_no_sliding_velocity() {
     assert!(rolling > 10, "{rolling}");
 }
 
-/// The ground does not turn, and no step says so.
+/// The ground does not turn, and no step mentions its rotation.
 #[test]
 fn no_step_turns_the_ground() {
     for (name, scene, worked) in moving() {
@@ -101,7 +103,8 @@ fn no_step_turns_the_ground() {
     }
 }
 
-/// A slider that is written without its pin is the pair that it is with it: of the same dyad, drawn, with the same answers.
+/// A slider without its pin in the file is the same pair as with it: of the same dyad, drawn, with
+/// the same answers.
 #[test]
 fn a_slider_without_a_pin_is_the_dyad_that_it_is_with_one() {
     let kinds = |scene: &Scene| -> Vec<(Option<&'static str>, String)> {
@@ -122,7 +125,7 @@ fn a_slider_without_a_pin_is_the_dyad_that_it_is_with_one() {
         if !guides.iter().any(open) {
             continue;
         }
-        // The pose by coordinates, and each slider listed with its pin.
+        // The pose by coordinates, and each slider with its pin.
         let place =
             |p: usize| (own.points[p].name.clone(), json!([format!("{:?} m", at[p].unwrap().x), format!("{:?} m", at[p].unwrap().y)]));
         if own.points.iter().enumerate().any(|(p, _)| at[p].is_none()) || !own.rolling.is_empty() {
@@ -145,7 +148,7 @@ fn a_slider_without_a_pin_is_the_dyad_that_it_is_with_one() {
         file["guides"].as_array_mut().unwrap().iter_mut().filter(|g| open(g)).for_each(|g| {
             g.as_object_mut().unwrap().remove("pin");
         });
-        // A driver names what slides by its number then.
+        // A driver then names the slider by its number.
         let Ok(without) = scene::read(file.to_string()) else { continue };
         let without = without.value;
         assert_eq!(kinds(&with), kinds(&without), "{}", t.name);
@@ -171,7 +174,8 @@ const RPR: &str = r#"{ "units":{"length":"mm"}, "links":{"1":["A","B"],"2":["B",
  "points":{"A":[0,0],"C":[150,0],"B":[40,60],"D":[140,100],"E":[140,30]}, "guides":[{"slider":"3","on":"2","line":"BD"}],
  "driver":{"link":"DRIVER","omega":"10 rad/s"},"find":["omega_2","alpha_3","v_E","a_E"]}"#;
 
-/// A block beside its guide is drawn, whichever of the two links carries the guide, and its dyad is called by its pairs whatever drives.
+/// A block beside its guide is drawn, whichever of the two links carries the guide, and its dyad is
+/// named by its pairs whatever drives.
 #[test]
 fn an_offset_block_makes_a_dyad_of_its_pairs() {
     let kinds = |driver: &str| {
@@ -185,7 +189,8 @@ fn an_offset_block_makes_a_dyad_of_its_pairs() {
     assert_eq!(kinds("3"), ["RRP"]);
 }
 
-/// The centre of a body with a single point lies where its velocity and turning tell, as `centres` says.
+/// The centre of a body with a single point follows from its velocity and angular velocity, as in
+/// `centres`.
 #[test]
 fn a_body_with_one_point_has_a_centre() {
     let body = r#"{"units":{"length":"m"},"links":{"2":["G"]},"ground":"1","points":{"G":[0,0]},
@@ -204,8 +209,9 @@ fn a_body_with_one_point_has_a_centre() {
     panic!("P_12 has no place: {:?}", worked.results);
 }
 
-/// Barrel and rod of a cylinder turn with its line, each about its own pin: at the pin of the barrel the rod is faster by the rate of the cylinder. In the
-/// loop equations, in long arithmetic and in a sweep.
+/// Barrel and rod of a cylinder turn with its line, each about its own pin: at the pin of the
+/// barrel the rod is faster by the cylinder's speed. In the loop equations, in long arithmetic and
+/// in a sweep.
 #[test]
 fn a_rod_moves_along_its_barrel() {
     let find = "v_B7, v_B8, v_C7, v_C8, v_B, v_C, a_B7, a_C8, a_B, a_C";
@@ -223,7 +229,8 @@ fn a_rod_moves_along_its_barrel() {
         let Value::Vector(v) = r.computed else { panic!("{name} is a vector") };
         let swept = ["x", "y"].map(|axis| row.column(&format!("{name}.{axis}")).unwrap().values[0]);
         assert!((v.x - swept[0]).abs() + (v.y - swept[1]).abs() < 1e-9, "{name}: {v:?}, in a sweep {swept:?}");
-        // Certified digits are those of the value: what long arithmetic says otherwise has none.
+        // Certified digits are those of the value: a value with other digits in long arithmetic has
+        // none.
         let k = worked.results.iter().position(|r| scene.find[r.find].text == name).unwrap();
         assert!(!certified[k].parts.is_empty(), "{name}: {:?}", certified[k].why);
         v
@@ -237,7 +244,8 @@ fn a_rod_moves_along_its_barrel() {
     near(of("a_C8"), of("a_C"), "the rod at its pin");
 }
 
-/// Who is asked for centres finds centres: no polygon in the worksheet, and each centre a step of the lesson.
+/// A task for centres is solved by centres: no polygon in the worksheet, and each centre is a step
+/// of the lesson.
 #[test]
 fn a_task_for_centres_is_solved_by_centres() {
     let mut tasks = 0;
@@ -279,7 +287,8 @@ fn a_task_for_centres_is_solved_by_centres() {
     assert!(tasks >= 2, "{tasks}");
 }
 
-/// A projection leaves one unknown: the line is square to the other one, and what is unknown in size and direction is found by its components.
+/// A projection leaves one unknown: the line is perpendicular to the other one, and a vector of
+/// unknown magnitude and direction is found by its components.
 #[test]
 fn composite_motion_is_projected_across_the_other_unknown() {
     let (mut across, mut sides) = (0, 0);
@@ -311,7 +320,7 @@ fn composite_motion_is_projected_across_the_other_unknown() {
     assert!(across > 20 && sides > 4, "{across} {sides}");
 }
 
-/// What a worksheet says of the drawn length of a link is true of the figure that it shows.
+/// The drawn length of a link in a worksheet is true of the figure that it shows.
 #[test]
 fn a_length_is_drawn_as_long_as_the_worksheet_says() {
     for (name, scene, worked) in moving().filter(|(_, scene, _)| !scene.lengths.is_empty()) {
@@ -340,7 +349,8 @@ fn a_length_is_drawn_as_long_as_the_worksheet_says() {
     }
 }
 
-/// Each step of a lesson has its sentence in each position in which its drawing is shown, and no position has fewer steps than others.
+/// Each step of a lesson has its sentence in each position that shows its drawing, and no position
+/// has fewer steps than others.
 #[test]
 fn each_step_of_a_lesson_has_its_sentence() {
     for (name, over) in [
@@ -357,7 +367,7 @@ fn each_step_of_a_lesson_has_its_sentence() {
         let data: Json = serde_json::from_str(&lesson::told(&page).unwrap()).unwrap();
         let steps = data["steps"].as_array().unwrap();
         for step in steps {
-            // A drawing that is not shown in a position has no pole there.
+            // A drawing that a position does not show has no pole there.
             let pole = steps.iter().find(|s| s[0] == step[0] && s[1] == -1).unwrap();
             let silent = |said: &Json| {
                 let runs = said[1].as_array().cloned().unwrap_or_default();

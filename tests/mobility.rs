@@ -1,4 +1,4 @@
-//! Freedoms: counts against brute force, and pairs that only repeat what others fix, in mechanisms made at random.
+//! Degree of freedom: counts against brute force, and redundant pairs in random mechanisms.
 
 #[path = "mobility/books.rs"]
 mod books;
@@ -12,7 +12,7 @@ use hodograph::scene::{self, Driver, DriverKind, Guide, LinkId, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A generator of its own: Knuth's linear congruence, the upper bits.
+/// A random generator: Knuth's linear congruence, the upper bits.
 struct Random(u64);
 
 impl Random {
@@ -31,7 +31,8 @@ fn read(text: &str) -> Scene {
     scene::read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value
 }
 
-/// A parallelogram on crank AB with a third crank EF, a dyad behind it, and what is added to F's place (mm, as written).
+/// A parallelogram on crank AB with a third crank EF, a dyad behind it, and an offset of F (mm, as
+/// written).
 struct Locomotive {
     b: [i64; 2],
     d: [i64; 2],
@@ -52,7 +53,8 @@ impl Locomotive {
         Locomotive { b, d, e, h, g }
     }
 
-    /// The pose by coordinates; F stands where the third crank is equal and parallel, and this much beside (mm).
+    /// The pose by coordinates; F is where the third crank is equal and parallel, plus this offset
+    /// (mm).
     fn scene(&self, beside: [f64; 2]) -> String {
         let Locomotive { b, d, e, h, g } = self;
         let c = [b[0] + d[0], b[1] + d[1]];
@@ -101,7 +103,7 @@ fn a_third_crank_is_virtual_nearly_or_locks() {
         assert!(matches!(checked.reason, Reason::ParallelCranks(_)), "{round}: {checked:?}");
         assert_eq!(checked.positions, 5, "{round}: {checked:?}\n{text}");
         assert!(checked.bound_m.unwrap() < 1e-20, "{round}: {checked:?}");
-        // It follows as the cranks turn, drawn and computed.
+        // It follows the rotation of the cranks, drawn and computed.
         for (asked, as_the_others) in [("omega_5", 5.0), ("alpha_5", 3.0)] {
             let found = scalar(&scene, &worked.value, asked);
             assert!((found - as_the_others).abs() < 1e-10, "{round}: {asked} = {found}\n{text}");
@@ -125,7 +127,8 @@ fn a_third_crank_is_virtual_nearly_or_locks() {
     }
 }
 
-/// In the pose, and to first order about it, a parallel crank of half the length is as good as one of the whole.
+/// In the pose, and to first order about it, a parallel crank of half the length is as good as one
+/// of the full length.
 #[test]
 fn one_pose_never_decides() {
     let half = r#"{ "units": {"length": "mm"}, "links": {"1": ["A","D","F"], "2": ["A","B"], "3": ["B","C","E"], "4": ["C","D"], "5": ["E","F"]}, "ground": "1",
@@ -134,7 +137,7 @@ fn one_pose_never_decides() {
     assert_eq!(errors(&faults), ["shaky"]);
     let said = faults.to_string();
     assert!(said.contains("link 5 makes the mechanism shaky, mobility F = 0"), "{said}");
-    // By lengths it cannot even be put together.
+    // By lengths it cannot be assembled at all.
     let text = |ef: &str| {
         format!(
             r#"{{ "links": {{"1": ["A","D","F"], "2": ["A","B"], "3": ["B","C","E"], "4": ["C","D"], "5": ["E","F"]}}, "ground": "1",
@@ -173,12 +176,12 @@ fn every_kind_of_repetition_has_its_words() {
     assert!(matches!(of(parallel), (Opened::Guide(_), Reason::ParallelGuides(_))));
     assert!(matches!(of(coaxial), (Opened::Pin(..), Reason::CoaxialPins(..))));
     assert!(matches!(of(&circle([r#","5":["D","B"]"#, ""])), (Opened::Guide(_), Reason::SameLine(..))));
-    // What is not parallel locks.
+    // A guide that is not parallel locks.
     let skew = parallel.replace(r#""slider":"4","angle":"0 deg""#, r#""slider":"4","angle":"3 deg""#);
     assert_eq!(errors(&work(&read(&skew), Scope::Questions).unwrap_err()), ["locked"]);
 }
 
-/// Two drivers of a four-bar are one too many, not a coupler.
+/// Two drivers of a four-bar: one is reported as too many, not a redundant coupler.
 #[test]
 fn a_driver_too_many_is_told_as_one() {
     let text = r#"{"units":{"length":"mm"},"links":{"1":["A","D"],"2":["A","B"],"3":["B","C"],"4":["C","D"]},"ground":"1","points":{"A":[0,0],"B":[20,20],"C":[100,60],"D":[100,0]},
@@ -186,7 +189,7 @@ fn a_driver_too_many_is_told_as_one() {
     assert_eq!(errors(&Mechanism::new(&read(text)).unwrap_err()), ["too-many-constraints"]);
 }
 
-/// Links on pins at random: n, p_l, compound hinges and F against what is counted pin by pin.
+/// Random links on pins: n, p_l, compound hinges and F against a count pin by pin.
 #[test]
 fn counts_are_those_of_brute_force() {
     let mut r = Random(5);
@@ -207,7 +210,8 @@ fn counts_are_those_of_brute_force() {
         all.sort();
         all.dedup();
         let lower: i64 = all.iter().map(|p| joined(p) - 1).sum();
-        // A disc on a pin of moving links turns for nobody; of discs on a pin of their own one is what the others turn about.
+        // A disc on a pin of moving links turns freely without effect; of discs on a pin of their
+        // own, one is the carrier of the others.
         let discs = |p: &String| on.iter().filter(|(l, own)| *l != "0" && **own == [p.clone()]).count() as i64;
         let loose: Vec<&&String> = all.iter().filter(|p| joined(p) > 1 && !on["0"].contains(p)).collect();
         let idle: i64 = loose.iter().map(|p| discs(p).min(joined(p) - 1)).sum();
@@ -216,7 +220,8 @@ fn counts_are_those_of_brute_force() {
         assert_eq!((survey.counts.moving as u64, survey.counts.lower as i64, survey.counts.higher), (links, lower, 0), "{round}: {text}");
         assert_eq!(survey.local.len() as i64, idle, "{round}: {text}");
         assert_eq!(survey.counts.freedom(0, survey.local.len()), freedom - idle, "{round}: {text}");
-        // With every higher pair as a link and two lower ones, and without what turns for nobody, the freedom is the same.
+        // With every higher pair replaced by a link and two lower ones, and without discs that turn
+        // without effect, the degree of freedom is the same.
         let lean = survey.substituted(|_| false);
         assert!(lean.moving <= links as usize && lean.lower as i64 <= lower, "{round}: {lean:?} {text}");
         assert_eq!(lean.freedom(0, 0), freedom - idle, "{round}: {lean:?} {text}");
@@ -224,7 +229,7 @@ fn counts_are_those_of_brute_force() {
         let mut told: Vec<(String, i64)> = survey.compound.iter().map(|(p, k)| (scene.point_name(*p).to_owned(), *k as i64)).collect();
         told.sort();
         assert_eq!(told, compound, "{round}: {text}");
-        // Assur: every group has as many freedoms as its pairs take.
+        // Assur: the links of every group have as many freedoms as its pairs take.
         for choice in &survey.choices {
             with_groups += 1;
             for g in &choice.mechanism.groups {
@@ -239,7 +244,8 @@ fn counts_are_those_of_brute_force() {
     assert!(with_groups > 50, "only {with_groups} mechanisms move");
 }
 
-/// No link stands in two groups: a block belongs to the later one of the groups of its guide and its pin.
+/// No link is in two groups: a block belongs to the later one of the groups of its guide and its
+/// pin.
 #[test]
 fn every_link_is_in_one_group() {
     for t in hodograph::scene::templates::list() {
@@ -255,7 +261,8 @@ fn every_link_is_in_one_group() {
     }
 }
 
-/// Equations that pairs take whose links are all among these: two of a pin more than its first link and of a slider, one of a bare pin in a slot.
+/// Number of equations of pairs between these links only: two for each link of a pin after the
+/// first and for a slider, one for a bare pin in a slot.
 fn taken(scene: &Scene, among: &BTreeSet<LinkId>) -> usize {
     let on = |p: PointId| scene.carriers(p).filter(|l| among.contains(l)).count();
     let pins: usize = (0..scene.points.len()).map(|p| 2 * on(PointId(p)).saturating_sub(1)).sum();
@@ -268,8 +275,9 @@ fn taken(scene: &Scene, among: &BTreeSet<LinkId>) -> usize {
     pins + scene.guides.iter().map(guide).sum::<usize>()
 }
 
-/// Every group of links has as many freedoms as its whole pairs take, whatever steps it is solved in: with the halves of an Oldham coupling as one
-/// dyad RPP, a slider with points of its own in the group of its guide.
+/// In every group, the links have as many freedoms as its whole pairs take, whatever steps solve
+/// it: including the halves of an Oldham coupling as one RPP dyad, and a slider with points of its
+/// own in the group of its guide.
 #[test]
 fn groups_are_those_of_whole_pairs() {
     let mut several = Vec::new();
@@ -277,7 +285,8 @@ fn groups_are_those_of_whole_pairs() {
         let scene = scene::read_topology(hodograph::scene::templates::get(t.name).unwrap()).unwrap().value;
         for choice in Survey::of(&scene).choices {
             let (scene, m) = (&choice.scene, &choice.mechanism);
-            // Wheels, cams, cylinders, driven bare pins and what repeats others have pairs of their own kinds.
+            // Wheels, cams, cylinders, driven bare pins and redundant pairs have pairs of their own
+            // kinds.
             let own = |d: &Driver| match d.kind {
                 DriverKind::Turn { .. } => false,
                 DriverKind::Slide { guide, .. } => scene.guides[guide.0].slider.is_none(),
@@ -305,13 +314,14 @@ fn groups_are_those_of_whole_pairs() {
     assert!(several.iter().filter(|(name, _)| *name == "oldham-coupling").all(|(_, kind)| kind == "RPP"), "{several:?}");
 }
 
-/// The bar of a trammel repeats the crank to its middle at every size; another rod, which drives that middle from a slot through the
-/// crank's pivot, has no part in it.
+/// The bar of a trammel makes the crank to its middle redundant at every size; another rod, which
+/// drives that middle from a slot through the crank's pivot, is not involved.
 #[test]
 fn a_trammel_is_known_by_equal_lengths() {
     for unit in [1e-3, 0.1, 1.0, 1e3] {
         let rod = |length: f64| {
-            // From (4, 3) to the line along (4, 3) through D: nearer to D than B, and not B's distance from it.
+            // From (4, 3) to the line along (4, 3) through D: nearer to D than B, and not at B's
+            // distance from it.
             let (x, y) = (0.8 * length, 0.6 * length);
             format!(
                 r#"{{"links":{{"1":["D"],"2":["A"],"4":["C"],"3":["A","B","C"],"5":["D","B"],"6":["B","E"]}},"ground":"1",
@@ -335,7 +345,7 @@ fn a_trammel_is_known_by_equal_lengths() {
     }
 }
 
-/// A planet repeats another planet, not the sun or the arm, in whatever order the links are written.
+/// A planet is redundant to another planet, not to the sun or the arm, in any order of the links.
 #[test]
 fn repeated_planets_name_their_like() {
     for order in [["1", "2", "3", "4", "5"], ["3", "5", "1", "4", "2"], ["5", "4", "3", "2", "1"], ["2", "1", "4", "3", "5"]] {
@@ -367,7 +377,7 @@ fn repeated_planets_name_their_like() {
     }
 }
 
-/// A driver that cannot go far is moved as far as it can: half of the way, and half of that.
+/// A driver with a short travel is moved as far as it can: half of the travel, and half of that.
 #[test]
 fn a_repetition_is_looked_at_as_far_as_the_driver_goes() {
     // A cylinder from G moves the crank AB of a parallelogram with a third crank EF; G, A and B are almost in line.
@@ -385,7 +395,7 @@ fn a_repetition_is_looked_at_as_far_as_the_driver_goes() {
             assert!(one.moved != 0.0 && one.moved.abs() < 0.05, "{}\n{text}", one.moved);
         }
     }
-    // A driver that turns freely goes the whole way.
+    // A driver that turns freely is moved the whole distance.
     let mut r = Random(3);
     for _ in 0..10 {
         let l = Locomotive::random(&mut r);

@@ -1,5 +1,5 @@
-//! Motions without a mechanism: the cases of the collections with further numbers, pursuits against what is known of them in closed form, parts against
-//! the differentiated whole, drawing against analysis, and what is refused.
+//! Motions without a mechanism: the cases of the collections with further numbers, pursuits against
+//! closed forms, parts against the differentiated whole, drawing against analysis, and refusals.
 
 use hodograph::figure::particle::figures;
 use hodograph::notation::Notation;
@@ -34,7 +34,7 @@ fn the_description_of_motions_can_be_solved() {
     }
 }
 
-/// The cases, each file with what it expects.
+/// The cases, each file with its expected values.
 #[test]
 fn cases_of_motions_without_a_mechanism() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/motions");
@@ -68,7 +68,7 @@ fn cases_of_motions_without_a_mechanism() {
     assert_eq!(seen, 18);
 }
 
-/// T = l v / (v² − u²) for a target square to the first line of sight, whatever the numbers.
+/// T = l v / (v² − u²) for a target perpendicular to the first line of sight, with any numbers.
 #[test]
 fn pursuit_of_a_straight_runner_ends_when_the_formula_says() {
     for (l, u, v) in [(1.0, 0.1, 3.0), (2.0, 1.0, 2.0), (5.0, 1.9, 2.0), (0.02, 30.0, 70.0), (1e4, 1.0, 1.05)] {
@@ -85,7 +85,8 @@ fn pursuit_of_a_straight_runner_ends_when_the_formula_says() {
     }
 }
 
-/// Of any straight runner at an angle: d/dt of (D·(v e + u)) is v² − u² ... constant, so T = (v l + u·D)/(v² − u²) from any first line of sight.
+/// For a straight target at any angle, d/dt of D·(v e + u) is the constant v² − u², so T = (v l +
+/// u·D)/(v² − u²) from any first line of sight.
 #[test]
 fn pursuit_from_any_side_and_at_any_instant_keeps_its_integral() {
     for (x, y, angle) in [(3.0, 4.0, 10.0), (-2.0, 1.0, 200.0), (0.5, -7.0, 77.0)] {
@@ -98,7 +99,7 @@ fn pursuit_from_any_side_and_at_any_instant_keeps_its_integral() {
         let length = (x * x + y * y).sqrt();
         let exact = (v * length + u * (x * along.cos() + y * along.sin())) / (v * v - u * u);
         assert!((scalar(&text, "T_AB") - exact).abs() < 1e-12 * exact, "{x} {y} {angle}");
-        // The same of what is left at the instant.
+        // The formula holds for the distance left at the instant.
         let (problem, found) = solved(&text);
         let value = |find: &str| found.answers[problem.find.iter().position(|f| f.text == find).unwrap()].value.vector();
         let (a, l) = (value("r_A").unwrap(), scalar(&text, "l_AB"));
@@ -133,12 +134,13 @@ fn a_slower_pursuer_is_told_apart() {
     assert_eq!(d.code, "never-meets");
 }
 
-/// What the board shows of a question, read or calculated.
+/// The value of a question on the board, read or calculated.
 fn shown(all: &[board::Drawn], what: Asked) -> Option<&[f64]> {
     all.iter().flat_map(|d| &d.readings).find(|r| r.0 == what).map(|r| r.1.as_slice())
 }
 
-/// By the board and analysis alike, of all templates and of plates in every direction; the parts make up the whole.
+/// Board and analysis agree, for all templates and for plates in every direction; the parts add up
+/// to the whole.
 #[test]
 fn parts_make_up_the_whole_and_drawing_agrees() {
     let ring = templates::get("ring-in-space").unwrap();
@@ -173,7 +175,8 @@ fn parts_make_up_the_whole_and_drawing_agrees() {
     }
 }
 
-/// Words and drawings of every template in both languages, at many instants: no label lies on another.
+/// Words and drawings of every template in both languages, at many instants: no label overlaps
+/// another.
 #[test]
 fn figures_have_no_labels_on_one_another() {
     for name in templates::names() {
@@ -189,7 +192,7 @@ fn figures_have_no_labels_on_one_another() {
             let text = text.replace("\"t1\": \"0 s\"", &t).replace("\"t1\": \"15 s\"", &t).replace("\"t1\": \"0.5 s\"", &t);
             let text = text.replace("\"angle\": \"90 deg\"", &format!("\"angle\": \"{} deg\"", 15 * k));
             let problem = read(&text).unwrap_or_else(|f| panic!("{f}")).value;
-            // Where a pursuit ends does not change from instant to instant.
+            // The end of a pursuit does not change from instant to instant.
             let found = solve_again(&problem, &first).unwrap_or_else(|f| panic!("{f}"));
             let drawn = board::draw(&problem).unwrap();
             for lang in [Lang::En, Lang::Zh] {
@@ -208,8 +211,8 @@ fn figures_have_no_labels_on_one_another() {
     }
 }
 
-/// A place without a motion is a point at rest where a pursuer runs toward it or a question names it: it says what the same point says that moves
-/// by x and y which stay. Elsewhere it is told as unused.
+/// A place without a motion is a point at rest if a pursuer runs toward it or a question names it:
+/// it gives the answers of a point with constant x and y. Otherwise it is reported as unused.
 #[test]
 fn places_that_are_asked_for_are_points_at_rest() {
     let runs = r#"{"point": "A", "angle": "-10 deg", "s": "200 m/s*t + 3 m/s^2*t^2"}"#;
@@ -235,7 +238,7 @@ fn places_that_are_asked_for_are_points_at_rest() {
     assert_eq!(warned(text(rest, runs, "")), ["unused-point"]);
 }
 
-/// What is wrong is told, all of it, with its place.
+/// All faults are reported with their places.
 #[test]
 fn faults_are_told_with_their_places() {
     for (text, codes) in [
@@ -280,7 +283,8 @@ fn run_after(u: f64, v: f64, angle: f64) -> String {
     )
 }
 
-/// T = r₀(v + u cos θ)/(v² − u²), however near the two speeds are; with equal speeds the distance tends to r₀(1 + cos θ)/2.
+/// T = r₀(v + u cos θ)/(v² − u²), however close the two speeds are; with equal speeds the distance
+/// tends to r₀(1 + cos θ)/2.
 #[test]
 fn pursuits_of_nearly_equal_speed_are_followed() {
     for (u, angle, cosine) in [(4.9, 90.0, 0.8), (4.95, 0.0, 0.6)] {
@@ -294,18 +298,20 @@ fn pursuits_of_nearly_equal_speed_are_followed() {
     assert!(told.contains("does not catch") && told.contains("4.0000e1 m"), "{told}");
 }
 
-/// Shape, names and questions are told in one list.
+/// Faults in shape, names and questions are reported in one list.
 #[test]
 fn all_faults_of_a_file_are_told_at_once() {
     let text = r#"{"motions": [{"point": "B", "angle": "0 deg", "s": "4 m"}, {"point": "A", "toward": "C", "speed": "5 furlong"}, {"point": "D", "toward": "E", "speed": "5 m/s"}],
         "points": {"A": [0, 0], "B": [0, "3 km"], "D": [1, 0]}, "find": ["v_B", "x_B", "a_A"]}"#;
     let faults = read(text).unwrap_err();
     let codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
-    // C, the unit, E, the place of D, x_B. What rests on them is no fault of its own: where D starts, and a_A.
+    // C, the unit, E, the place of D, x_B. Consequences are not faults of their own: the start of
+    // D, and a_A.
     assert_eq!(codes, ["unknown-point", "unknown-unit", "unknown-point", "no-unit", "unknown-question"], "{faults}");
 }
 
-/// At another instant the same motion has the answers of a file that says so; rates of an instant go on with their acceleration.
+/// At another instant, the motion has the answers of a file with that instant; rates of an instant
+/// continue with their acceleration.
 #[test]
 fn an_instant_can_be_moved() {
     for name in templates::names() {
@@ -323,7 +329,8 @@ fn an_instant_can_be_moved() {
     }
 }
 
-/// Answers and scales in the units of the file, digits as certain as before; JSON stays SI.
+/// Answers and scales are in the units of the file, with the same certified digits; JSON stays in
+/// SI.
 #[test]
 fn answers_have_the_units_of_the_file() {
     let text = |answers: &str| {
@@ -345,7 +352,7 @@ fn answers_have_the_units_of_the_file() {
     assert_eq!(si, same);
 }
 
-/// A circle without a radius has no path to run on.
+/// A circle without a radius gives no path.
 #[test]
 fn a_radius_of_nothing_is_refused() {
     let text = templates::get("ring-in-space").unwrap();
@@ -357,8 +364,9 @@ fn a_radius_of_nothing_is_refused() {
     }
 }
 
-/// Two points by laws: distance, turning of their line, relative motion, against differences of their places; so for a pursuer and another than its
-/// target, and for polar coordinates against x and y.
+/// Two points by laws: distance, rotation of their line, relative motion, against differences of
+/// their places; likewise for a pursuer and a point other than its target, and for polar
+/// coordinates against x and y.
 #[test]
 fn two_points_are_seen_from_one_another() {
     let text = |t: f64| {
@@ -395,7 +403,7 @@ fn two_points_are_seen_from_one_another() {
     }
 }
 
-/// The vectors of a plate are calculated: they are said to be, in both languages, and stand beside no answer as a drawing.
+/// The vectors of a plate are calculated: both languages say so, and no answer is shown as drawn.
 #[test]
 fn what_is_calculated_is_not_drawn() {
     for name in templates::names() {
@@ -415,7 +423,8 @@ fn what_is_calculated_is_not_drawn() {
     }
 }
 
-/// Toward the meeting the line of sight turns ever less: what the board cannot show any more is not read from it, and that is said; what it shows agrees.
+/// Toward the meeting the line of sight turns more and more slowly: values that the board cannot
+/// show are not read from it, with a note; values that it shows agree.
 #[test]
 fn nothing_is_read_that_the_board_cannot_show() {
     let (mut unread, mut read_off) = (0, 0);

@@ -1,5 +1,6 @@
-//! Positions against what the scenes state: no configuration breaks a statement, a joint that is moved is found, followers keep to the side of the cam that
-//! the scene names, and the order of entries does not matter.
+//! Positions against the data of the scenes: no configuration violates a datum, a displaced joint
+//! is detected, followers stay on the side of the cam that the scene names, and the order of
+//! entries does not matter.
 
 mod wide;
 
@@ -30,7 +31,7 @@ fn scenes() -> Vec<(String, String)> {
     all
 }
 
-/// A scene with its mechanism, and where everything is; nothing where the scene is refused.
+/// A scene with its mechanism and configuration; `None` if the scene is refused.
 fn placed(scene: &Scene) -> Option<(Mechanism, Demand, position::Configuration)> {
     let mechanism = Mechanism::new(scene).ok()?.value;
     let demand = Demand::of(scene, &mechanism).with_all_positions();
@@ -62,7 +63,8 @@ fn configurations_of_all_scenes_are_proved_at_the_instant_and_on_their_way() {
     assert!(instants > 20 && positions > 500, "{instants} {positions}");
 }
 
-/// Points whose place nothing in the scene states: points of contact, and those of links that rest in the pose alone.
+/// Points without a place given by the scene: points of contact, and those of links that are at
+/// rest in the pose alone.
 fn is_stated(scene: &Scene, p: PointId) -> bool {
     scene.carriers(p).next().is_some()
 }
@@ -76,7 +78,8 @@ fn a_joint_that_is_moved_by_a_millionth_of_the_mechanism_is_found() {
         let by = 1e-6 * at.extent();
         for p in (0..scene.points.len()).map(PointId).filter(|p| is_stated(&scene, *p)) {
             let Some(place) = at.points[p.0] else { continue };
-            // Square to all that holds it a point may move without a change to first order: of three directions one is not.
+            // A point may move perpendicular to its constraint without a first-order change: of
+            // three directions one is not.
             let found = [0.3, 1.4, 2.5].into_iter().any(|way| {
                 let mut wrong = at.clone();
                 wrong.points[p.0] = Some(place + Vec2::from_angle(way) * by);
@@ -92,7 +95,7 @@ fn a_joint_that_is_moved_by_a_millionth_of_the_mechanism_is_found() {
     assert!(unseen.is_empty(), "{} of {moved} unseen: {unseen:?}", unseen.len());
 }
 
-/// The hull of two circles, O in the origin and Q: the tangent cam, seen in the plane.
+/// The hull of two circles about O (the origin) and Q: the tangent cam in the plane.
 struct Hull {
     circles: [(Vec2, f64); 2],
 }
@@ -114,7 +117,7 @@ impl Hull {
         from(0.5 * (low + high))
     }
 
-    /// How far along u from `start` a round end lies on the hull, beyond it.
+    /// Distance along u from `start` at which a round end rests on the hull, on its far side.
     fn held(&self, start: Vec2, u: Vec2, radius: f64) -> f64 {
         let (mut low, mut high) = (0.0, 200.0);
         for _ in 0..60 {
@@ -129,7 +132,8 @@ fn tangent_cam(at: f64) -> Hull {
     Hull { circles: [(Vec2::ZERO, 25.0), (Vec2::from_angle(at) * 30.0, 10.0)] }
 }
 
-/// A tangent cam with a follower in a guide at `guide` degrees that passes `aside` (mm) beside the pivot.
+/// A tangent cam with a follower in a guide at `guide` degrees, at the distance `aside` (mm) from
+/// the pivot.
 fn on_tangent_cam(at: f64, guide: f64, aside: f64, follows: &str, more: &str, find: &str) -> String {
     let (x, y) = (-aside * guide.to_radians().sin(), aside * guide.to_radians().cos());
     format!(
@@ -152,11 +156,12 @@ fn place(text: &str, k: usize) -> [f64; 2] {
     }
 }
 
-/// Ways in which a scene puts the follower on the rising side of its guide, or on the other.
+/// Texts by which a scene puts the follower on the rising side of its guide, or on the other.
 fn sides(guide: f64, rising: bool) -> Vec<(&'static str, String, String)> {
     let u = Vec2::from_angle(guide.to_radians()) * if rising { 60.0 } else { -60.0 };
     let sketch = format!(r#", "sketch": {{"B": [{:?}, {:?}]}}"#, u.x, u.y);
-    // Looking along the face at the guide's angle + 90°, what lies before the follower's rise is on the right.
+    // Looking along the face at the guide's angle + 90°, the side before the follower's rise is on
+    // the right.
     let (square, turned) = if rising { ("left", "right") } else { ("right", "left") };
     vec![
         ("face", format!(r#""face": {{"cam": "{square}"}}"#), String::new()),
@@ -192,7 +197,7 @@ fn followers_keep_to_the_side_of_the_cam_that_the_scene_names() {
                     let Value::Vector(v) = answer(&text, 2) else { panic!() };
                     let h = 1e-4;
                     let rate = out * ((reach(at + h) - reach(at - h)) / (2.0 * h));
-                    // Differences across a joint of the profile are those of neither side.
+                    // Differences across a joint of the profile belong to neither side.
                     let bends = (reach(at + h) + reach(at - h) - 2.0 * reach(at)).abs() / (h * h) > 1e3;
                     assert!(bends || (v * 1e3 - rate).norm() < 1e-2, "{kind} at {at}: {v:?}, not {rate:?}\n{text}");
                     checked += 1;
@@ -225,7 +230,8 @@ fn sweeps_keep_to_that_side() {
     }
 }
 
-/// Positions of a mechanism whose lengths are not those of the scene: a sweep of any kind is refused by its samples.
+/// Positions of a mechanism with lengths other than those of the scene: samples reveal this in a
+/// sweep of any kind, which is refused.
 #[test]
 fn sweeps_are_judged_by_samples() {
     for name in ["crank-rocker", "double-butterfly", "slider-crank", "gear-linkage", "class-iii-six-bar"] {
@@ -236,7 +242,7 @@ fn sweeps_are_judged_by_samples() {
         stated.lengths.last_mut().unwrap().value.value *= 1.0 + 1e-6;
         let placed = Placed { scene: &stated, mechanism: &mechanism, demand, at, ends: Ends::default() };
         let told = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::Widest);
-        // Rows that no program makes are refused one by one.
+        // Rows without a compiled program are refused one by one.
         assert!(told.map_or_else(|f| is_unproven(&f), |table| table.rows() == 0), "{name}");
     }
 }
@@ -266,7 +272,8 @@ fn a_law_goes_out_on_the_side_that_the_scene_names() {
     }
 }
 
-/// A cam of constant breadth between two faces: whichever of the two is written first, and each alone, are one mechanism.
+/// A cam of constant breadth between two faces: in either order of the two, and with each alone,
+/// the mechanism is the same.
 #[test]
 fn a_yoke_on_a_cam_of_constant_breadth_is_one_mechanism_in_any_order() {
     let arcs = r#"[{"centre": "O", "radius": "10 mm"}, {"centre": "V", "radius": "70 mm"}, {"centre": "W", "radius": "10 mm"},
@@ -298,7 +305,7 @@ fn a_yoke_on_a_cam_of_constant_breadth_is_one_mechanism_in_any_order() {
     }
 }
 
-/// Numbers that look random, always the same.
+/// Pseudo-random numbers, the same in every run.
 struct Dice(u64);
 
 impl Dice {
@@ -315,7 +322,8 @@ impl Dice {
     }
 }
 
-/// The scene with its entries in another order; lists whose order has a meaning (points of a link, pieces of a profile, wheels of a belt) keep it.
+/// The scene with its entries in another order; lists with a meaningful order (points of a link,
+/// pieces of a profile, wheels of a belt) keep it.
 fn in_another_order(scene: &Json, dice: &mut Dice) -> Json {
     let Json::Object(keys) = scene else { panic!("a scene is an object") };
     // A balancing moment has the number of its driver.
@@ -334,7 +342,7 @@ fn in_another_order(scene: &Json, dice: &mut Dice) -> Json {
     Json::Object(dice.shuffled(entries).into_iter().collect())
 }
 
-/// The answers by the texts of the questions; nothing where the scene is refused.
+/// The answers by the texts of the questions; `None` if the scene is refused.
 fn answers(text: &str) -> Option<Vec<(String, Value)>> {
     let scene = scene::read(text).ok()?.value;
     let worked = work(&scene, Scope::Questions).ok()?.value;

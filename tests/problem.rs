@@ -1,4 +1,4 @@
-//! Every kind of file through the library's one call.
+//! Every kind of file through the single call of the library.
 
 use hodograph::budget::Budget;
 use hodograph::diag::Severity;
@@ -15,7 +15,8 @@ use std::time::{Duration, Instant};
 
 mod wide;
 
-/// The example of a binding, a project of its own (`tests/svg` builds it): run here on a file of each kind.
+/// The example of a binding, a project of its own (`tests/svg` builds it), run here on a file of
+/// each kind.
 #[path = "../examples/golden-images/examples/answers.rs"]
 #[expect(dead_code, reason = "its `main` is run by Cargo")]
 mod binding;
@@ -25,8 +26,9 @@ fn problem(name: &str) -> Problem {
     read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value
 }
 
-/// Each template of each kind is read, solved and written by the same calls, and what they give is consistent: answers stand in the text, drawing and
-/// analysis agree, a figure and a worksheet are there.
+/// Each template of each kind is read, solved and written by the same calls, and the results are
+/// consistent: the text contains the answers, drawing and analysis agree, and a figure and a
+/// worksheet exist.
 #[test]
 fn templates_of_all_kinds_take_the_same_calls() {
     let look = Look::default();
@@ -84,7 +86,7 @@ fn the_program_prints_the_text_of_the_library() {
     }
 }
 
-/// Wishes that a kind of file does not grant are refused with a way out.
+/// Requests that a kind of file does not support are refused with an alternative.
 #[test]
 fn kinds_refuse_with_a_way_out() {
     let wishes = [
@@ -112,7 +114,7 @@ fn kinds_refuse_with_a_way_out() {
     assert!(problem("shaper").into_scene().is_ok());
 }
 
-/// A driver that follows its cam, or that is not there, is refused as what a lesson moves.
+/// A driver that follows its cam, or does not exist, is refused as the moved driver of a lesson.
 #[test]
 fn a_lesson_moves_only_what_moves_by_itself() {
     for name in ["cam-valve-train", "cam-offset-roller", "crank-rocker", "five-bar"] {
@@ -126,8 +128,9 @@ fn a_lesson_moves_only_what_moves_by_itself() {
     }
 }
 
-/// Lessons of the collected cases with cams are made or refused with a reason. A frame is read as a file of its own, with the mechanism of its
-/// piece of the cam; the ends of the motion belong to the mechanism that was followed.
+/// Lessons of the collected cases with cams are made or refused with a reason. A frame is read as a
+/// file of its own, with the mechanism of its piece of the cam; the ends of the motion belong to
+/// the mechanism that was followed.
 #[test]
 fn lessons_of_cams_are_made() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases");
@@ -135,7 +138,7 @@ fn lessons_of_cams_are_made() {
     let (mut made, mut ended) = (0, 0);
     let mut texts: Vec<String> = texts.filter(|t| t.contains("\"cams\"")).collect();
     texts.sort();
-    // Those of cams that touch a coupler, whose frames are most unlike, and a part of the others.
+    // Cams that touch a coupler, with the most different frames, and a part of the others.
     let (couplers, others): (Vec<&String>, Vec<&String>) = texts.iter().partition(|t| t.contains("\"case\": \"jet-"));
     for text in couplers.into_iter().chain(others.into_iter().step_by(wide::every(8))) {
         let scene = serde_json::from_str::<serde_json::Value>(text).unwrap()["scene"].to_string();
@@ -150,7 +153,7 @@ fn lessons_of_cams_are_made() {
     assert!(made >= 6 && ended >= 1, "{made} {ended}");
 }
 
-/// A candidate that is not there is named; a pose needs no rate; a task takes the scene that it names.
+/// A missing candidate is named; a pose needs no rate; a task takes the scene that it names.
 #[test]
 fn options_are_checked() {
     let faults = solve(&problem("body"), &Options { candidate: 99, ..Options::default() }).unwrap_err();
@@ -169,15 +172,15 @@ fn options_are_checked() {
     assert_eq!(shaper.figures(&Pictures { extras, ..Pictures::default() }, &Look::default()).unwrap().value.len(), 1);
 }
 
-/// Answers go between threads, as services and bindings need it.
+/// Answers can be sent between threads, as services and bindings need.
 #[test]
 fn answers_go_between_threads() {
     fn crosses<T: Send + Sync>(_: &T) {}
     crosses(&solve(&problem("crank-rocker"), &Options::default()).unwrap());
 }
 
-/// Every computation that may take long asks its budget: with a deadline that has passed none comes to its end, on whatever thread it runs; without
-/// one, or with time enough, all do.
+/// Every long computation checks its budget: after the deadline none completes, on any thread;
+/// without one, or with enough time, all do.
 #[test]
 fn a_budget_stops_every_computation() {
     let past = Budget::default().until(Instant::now());
@@ -188,14 +191,14 @@ fn a_budget_stops_every_computation() {
         let problem = problem(name);
         let solved = later.run(|| solve(&problem, &Options::with_figures()).unwrap()).unwrap();
         let lesson = Lesson { positions: 6, ..Lesson::default() };
-        // Closed formulas and readings take no time worth a budget.
+        // Closed formulas and readings take too little time for a budget.
         let works: [(&str, &dyn Fn()); 4] = [
             ("solve", &|| drop(solve(&problem, &Options::with_figures()))),
             ("figures", &|| drop(solved.figures(&Pictures::default(), &look))),
             ("worksheet", &|| drop(solved.worksheet(Sides::Both, None, &look))),
             ("lesson", &|| drop(solved.lesson(&lesson, &look))),
         ];
-        // The loops below the facade are asked too.
+        // The loops below the facade are tested too.
         if let Problem::Scene(scene) = &problem {
             let m = Mechanism::new(scene).unwrap().value;
             let placed = Placed::new(scene, &m).unwrap();

@@ -1,4 +1,5 @@
-//! The search for a path: known linkages found from their own curves, and the same bytes on any number of threads.
+//! The search for a path: known linkages are found from their own curves, with the same bytes on
+//! any number of threads.
 
 mod wide;
 
@@ -8,11 +9,12 @@ use hodograph::search::{Linkage, Search, search};
 use std::time::{Duration, Instant};
 use wide::every;
 
-/// Places of a known linkage's coupler point at equal turns of its crank.
+/// Number of places of a known linkage's coupler point at equal rotations of its crank.
 const PLACES: usize = 12;
-/// Seeds for each linkage.
+/// Number of seeds for each linkage.
 const SEEDS: u64 = 20;
-/// All searches of one linkage together: some seconds when optimised, on one slow core without optimisation a few minutes.
+/// Time limit of all searches of one linkage: some seconds when optimised, a few minutes on one
+/// slow core without optimisation.
 const BOUND: Duration = Duration::from_secs(600);
 
 fn known() -> [Linkage; 3] {
@@ -34,7 +36,8 @@ fn places(l: &Linkage) -> Vec<Point> {
     (0..PLACES).map(|k| l.place(std::f64::consts::TAU * k as f64 / PLACES as f64).unwrap().e).collect()
 }
 
-/// Whether every seed finds a curve through all places. (The linkage itself and its cognates have the same curve.)
+/// Asserts that every seed finds a curve through all places. (The linkage itself and its cognates
+/// have the same curve.)
 fn found_by_every_seed(l: &Linkage) {
     let (start, points) = (Instant::now(), places(l));
     for seed in (1..=SEEDS).step_by(every(8)) {
@@ -59,7 +62,7 @@ fn a_crossed_linkage_is_found_by_every_seed() {
     found_by_every_seed(&known()[2]);
 }
 
-/// Bit for bit, evaluations and runs too.
+/// True if two searches agree bit for bit, including evaluations and runs.
 fn same(a: &Search, b: &Search) -> bool {
     let bits = |s: &Search| s.fits.iter().flat_map(|f| f.linkage.lengths.into_iter().chain([f.rms])).map(f64::to_bits).collect::<Vec<_>>();
     bits(a) == bits(b) && a.evaluations == b.evaluations && a.runs == b.runs

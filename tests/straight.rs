@@ -46,13 +46,14 @@ fn cognates_of_the_reference_case() {
     for (got, exact) in all[2].iter().zip([56.0, 112.0, 140.0, 120.0, 200.0]) {
         near(*got, exact, 100.0, "right");
     }
-    // The scene of the right one, swept, carries E through all positions of the given one.
+    // The scene of the right one, swept, moves E through all positions of the given one.
     let right = design.candidates.iter().find(|c| c.draft.which.en.contains("right")).unwrap();
     assert_eq!(right.draft.wanted.len(), 8);
     assert!(right.judged.defects.is_empty() && right.judged.rotates && right.judged.off_m < 1e-12, "{:?}", right.judged);
 }
 
-/// Random four-bars: the cognate whose crank turns as the given one goes everywhere where the given one goes.
+/// Random four-bars: the cognate with the same crank rotation traces every point that the given one
+/// traces.
 #[test]
 fn cognates_of_random_linkages_carry_the_same_curve() {
     let mut state = 11_u64;
@@ -100,7 +101,7 @@ fn hoeken_by_the_reference_case() {
     near(of("relative") * 100.0, 0.89764595083014765603, 1.0, "deviation");
 }
 
-/// Where E stands with the driver at an angle, by the finished scene.
+/// The place of E with the driver at an angle, by the finished scene.
 fn place(c: &Candidate, degrees: f64) -> [f64; 2] {
     use hodograph::mechanism::Mechanism;
     use hodograph::sweep::{Placed, Stations, Width, run};
@@ -123,7 +124,7 @@ fn watt_and_peaucellier_by_the_reference_cases() {
     }
     assert_eq!(c.draft.which.en, "exact");
     assert!(c.number("relative").unwrap() < 1e-12);
-    // Watt's linkage, its rods 5: the length over 40° tells the scale.
+    // Watt's linkage, with rods of 5: the length over 40° gives the scale.
     let made = design(r#"{"synthesis": "straight-line", "linkage": "watt", "length": "1 m"}"#);
     let c = &made.candidates[0];
     let k = c.number("AB").unwrap() / 5.0;

@@ -1,5 +1,4 @@
-//! Sweeps against single solutions: every row of a table is what `solve` says at that position, and what differences of
-//! neighbouring positions say of its rates.
+//! Sweeps: each row agrees with `solve`, and its rates with differences of neighbouring positions.
 
 #[path = "sweep/class_iv.rs"]
 mod class_iv;
@@ -52,7 +51,7 @@ fn swept(scene: &Scene, m: &Mechanism, steps: usize, width: Width) -> (Table, St
     (sweep::run(&placed, 0, &stations, width).unwrap(), stations)
 }
 
-/// Every question, so that every kind of operation is compiled: those of the template, all points and all links.
+/// Every question, so that every operation is compiled: the template's, all points, all links.
 fn everything(name: &str) -> Scene {
     let plain = scene(name, &[]);
     let mut find: Vec<String> = plain.find.iter().map(|f| f.text.clone()).collect();
@@ -68,7 +67,7 @@ fn everything(name: &str) -> Scene {
     scene(name, &find.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
-/// The size of a column's kind: its largest number in the sweep, or what the drivers make at the size of the mechanism.
+/// The size of a column's kind: its largest number, or the drivers' motion at the mechanism's size.
 fn size(table: &Table, unit: &str, scene: &Scene, extent: f64) -> f64 {
     let rate = scene.drivers.iter().map(|d| match d.kind {
         DriverKind::Turn { .. } => d.rate.value.abs(),
@@ -86,8 +85,8 @@ fn size(table: &Table, unit: &str, scene: &Scene, extent: f64) -> f64 {
     table.columns[1..].iter().filter(|o| o.unit == unit).flat_map(|o| &o.values).fold(floor, |a, b| a.max(b.abs()))
 }
 
-/// The answers of the loop equations at one driver value, on the closures of the instant; `None` where the pose is
-/// singular, or nearly: what rounding makes of such a pose is not the sweep's concern.
+/// The answers of the loop equations at one driver value, on the closures of the instant; `None` if
+/// the pose is singular, or nearly: the effect of rounding there is not tested.
 fn solved(scene: &Scene, m: &Mechanism, value: f64) -> Option<(Vec<f64>, f64)> {
     let demand = Demand::of(scene, m);
     let meant = position::configure(scene, m, &demand).unwrap().value;
@@ -101,7 +100,7 @@ fn solved(scene: &Scene, m: &Mechanism, value: f64) -> Option<(Vec<f64>, f64)> {
     Some((row, solution.condition))
 }
 
-/// The triads have no closed form that can be evaluated elsewhere: they are checked by their lengths and by differences; cams in `tests/says`.
+/// True with kept cams (see `tests/says`) or groups above class II (tested by differences).
 fn followed(scene: &Scene, m: &Mechanism) -> bool {
     scene.kept_cams().next().is_some() || m.groups.iter().any(|g| g.class().is_some_and(|c| c != "II"))
 }
@@ -112,7 +111,7 @@ fn every_row_is_what_the_single_solution_says() {
     for t in templates::list() {
         let scene = everything(t.name);
         let m = Mechanism::new(&scene).unwrap().value;
-        // Parallelograms go on smoothly through their change points, where the named side does not; coordinates are of one pose.
+        // Parallelograms pass smoothly through change points, unlike the named side.
         if followed(&scene, &m) || driver_position(&scene, 0).is_none() || ["parallelogram", "third-crank"].contains(&t.name) {
             continue;
         }
@@ -170,7 +169,7 @@ fn rates_are_the_slopes_of_the_columns() {
         let now = station::position_now(&scene, &placed.at, 0);
         let step = 1e-5 * if matches!(scene.drivers[0].kind, DriverKind::Turn { .. }) { 1.0 } else { placed.at.extent() };
         if scene.drivers.len() > 1 || scene.cams.iter().any(|c| c.radii.is_empty()) {
-            continue; // The arc that stands for a cam by a law, which gives no radii, is another one at each position.
+            continue; // The arc that replaces a cam by a law, which gives no radii, is another one at each position.
         }
         let values: Vec<f64> = (-40..40)
             .step_by(every(8))
@@ -203,7 +202,7 @@ fn rates_are_the_slopes_of_the_columns() {
                 // a = dv/dx ẋ, the rate itself changing with the driver's own acceleration: v/ẋ is a function of x alone.
                 let expected = [v.values[first + 2], a.values[first + 2] - v.values[first + 2] * acceleration / rate];
                 for ((of, is), expected) in [(s, v), (v, a)].into_iter().zip(expected) {
-                    // Where the two differences differ the function bends too sharply for them, next to a limit.
+                    // If the two differ, the function is curved too strongly, next to a limit.
                     let (one, two) = (slope(of, 1), slope(of, 2));
                     let off = ((4.0 * one - two) / 3.0 - expected).abs() / largest(is);
                     let allowed = 1e-7 + (one - two).abs() / largest(is);
@@ -251,8 +250,9 @@ fn the_limit_of_the_walking_leg() {
     assert!(ends.iter().any(|e| (e - 3.166_736_461_625_599_3).abs() < 1e-15), "{limits:?}");
 }
 
-/// At a limit of the driver an output has run to its end, not to the last sample before it: a trammel's slider to the crossing of the
-/// guides (0) and back, from 300 mm; a boom from straight down its cylinder's line to straight up, half a turn.
+/// At a limit of the driver an output is at its end: a trammel's slider moves from 300 mm to the
+/// intersection of the guides (0) and back, a boom from straight down its cylinder's line to
+/// straight up, half a turn.
 #[test]
 fn outputs_at_the_limits_of_the_driver() {
     let trammel = limits_of(&read(templates::get("elliptic-trammel").unwrap()).unwrap().value);
@@ -260,7 +260,7 @@ fn outputs_at_the_limits_of_the_driver() {
     assert!(ends[0] == 0.0 && ends[2] == 0.0 && (ends[1] - 0.3).abs() < 1e-15, "{ends:?}");
     let excavator = limits_of(&read(templates::get("excavator").unwrap()).unwrap().value);
     assert!((excavator.swings[0].stroke.unwrap() - std::f64::consts::PI).abs() < 1e-11, "{:?}", excavator.swings);
-    // A class III group: what is left of the way goes as its root to the end.
+    // A class III group: the remaining travel goes as the square root of the distance to the end.
     let scene = scene("class-iii-six-bar", &["phi_4"]);
     let m = Mechanism::new(&scene).unwrap().value;
     let limits = limits_of(&scene);
@@ -295,7 +295,7 @@ fn time_ratio_of_a_slotted_lever() {
     }
 }
 
-/// Khurmi & Gupta, fig. 5.32 (Whitworth): centres 50, crank 75, ram on the line square to them: time ratio 2.73523918263.
+/// Khurmi & Gupta, fig. 5.32: centres 50, crank 75, ram perpendicular: time ratio 2.73523918263.
 #[test]
 fn time_ratio_of_a_whitworth_mechanism() {
     let text = r#"{"links": {"1": ["C", "A"], "3": ["D", "P"], "4": ["C", "D"], "5": ["P", "R"]}, "ground": "4",
@@ -310,8 +310,8 @@ fn time_ratio_of_a_whitworth_mechanism() {
     assert!((ram.stroke.unwrap() - 0.27).abs() < 1e-12, "{ram:?}");
 }
 
-/// Lecture notes 001, exam 2-4: with an advance-to-return ratio K = 1.5 the crank's angle between the extremes is 36 degrees from a
-/// half turn. The rocker's length that makes K = 1.5 is sought by halving.
+/// Lecture notes 001, exam 2-4: K = 1.5 (advance to return): the crank turns 180° ± 36° between the
+/// extremes. Bisection finds the rocker's length for K = 1.5.
 #[test]
 fn extreme_position_angle_of_a_time_ratio() {
     let limits = |rocker: f64| {
@@ -331,7 +331,7 @@ fn extreme_position_angle_of_a_time_ratio() {
     assert!((theta.to_degrees() - 36.0).abs() < 1e-9, "{theta} {ends:?}");
 }
 
-/// A triad's limit: the leg equations and their determinant vanish there; from both sides the fold goes with the square root.
+/// A triad's limit: leg equations and determinant vanish; the fold goes as the square root.
 #[test]
 fn the_limit_of_a_triad() {
     let scene = scene("class-iii-six-bar", &[]);
@@ -344,14 +344,14 @@ fn the_limit_of_a_triad() {
             let stations = Stations::of_values(vec![end + inward * off], 1.0);
             sweep::run(&placed, 0, &stations, Width::Widest).unwrap().column("omega_3").unwrap().values.first().copied()
         };
-        // Rates grow with one over the root of the distance: a hundredth of the way, ten times as fast.
+        // Rates grow as 1/√distance: at a hundredth of the distance, ten times as fast.
         let (far, near) = (at(1e-6).unwrap(), at(1e-8).unwrap());
         assert!((near / far / 10.0 - 1.0).abs() < 0.01, "{end}: {far} {near}");
         assert_eq!(at(-1e-9), None);
     }
 }
 
-/// How many random mechanisms: a small number, or that of `HODOGRAPH_SWEEPS` for a long hunt.
+/// The number of random mechanisms: small, or that of `HODOGRAPH_SWEEPS` for a long search.
 fn count(own: u64) -> u64 {
     std::env::var("HODOGRAPH_SWEEPS").ok().and_then(|n| n.parse().ok()).unwrap_or(own)
 }
@@ -462,7 +462,7 @@ fn a_batch_is_its_parts() {
         assert_eq!(batch.mechanisms(), 55);
         let whole = batch.block(0, 55);
         let mut parts = Block { columns: vec![Vec::new(); whole.columns.len()], missing: 0 };
-        // Each in the memory of the one before, whatever is left in it.
+        // Each in the memory of the one before, with any contents.
         let mut part = whole.clone();
         for from in (0..55).step_by(7) {
             part = batch.block_in(from, (from + 7).min(55), part);
@@ -471,7 +471,7 @@ fn a_batch_is_its_parts() {
         }
         assert_eq!(whole, parts);
         assert_eq!(whole.columns[0].len() as u64 + whole.missing, 55 * 36);
-        // Each mechanism is what its own text says.
+        // Each mechanism agrees with its own text.
         for number in [0, 17, 54] {
             let lengths: Vec<String> = batch.parameters(number).iter().map(|v| format!("{:e} m", v.si())).collect();
             let text = templates::instantiate("crank-rocker", &[("l_AB", &lengths[0]), ("l_BC", &lengths[1])]).unwrap();
@@ -489,8 +489,8 @@ fn a_batch_is_its_parts() {
     }
 }
 
-/// Mechanisms of a batch that pass a change point, or stop, are swept as they are by themselves; and a table of another sweep is
-/// memory, no more.
+/// Mechanisms that pass a change point, or stop, are swept as if alone; an old table is only
+/// memory.
 #[test]
 fn change_points_in_a_batch() {
     let text = templates::instantiate("crank-rocker", &[("l_BC", "300"), ("l_CD", "100"), ("l_AD", "300")]).unwrap();
@@ -519,7 +519,7 @@ fn change_points_in_a_batch() {
     assert!(changed >= 2 && stopped >= 1, "{changed} change points, {stopped} limits");
 }
 
-/// Positions by the compiled program against the same position with the length written into the file.
+/// The compiled program agrees with the same position with the length in the file.
 #[test]
 fn a_sweep_over_a_length() {
     let scene = scene("shaper", &["v_C", "a_C", "omega_3"]);
@@ -540,7 +540,7 @@ fn a_sweep_over_a_length() {
     }
 }
 
-/// A parameter over a range in part of which there is no mechanism, in pieces.
+/// A parameter over a range with no mechanism in a part of it, in pieces.
 #[test]
 fn a_sweep_over_a_parameter_is_its_pieces() {
     let scene = scene("crank-rocker", &["v_C", "omega_3"]);

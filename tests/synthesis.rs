@@ -1,4 +1,5 @@
-//! Synthesis: designs against answers that were computed without this project, random linkages found again, bad wishes.
+//! Synthesis: designs compared with answers that were computed without this project, random
+//! linkages found again, impossible tasks.
 
 use hodograph::synthesis::{Candidate, Design, read, solve};
 use serde_json::{Value as Json, json};
@@ -8,7 +9,7 @@ fn design(task: &Json) -> Result<Design, String> {
     solve(&task).map_err(|f| f.to_string())
 }
 
-/// A number of a candidate, of the task, or of what judging found.
+/// A number of a candidate, of the task, or of the judgement.
 fn number(design: &Design, c: &Candidate, name: &str) -> Option<f64> {
     let of_task = || design.numbers.iter().find(|n| n.name == name).map(|n| n.value);
     match name {
@@ -17,7 +18,7 @@ fn number(design: &Design, c: &Candidate, name: &str) -> Option<f64> {
     }
 }
 
-/// How far a candidate is from the answers, over the tolerance.
+/// The deviations of a candidate from the answers, divided by the tolerance.
 fn off(design: &Design, c: &Candidate, wanted: &serde_json::Map<String, Json>) -> Vec<(String, f64)> {
     let scale = wanted.values().filter_map(Json::as_f64).map(f64::abs).fold(0.0, f64::max);
     let of = |(name, exact): (&String, &Json)| {
@@ -35,7 +36,8 @@ fn cases_are_met() {
     met(&cases);
 }
 
-/// All kinds once more: other numbers, worked out from the linkages and formulas with complex numbers, outside of this project.
+/// All kinds with other numbers, computed from the linkages and formulas with complex numbers,
+/// outside this project.
 #[test]
 fn further_cases_are_met() {
     let cases: Vec<Json> = serde_json::from_str(include_str!("synthesis/further.json")).unwrap();
@@ -62,7 +64,7 @@ fn met(cases: &[Json]) {
     }
 }
 
-/// All Burmester pairs, in whatever order.
+/// All Burmester pairs are found, in any order.
 fn pairs_are_found(design: &Design, case: &Json) {
     for pair in case["pairs"].as_array().into_iter().flatten() {
         let exact: Vec<f64> = pair.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
@@ -82,7 +84,8 @@ fn pairs_are_found(design: &Design, case: &Json) {
     }
 }
 
-/// What a scene is to do it does, to 1e-12 of its size, but for positions that are told as defects.
+/// A scene performs its task to 1e-12 of its size, except for positions that are reported as
+/// defects.
 fn reached(design: &Design, id: &str) {
     for c in &design.candidates {
         assert!(c.judged.off_m <= 1e-12 * c.judged.size_m, "{id}: {} of {}", c.judged.off_m, c.judged.size_m);
@@ -92,7 +95,7 @@ fn reached(design: &Design, id: &str) {
     }
 }
 
-/// A generator of numbers that need no more than be mixed (splitmix64).
+/// A pseudo-random generator (splitmix64).
 struct Mixed(u64);
 
 impl Mixed {
@@ -243,8 +246,8 @@ fn a_hopeless_time_ratio_is_told_with_one_that_works() {
     assert!(note.to_string().contains("and less has one"), "{note}");
 }
 
-/// The course design y = ln x: three pairs of angles from given starts. The ratios and the output's angles are those of an evaluation in
-/// longer numbers; what was printed comes from single precision.
+/// The course design y = ln x: three pairs of angles from given starts. The ratios and the output's
+/// angles are those of longer arithmetic; the printed ones come from single precision.
 #[test]
 fn the_course_design_of_ln_x() {
     let pairs = json!([["4.02 deg", "7.97 deg"], ["30 deg", "49.68 deg"], ["55.98 deg", "80.83 deg"]]);
@@ -263,7 +266,8 @@ fn the_course_design_of_ln_x() {
     }
     for (turn, exact) in [(0.0, -0.296148174806), (4.02, 7.97), (30.0, 49.68), (55.98, 80.83), (60.0, 84.9091472051)] {
         let linkage = Linkage([a, coupler, follower, frame]);
-        // The assembly of the design: with C left or right of BD, one of the two gives the follower's angle.
+        // The assembly of the design: with C left or right of BD, one of the two gives the
+        // follower's angle.
         let near = [1.0, -1.0].map(|side| linkage.follower((86.0f64 + turn).to_radians(), side).to_degrees() - 24.0 - exact);
         let off = near.map(|o| (o + 180.0).rem_euclid(360.0) - 180.0).into_iter().map(f64::abs).fold(f64::MAX, f64::min);
         assert!(off < 1e-8, "{turn}: {off}");
@@ -274,7 +278,7 @@ fn the_course_design_of_ln_x() {
     assert!(self::design(&count).unwrap_err().contains("`points` has no meaning beside `pairs`"));
 }
 
-/// Precision points by Chebyshev's spacing, with the values and turns that belong to them.
+/// Precision points by Chebyshev's spacing, with their values and rotations.
 #[test]
 fn precision_points_are_told_with_their_turns() {
     let told = |y: &str, [from, to]: [f64; 2], swings: [&str; 2]| {
@@ -315,14 +319,15 @@ fn precision_points_are_told_with_their_turns() {
     }
 }
 
-/// Two pairs with crank and frame: C₁ on the bisector of B₁B₂′ and on the follower's direction, as course books construct it.
+/// Two pairs with crank and frame: C₁ on the bisector of B₁B₂′ and on the follower's direction, as
+/// course books construct it.
 #[test]
 fn two_pairs_with_crank_and_frame_have_one_linkage() {
     let pairs = json!([["45 deg", "60 deg"], ["90 deg", "100 deg"]]);
     let task = json!({"synthesis": "function", "pairs": pairs, "frame": "100 mm", "crank": "40 mm"});
     let found = design(&task).unwrap();
     let c = &found.candidates[0];
-    // By hand: B₁ and the turned-back B₂′ are as far from C₁.
+    // By hand: B₁ and the inverted B₂′ are at the same distance from C₁.
     let (sin, cos) = (|d: f64| d.to_radians().sin(), |d: f64| d.to_radians().cos());
     let b1 = [40.0 * cos(45.0), 40.0 * sin(45.0)];
     let [x, y] = [40.0 * cos(90.0) - 100.0, 40.0 * sin(90.0)];
@@ -342,7 +347,7 @@ fn two_pairs_with_crank_and_frame_have_one_linkage() {
     assert!(design(&three).unwrap_err().contains("leave only the size free"));
 }
 
-/// Links that turn alike are a parallelogram; roots at infinity are no linkages.
+/// Links with equal rotations form a parallelogram; roots at infinity are not linkages.
 #[test]
 fn links_that_turn_alike_are_a_parallelogram() {
     for (n, swing) in [(3, json!({"from": "30 deg", "swing": "60 deg"})), (5, json!({"swing": "60 deg"}))] {
@@ -354,7 +359,8 @@ fn links_that_turn_alike_are_a_parallelogram() {
     }
 }
 
-/// Where the linear least squares miss closing at a pair, those of the angles are still found.
+/// If the linear least-squares solution does not close at a pair, that of the angles is still
+/// found.
 #[test]
 fn least_squares_go_on_where_the_linear_ones_do_not_close() {
     let pairs = [[20, 35], [35, 48], [50, 60], [65, 71], [80, 81], [95, 90]].map(|p| p.map(|a| format!("{a} deg")));
@@ -363,7 +369,8 @@ fn least_squares_go_on_where_the_linear_ones_do_not_close() {
     assert!(worst < 0.7529, "{worst}");
 }
 
-/// A crank beside K, rocker and swing (CD = 290 mm, ψ = 32°, K = 1.25, AB = 75 mm): the coupler by the law of cosines, the frame on both sides of C₁C₂.
+/// A crank in addition to K, rocker and swing (CD = 290 mm, ψ = 32°, K = 1.25, AB = 75 mm): the
+/// coupler by the law of cosines, the frame on both sides of C₁C₂.
 #[test]
 fn a_crank_fixes_the_linkage_of_a_time_ratio() {
     let task =

@@ -1,5 +1,6 @@
-//! Tables as files: the same numbers in every format, read by other programs' readers; runs that are interrupted, killed, or out of
-//! room leave nothing damaged, and the same command goes on where they were left.
+//! Tables as files: the same numbers in every format, read by the readers of other programs; runs
+//! that are interrupted, killed, or out of disk space leave nothing damaged, and the same command
+//! continues them.
 
 use assert_cmd::Command;
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -53,7 +54,7 @@ fn from_npy(path: &Path) -> Read {
             });
         }
     }
-    // What is not ASCII is escaped alike in Python and in JSON.
+    // Non-ASCII characters are escaped alike in Python and in JSON.
     let name = |name: &str| serde_json::from_str(&format!("\"{name}\"")).unwrap();
     (fields.iter().map(|(n, _)| name(n)).collect(), columns)
 }
@@ -100,8 +101,8 @@ fn key_values(path: &Path) -> Vec<(String, String)> {
     values.into_iter().map(|kv| (kv.key, kv.value.unwrap())).collect()
 }
 
-/// A rocker that does not turn fully, so that rows are missing; the driver's angle asked for too, so that a name comes twice; and
-/// units that are not ASCII.
+/// A rocker that does not turn fully, so that rows are missing; a question for the driver's angle,
+/// so that a name occurs twice; and non-ASCII units.
 #[test]
 fn a_sweep_is_the_same_in_every_format() {
     let folder = tempfile::tempdir().unwrap();
@@ -119,7 +120,7 @@ fn a_sweep_is_the_same_in_every_format() {
     same(&csv, &from_json(&json));
     same(&csv, &from_npy(&write("npy")));
     same(&csv, &from_parquet(&parquet));
-    // What the rows cannot say is in the file.
+    // Data that the rows cannot express are in the file.
     let values = key_values(&parquet);
     let value = |key: &str| &values.iter().find(|(k, _)| k == key).unwrap_or_else(|| panic!("no {key} in {values:?}")).1;
     assert!(value("title").contains("rank") && value("generator").starts_with("hodograph "), "{values:?}");
@@ -132,7 +133,7 @@ fn a_sweep_is_the_same_in_every_format() {
     assert!(lines.eq(notes.iter().map(|n| n["message"].as_str().unwrap())), "{notes:?}");
 }
 
-/// The arguments of a batch whose first parameter makes some of the mechanisms impossible.
+/// The arguments of a batch with a first parameter that makes some of the mechanisms impossible.
 fn batch(count: &str, out: &Path) -> Vec<String> {
     let words =
         format!("batch templates/crank-rocker.json --vary l_AB=60..260 --vary l_BC=200..300 --random {count} --steps 199 --find a_C -o");
@@ -158,7 +159,8 @@ fn a_batch_is_the_same_in_every_format() {
     assert!(key_values(&parquet).iter().any(|(k, v)| k == "notes" && v.contains(&missing)));
     let reader = SerializedFileReader::new(File::open(parquet).unwrap()).unwrap();
     assert!(reader.metadata().num_row_groups() > 1, "written as it comes");
-    // What repeats is written once: a number of a mechanism stands in the file for a part of its eight bytes a row.
+    // Repeated values are written once: a number of a mechanism takes a part of its eight bytes per
+    // row.
     let size = |c: usize| reader.metadata().row_groups().iter().map(|g| g.column(c).compressed_size() as usize).sum::<usize>();
     assert!((0..4).all(|c| size(c) < 2 * rows) && size(4) > 7 * rows);
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 3, "nothing else is left behind");
@@ -196,7 +198,8 @@ fn an_interrupted_batch_goes_on_to_the_same_bytes() {
         let out = at("out");
         let beside = |more: &str| PathBuf::from(format!("{}{more}", out.display()));
         let journal = beside(".part.journal");
-        // Asked to stop, it tells so; killed, it has no time to. A journal that ends within a line is one of a run that was killed.
+        // On a request to stop, the run reports it; a killed run has no time to. A journal that
+        // ends within a line belongs to a killed run.
         let code = interrupted(&batch("8000", &out), "-INT", &|| lines(&journal) >= 2);
         assert_eq!(code, Some(130), "{ending}");
         assert!(!out.exists() && beside(".part").exists() && lines(&journal) >= 2, "{ending}");
@@ -208,7 +211,7 @@ fn an_interrupted_batch_goes_on_to_the_same_bytes() {
         hodograph().args(batch("8000", &out)).assert().success();
         assert!(std::fs::read(&out).unwrap() == *whole.as_ref().unwrap(), "{ending}: the bytes differ");
         assert!(!beside(".part").exists() && !journal.exists(), "{ending}");
-        // Another question begins anew.
+        // Another job starts anew.
         let code = interrupted(&batch("8000", &out), "-KILL", &|| lines(&journal) >= 3);
         assert_eq!((code, journal.exists()), (None, true), "{ending}");
         hodograph().args(batch("100", &out)).assert().success();
@@ -224,7 +227,8 @@ fn from(ending: &str, path: &Path) -> Read {
     }
 }
 
-/// Of many pieces, with rows missing over their ends: the document is that of a writer who has all of it in memory.
+/// With many pieces, and rows missing across their ends: the document equals that of a writer with
+/// all data in memory.
 #[test]
 fn a_long_json_is_the_document_of_a_whole_one() {
     let folder = tempfile::tempdir().unwrap();
@@ -242,7 +246,7 @@ fn a_long_json_is_the_document_of_a_whole_one() {
         let (name, unit) = part(label);
         serde_json::json!({"name": name, "unit": unit, "values": values})
     });
-    // The notes are told by the other formats too, and stand last.
+    // The other formats give the notes too; they come last.
     let notes = json[json.rfind("\"notes\": ").unwrap() + 9..].trim_end().strip_suffix('}').unwrap();
     let notes: serde_json::Value = serde_json::from_str(notes).unwrap();
     assert!(notes.as_array().unwrap().len() >= 2, "{notes}");
@@ -255,12 +259,13 @@ fn a_long_json_is_the_document_of_a_whole_one() {
     assert!(json == format!("{document:#}\n"), "{} bytes against {}", json.len(), format!("{document:#}\n").len());
 }
 
-/// What is printed is what is written, with the notes first, though the rows were set aside on disk until the notes were known.
+/// The printed table equals the written one, with the notes first, although the rows are stored on
+/// disk until the notes are known.
 #[test]
 fn a_long_sweep_is_printed_as_it_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let (scene, out) = (folder.path().join("rocker.json"), folder.path().join("out.csv"));
-    // It stops twice on the way round.
+    // The crank stops twice on the way round.
     hodograph().args(["new", "crank-rocker", "--set", "l_AB=240", "-o"]).arg(&scene).assert().success();
     let sweep = |more: &[&str]| {
         let mut c = hodograph();
@@ -280,8 +285,8 @@ fn a_long_sweep_is_printed_as_it_is_written() {
     assert!(printed == written);
 }
 
-/// A sweep is written beside its name first: asked to stop, it takes that away. By rows and by columns; each row by itself, from the one
-/// before it, or a mechanism for each.
+/// A sweep is written under a temporary name: on a request to stop, this file is removed. By rows
+/// and by columns; each row alone, from the one before it, or a mechanism for each.
 #[cfg(unix)]
 #[test]
 fn an_interrupted_sweep_leaves_nothing() {
@@ -296,7 +301,7 @@ fn an_interrupted_sweep_leaves_nothing() {
         let out = folder.path().join(format!("long.{ending}"));
         let arguments: Vec<String> = words.split_whitespace().map(str::to_owned).chain([out.display().to_string()]).collect();
         let begun = || std::fs::read_dir(folder.path()).unwrap().count() > 0;
-        // The writing may end before the signal comes; then the file is whole.
+        // The writing may end before the signal arrives; then the file is complete.
         let stopped = (0..5).any(|_| {
             let code = interrupted(&arguments, "-INT", &begun);
             let left = std::fs::read_dir(folder.path()).unwrap().count();
@@ -311,7 +316,8 @@ fn an_interrupted_sweep_leaves_nothing() {
     }
 }
 
-/// A limit on the size of files stands for a full disk: the system refuses to write on in the middle of the table.
+/// A limit on the size of files simulates a full disk: the system refuses to write in the middle of
+/// the table.
 #[cfg(unix)]
 #[test]
 fn a_full_disk_leaves_no_file() {
@@ -320,7 +326,8 @@ fn a_full_disk_leaves_no_file() {
     let batch = "batch templates/crank-rocker.json --vary l_BC=200..300:200 --steps 199 --find a_C";
     for (command, ending) in commands.chain(["csv", "npy", "parquet"].map(|e| (batch, e))) {
         let out = folder.path().join(format!("table.{ending}"));
-        // 200 blocks of 512 or 1024 bytes. Without the trap the signal that comes with the refusal would end the program first.
+        // 200 blocks of 512 or 1024 bytes. Without the trap, the signal of the refusal would end
+        // the program first.
         let script = format!("trap '' XFSZ; ulimit -f 200; exec \"$0\" {command} -o \"$1\"");
         let mut run = Command::new("sh");
         let run = run.args(["-c", &script, env!("CARGO_BIN_EXE_hodograph")]).arg(&out).current_dir(env!("CARGO_MANIFEST_DIR"));
@@ -339,7 +346,7 @@ fn places_and_names_that_cannot_be() {
     let batch = ["batch", "templates/crank-rocker.json", "--vary", "l_BC=200..300:3", "-o"];
     for ending in ["csv", "npy", "parquet"] {
         for command in [&sweep, &batch] {
-            // A folder is asked for where a file stands.
+            // The output needs a folder in place of a file.
             hodograph().args(command).arg(file.join(format!("inside.{ending}"))).assert().code(1);
         }
     }

@@ -1,8 +1,9 @@
-//! The laws of the house, as far as reading its files can check them: who may import whom, where floating-point functions of the
-//! platform may be called, how long a file may be, and that the crate's map names every room.
+//! Rules of the project that can be checked in its files: permitted imports, permitted calls of the
+//! platform's floating-point functions, lengths of files, and a complete list of modules in the
+//! crate's documentation.
 //!
-//! Nothing of the library is linked: the test reads the sources. What a lint can say with types is said to clippy, in
-//! `clippy.toml`.
+//! The test does not link the library: it reads the sources. Rules that a lint can check by types
+//! are in `clippy.toml`.
 
 #[path = "tidy/codes.rs"]
 mod codes;
@@ -18,22 +19,24 @@ mod wording;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Files longer than [`LONGEST`], each with the lines that it may have. The list only shrinks: a file that grows past its number is
-/// taken apart, one that became shorter gets the smaller number, one that fits is struck off.
+/// Files longer than [`LONGEST`], each with its permitted number of lines. The list only shrinks: a
+/// file that grows beyond its number is split, one that becomes shorter gets the smaller number,
+/// one that fits is removed.
 const LONG_FILES: &[(&str, usize)] = &[("tests/random/mech.rs", 639), ("tests/random/properties.rs", 693), ("tests/sweep.rs", 555)];
 
-/// Lines that a reader still oversees.
+/// Largest number of lines of a file.
 const LONGEST: usize = 450;
 
-/// Functions of `f64` whose last bit the platform's own library decides. `sqrt`, `mul_add`, `rem_euclid` and rounding are exact
-/// everywhere and are not among them.
+/// Functions of `f64` with a last bit that depends on the platform's library. `sqrt`, `mul_add`,
+/// `rem_euclid` and rounding are exact everywhere and are not among them.
 const PLATFORM_FUNCTIONS: &[&str] = &[
     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sin_cos", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "exp", "exp2",
     "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "powf", "powi", "hypot", "cbrt",
 ];
 
-/// Where a method may bear such a name, and why. The room `number` wraps `libm`; in the others the method is that of
-/// the traits of `number`, which `f64` answers by `libm`. Clippy (`clippy.toml`), which knows types, has no exceptions.
+/// Files in which a method may have such a name, with the reason. The module `number` wraps `libm`;
+/// in the others the method is that of the traits of `number`, implemented by `libm` for `f64`.
+/// Clippy (`clippy.toml`), which knows types, has no exceptions.
 const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
     ("crates/base/src/number/", "defines the functions of each kind of number, by libm where it is f64"),
     ("crates/base/src/geom.rs", "vectors of any kind of number"),
@@ -83,8 +86,8 @@ fn sources(endings: &[&str]) -> Vec<(String, String)> {
     ["src", "crates", "templates"].map(|folder| files(folder, endings)).concat()
 }
 
-/// The libraries' files without their tests and comments: lines keep their numbers. `main.rs` belongs to no room, nor does the `lib.rs` of a crate with
-/// several.
+/// The libraries' files without their tests and comments: lines keep their numbers. `main.rs`
+/// belongs to no module, nor does the `lib.rs` of a crate with several.
 fn code() -> Vec<(String, String)> {
     let of_none = |name: &str| name == "src/main.rs" || name.ends_with("src/lib.rs") && !map::whole().contains(map::crate_of(name));
     let library =
@@ -109,7 +112,7 @@ fn word(text: &str) -> &str {
     &text[..text.find(|c| !is_word(c)).unwrap_or(text.len())]
 }
 
-/// Each word of a line with what stands before and after it.
+/// Each word of a line with the text before and after it.
 fn words(line: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     let starts = line.char_indices().filter(|(i, c)| is_word(*c) && !line[..*i].ends_with(is_word)).map(|(i, _)| i);
     starts.map(|i| (&line[..i], word(&line[i..]), &line[i + word(&line[i..]).len()..]))
@@ -142,7 +145,7 @@ fn no_function_of_the_platform_decides_a_bit() {
     finish(&faults, "sin, hypot, powi and their like differ between platforms in the last bit, and golden files do not.");
 }
 
-/// Clippy knows types and is told of the same functions.
+/// Clippy knows types; it has the same list of functions.
 #[test]
 fn clippy_is_told_of_the_same_functions() {
     let told = std::fs::read_to_string(root().join("clippy.toml")).unwrap();
@@ -156,7 +159,8 @@ fn clippy_is_told_of_the_same_functions() {
     }
 }
 
-/// `f64::clamp` panics where a bound is not a number, or the lower one lies above the upper one: what a file can reach takes `max` and `min`.
+/// `f64::clamp` panics if a bound is NaN, or if the lower bound is above the upper one: values from
+/// a file use `max` and `min`.
 #[test]
 fn bounds_of_clamp_are_constants() {
     let mut faults = Vec::new();
@@ -178,7 +182,7 @@ fn bounds_of_clamp_are_constants() {
     finish(&faults, "bounds of `clamp` are constants: others may be no numbers");
 }
 
-/// Words in the bounds of `clamp` that are no variables.
+/// Words in the bounds of `clamp` that are not variables.
 const CONSTANT: [&str; 7] = ["as", "f64", "f32", "u16", "usize", "from", "e"];
 
 #[test]
@@ -209,7 +213,7 @@ fn files_are_short_enough_to_be_overseen() {
     finish(&faults, "A file holds one idea, in some 450 lines at most.");
 }
 
-/// The two texts of each `both!` of a file, with the line that it begins in.
+/// The two texts of each `both!` of a file, with the line in which it begins.
 fn pairs(text: &str) -> Vec<(usize, String, String)> {
     let string = |text: &str| {
         let from = text.find('"')? + 1;
@@ -232,7 +236,7 @@ fn pairs(text: &str) -> Vec<(usize, String, String)> {
 
 #[test]
 fn what_is_said_in_english_is_said_in_chinese() {
-    // Words outside of what is quoted and of the places for values.
+    // Words outside of quotations and placeholders.
     let english = |text: &str| {
         let kept: String = text.split('`').step_by(2).flat_map(|t| t.split('{').map(|t| t.split_once('}').map_or(t, |t| t.1))).collect();
         words(&kept).any(|(_, w, _)| w.len() > 2 && w.chars().all(|c| c.is_ascii_lowercase()))
@@ -251,7 +255,7 @@ fn what_is_said_in_english_is_said_in_chinese() {
     finish(&faults, "Every text is in both languages: both!(\"English\", \"中文\").");
 }
 
-/// The README's Rust is that of the crate's first page, which `cargo test` runs.
+/// The README's Rust code is that of the crate's first page, which `cargo test` runs.
 #[test]
 fn the_code_of_the_readme_is_run() {
     let [readme, page] = ["README.md", "src/lib.rs"].map(|f| std::fs::read_to_string(root().join(f)).unwrap());

@@ -1,5 +1,6 @@
-//! Wheels that only repeat what others do 虚约束: further planets, further wheels of a cart, two gear pairs of one ratio; and those that nearly do, that
-//! hold in one pose only, and that lock. And the phase of wheels neither of which is known before the other.
+//! Redundant wheels 虚约束: further planets, further wheels of a cart, two gear pairs of one ratio;
+//! wheels that are nearly redundant, redundant in one pose only, or that lock. And the phase of
+//! wheels neither of which is known before the other.
 
 #[path = "wheels/belts.rs"]
 mod belts;
@@ -38,7 +39,7 @@ fn agree(scene: &Scene, worked: &Worked) {
     }
 }
 
-/// A sun, a ring and planets of these radii (mm) on circles that leave no play, at even distances.
+/// A sun, a ring and planets of these radii (mm) on circles without play, at even distances.
 fn planetary(planets: &[f64]) -> String {
     let (sun, ring) = (50.0, 100.0);
     let (mut on_arm, mut links, mut points, mut gears, mut find) = (String::new(), String::new(), String::new(), Vec::new(), String::new());
@@ -71,7 +72,8 @@ fn further_planets_are_solved_and_told() {
             assert!(matches!(r.reason, Reason::RepeatedPlanets(_)), "{r:?}");
         }
         agree(&scene, &worked.value);
-        // Willis: the arm makes a third of the sun's turns, a planet as many as the sun the other way.
+        // Willis: the arm makes a third of the sun's turns, a planet as many as the sun the other
+        // way.
         for (find, exact) in [("omega_3", 3.0), ("alpha_3", 2.0)] {
             assert!((scalar(&scene, &worked.value, find) - exact).abs() < 1e-12);
         }
@@ -83,7 +85,7 @@ fn further_planets_are_solved_and_told() {
     }
 }
 
-/// A planet whose ratios are not those of the others.
+/// A planet with ratios other than those of the others.
 #[test]
 fn a_planet_that_nearly_fits_warns_and_another_locks() {
     for (last, code) in [(25.000001, None), (25.5, Some("locked"))] {
@@ -99,7 +101,7 @@ fn a_planet_that_nearly_fits_warns_and_another_locks() {
     }
 }
 
-/// A cart on wheels of these radii (mm) along a line, the axle of the last this much too high.
+/// A cart on wheels of these radii (mm) along a line, with the axle of the last raised by `high`.
 fn cart(radii: &[f64], high: f64) -> String {
     let (mut axles, mut links, mut points, mut rolling, mut find) = (Vec::new(), String::new(), String::new(), Vec::new(), String::new());
     for (k, r) in radii.iter().enumerate() {
@@ -119,7 +121,7 @@ fn cart(radii: &[f64], high: f64) -> String {
     )
 }
 
-/// The third wheel of a cart touches because its axle keeps it there; its rolling stays.
+/// The third wheel of a cart touches because its axle keeps it there; its rolling condition stays.
 #[test]
 fn further_wheels_of_a_cart_touch_by_themselves() {
     for radii in [&[100.0, 100.0, 100.0][..], &[100.0, 60.0, 80.0], &[50.0, 60.0, 70.0, 80.0]] {
@@ -147,7 +149,8 @@ fn further_wheels_of_a_cart_touch_by_themselves() {
     }
 }
 
-/// A last wheel on the top of a round track: in the pose, and to first order, it touches; a little farther on it does not.
+/// A last wheel on the top of a round track: in the pose, and to first order, it touches; slightly
+/// farther on it does not.
 #[test]
 fn a_wheel_on_the_top_of_a_hump_only_shakes() {
     let text = r#"{"units": {"length": "mm"}, "links": {"1": ["O", "K"], "2": ["A"], "3": ["B"], "4": ["C"], "5": ["A", "B", "C"]}, "ground": "1",
@@ -159,7 +162,8 @@ fn a_wheel_on_the_top_of_a_hump_only_shakes() {
     assert_eq!(errors(&work(&read(text), Scope::Questions).unwrap_err()), ["shaky"]);
 }
 
-/// Two pairs of gears on the same two shafts: of one ratio the second repeats, of another it locks; so do three gears that mesh in a ring.
+/// Two pairs of gears on the same two shafts: with one ratio the second is redundant, with another
+/// it locks; so do three gears that mesh in a ring.
 #[test]
 fn gears_side_by_side_repeat_or_lock() {
     let pair = |second: [u32; 2]| {
@@ -178,8 +182,9 @@ fn gears_side_by_side_repeat_or_lock() {
     assert_eq!(errors(&work(&read(ring), Scope::Questions).unwrap_err()), ["locked"]);
 }
 
-/// Two links of a group that roll on one another while neither is known, on pivots of a crank and of the ground: meshing outside and inside on a floating
-/// arm, a wheel on a moving circle, a wheel on a moving line.
+/// Two links of a group that roll on one another while neither is known, on pivots of a crank and
+/// of the ground: external and internal mesh on a floating arm, a wheel on a moving circle, a wheel
+/// on a moving line.
 fn rolling_on_one_another(kind: &str) -> Scene {
     let (c, d, links, rolls, find) = match kind {
         "gears" => (
@@ -212,7 +217,7 @@ fn rolling_on_one_another(kind: &str) -> Scene {
     ))
 }
 
-/// They are drawn from their contact, which both have in common; drawing and loop equations agree on all of it.
+/// They are drawn from their common contact; drawing and loop equations agree on everything.
 #[test]
 fn wheels_that_wait_for_one_another_are_drawn_from_their_contact() {
     for kind in ["gears", "ring", "circle", "line"] {
@@ -224,7 +229,7 @@ fn wheels_that_wait_for_one_another_are_drawn_from_their_contact() {
         for r in &worked.value.results {
             assert!(r.drawn.is_some(), "{kind}: {} is not drawn", scene.find[r.find].text);
         }
-        // Against the arm the two turn as their teeth say.
+        // Relative to the arm the two turn in the ratio of their teeth.
         let ratio = match kind {
             "gears" => -20.0 / 30.0,
             "ring" => 20.0 / 60.0,
@@ -235,7 +240,8 @@ fn wheels_that_wait_for_one_another_are_drawn_from_their_contact() {
     }
 }
 
-/// Of a closed train that splits the power over sun and ring, told by numbers of teeth alone: by Willis' formula.
+/// A closed train that splits the power over sun and ring, given by numbers of teeth alone: by
+/// Willis' formula.
 #[test]
 fn a_closed_train_needs_neither_sizes_nor_places() {
     let text = r#"{"links": {"0": ["X", "O"], "1": ["X"], "2": ["O"], "3": ["O"], "4": ["O", "P"], "5": ["P"]}, "ground": "0",
@@ -255,7 +261,7 @@ fn a_closed_train_needs_neither_sizes_nor_places() {
     }
 }
 
-/// A rack on a rocker that only the mesh holds to its pinion: drawn as pinned at the pitch point.
+/// A rack on a rocker, held to its pinion by the mesh only: drawn as pinned at the pitch point.
 #[test]
 fn a_rack_held_by_its_mesh_is_drawn_from_the_pitch_point() {
     let text = r#"{"links": {"1": ["O", "A"], "2": ["A", "B"], "3": ["B"], "4": ["O"]}, "ground": "1",
@@ -268,7 +274,8 @@ fn a_rack_held_by_its_mesh_is_drawn_from_the_pitch_point() {
     assert!(worked.plan.specials.is_empty() && worked.results.iter().all(|r| r.drawn.is_some()));
 }
 
-/// The pitch line of a rack that slides in the ground: the pair takes one freedom, whether a driver is named or not.
+/// The pitch line of a rack that slides in the ground: the pair takes one freedom, with a driver
+/// named or not.
 #[test]
 fn a_rack_in_its_guide_is_held_by_the_guide() {
     let text = r#"{"links": {"1": ["O"], "2": ["O"]}, "ground": "1", "points": {"O": [0, 0]}, "guides": [{"slider": "3", "on": "1", "angle": "0 deg"}],
@@ -291,7 +298,8 @@ fn waiting_for_one_another(teeth: [u32; 2], phase: Option<f64>) -> Scene {
     ))
 }
 
-/// How far the second wheel's line is from the line of centres once the first, rolled back, lies on it (degrees).
+/// Angle of the second wheel's line from the line of centres when the first, rolled back, is on it
+/// (degrees).
 fn phase_of(worked: &Worked, scene: &Scene, [z3, z5]: [u32; 2]) -> f64 {
     let at = |name: &str| worked.configuration.points[scene.points.iter().position(|p| p.name == name).unwrap()].unwrap();
     let line = (at("C") - at("B")).angle();
@@ -322,7 +330,7 @@ fn the_phase_of_wheels_that_wait_for_one_another_is_kept() {
     }
 }
 
-/// A train told by its numbers of teeth alone is laid along the x axis, however long it is.
+/// A train given by its numbers of teeth alone is laid out along the x axis, at any length.
 #[test]
 fn a_train_by_teeth_is_as_long_as_one_likes() {
     for count in [3, 66, 67, 100, 200, 480] {
@@ -347,7 +355,8 @@ fn a_train_by_teeth_is_as_long_as_one_likes() {
     }
 }
 
-/// A pair with a fault leaves nothing behind for others to stumble over: whatever name its contact bears, whoever drives its centre, the fault is told.
+/// A faulty pair causes no further faults: with any name of its contact and any driver of its
+/// centre, its own fault is reported.
 #[test]
 fn the_contact_of_a_wheel_with_any_name() {
     for at in ["C", "S", "P", "1", "2", "4", "Q", "X", "A'"] {
@@ -361,15 +370,15 @@ fn the_contact_of_a_wheel_with_any_name() {
             let told = scene::read(&text);
             let reused = ["C", "S", "P"].contains(&at);
             assert!(!reused || told.as_ref().is_err_and(|f| f.list.iter().any(|d| d.code == "contact-point")), "{at} {driven}: {told:?}");
-            // What the faulty pair would have brought is not missed.
+            // Parts that the faulty pair would have defined are not reported as missing.
             let missed = told.err().is_some_and(|f| f.list.iter().any(|d| d.code == "driver"));
             assert!(!(reused && driven == "C" && missed), "{at}: the wheel's centre is said to run nowhere");
         }
     }
 }
 
-/// Gears whose distance other pairs change are refused, those whose distance they keep are not: racks at an angle to their guides, and gears on the
-/// pins of a rocking coupler.
+/// Gears with a distance that other pairs change are refused, those with a constant distance are
+/// not: racks at an angle to their guides, and gears on the pins of a rocking coupler.
 #[test]
 fn gears_whose_distance_changes_lock_the_mechanism() {
     let rack = |angle: f64| {

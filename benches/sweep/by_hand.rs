@@ -1,8 +1,9 @@
-//! What the sweeps are measured against: loops written by hand for one mechanism each, everything fused and in registers, with the
-//! lengths of the links as constants and without the guards that a sweep has for positions that cannot be assembled.
+//! Reference for the sweeps: a hand-written loop for each mechanism, with everything fused and in
+//! registers, the lengths of the links as constants, and without the sweep's guards for positions
+//! that cannot be assembled.
 //!
-//! They fill the columns that the sweep is asked for, velocities and accelerations with their lengths, and are checked
-//! against its numbers before anything is timed.
+//! The loops fill the same columns as the sweep, velocities and accelerations with their
+//! magnitudes, and are checked against its numbers before anything is timed.
 
 use fearless_simd::{Level, Simd, SimdBase, SimdFloat, f64x4};
 use hodograph::sweep::CHUNK;
@@ -28,26 +29,26 @@ fn minus<S: Simd>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
     (a.0 - b.0, a.1 - b.1)
 }
 
-/// x with u·x = p and w·x = q.
+/// Returns x with u·x = p and w·x = q.
 #[inline(always)]
 fn cross<S: Simd>(u: Vector<S>, w: Vector<S>, p: f64x4<S>, q: f64x4<S>) -> Vector<S> {
     (p * w.1 - q * u.1, q * u.0 - p * w.0)
 }
 
-/// k d.
+/// Returns k d.
 #[inline(always)]
 fn turned<S: Simd>(d: Vector<S>, k: [f64; 2]) -> Vector<S> {
     (d.0 * k[0] - d.1 * k[1], d.0 * k[1] + d.1 * k[0])
 }
 
-/// o + k (n − o).
+/// Returns o + k (n − o).
 #[inline(always)]
 fn carried<S: Simd>(o: Vector<S>, n: Vector<S>, k: [f64; 2]) -> Vector<S> {
     let d = turned(minus(n, o), k);
     (o.0 + d.0, o.1 + d.1)
 }
 
-/// The end of a crank on the origin.
+/// The end of a crank with its pivot in the origin.
 #[inline(always)]
 fn crank<S: Simd>(c: f64x4<S>, s: f64x4<S>, l: f64, w: f64) -> Motion<S> {
     let p = (c * l, s * l);
@@ -96,14 +97,14 @@ fn image<S: Simd>(o: Motion<S>, n: Motion<S>, k: [f64; 2]) -> Motion<S> {
     Motion { p: carried(o.p, n.p, k), v: carried(o.v, n.v, k), a: carried(o.a, n.a, k) }
 }
 
-/// The same with the first point on ground.
+/// The image of a point whose first base point is on ground.
 #[inline(always)]
 fn image_on<S: Simd>(o: [f64; 2], n: Motion<S>, k: [f64; 2]) -> Motion<S> {
     let p = turned((n.p.0 - o[0], n.p.1 - o[1]), k);
     Motion { p: (p.0 + o[0], p.1 + o[1]), v: turned(n.v, k), a: turned(n.a, k) }
 }
 
-/// k of the third point of a triangle with the sides o–n, o–p, n–p, to the left of o–n.
+/// The factor k for the third point of a triangle with the sides o–n, o–p, n–p, to the left of o–n.
 fn third(on: f64, op: f64, np: f64) -> [f64; 2] {
     let x = (on * on + op * op - np * np) / (2.0 * on * on);
     [x, ((op / on).powi(2) - x * x).sqrt()]
@@ -113,27 +114,27 @@ fn third(on: f64, op: f64, np: f64) -> [f64; 2] {
 pub struct ByHand {
     cos: Column,
     sin: Column,
-    /// v.x, v.y, |v| of each point asked for, then a.x, a.y, |a|.
+    /// v.x, v.y, |v| of each requested point, then a.x, a.y, |a|.
     pub out: Vec<Column>,
     mechanism: Mechanism,
 }
 
-/// A column, aligned as those of the sweep are.
+/// A column with the alignment of the sweep's columns.
 #[derive(Clone)]
 #[repr(align(64))]
 pub struct Column(pub [f64; CHUNK]);
 
-/// Which one.
+/// The mechanism of a loop.
 #[derive(Clone, Copy)]
 pub enum Mechanism {
-    /// The template `crank-rocker`: C.
+    /// The template `crank-rocker`; point C.
     FourBar,
-    /// The template `jansen-leg`: C, D, E, F, G.
+    /// The template `jansen-leg`; points C, D, E, F, G.
     Leg { third_e: [f64; 2], third_g: [f64; 2] },
 }
 
 impl Mechanism {
-    /// The leg.
+    /// The walking leg.
     pub fn leg() -> Mechanism {
         Mechanism::Leg { third_e: third(0.0415, 0.0401, 0.0558), third_g: third(0.0367, 0.049, 0.0657) }
     }
@@ -189,7 +190,7 @@ impl ByHand {
         }
     }
 
-    /// One chunk, four lanes wide.
+    /// Computes one chunk, four lanes wide.
     pub fn call(&mut self) {
         match Level::new().as_avx2() {
             Some(simd) => simd.vectorize(

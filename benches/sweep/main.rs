@@ -1,9 +1,12 @@
-//! What a position of a sweep costs: the compiled program against loops written by hand, with four lanes and with one; the
-//! cost against the length of a chain of dyads; batches. `cargo bench --bench sweep` prints the tables of docs/performance.md, and
-//! `cargo bench --bench sweep -- count NAME` runs one variant a million times, to be counted by `perf stat` or callgrind;
-//! `cargo bench --bench sweep -- only WORD` measures those whose names have the word.
+//! Cost of one position of a sweep: the compiled program compared with hand-written loops, with
+//! four lanes and with one; the cost over the length of a chain of dyads; batches.
 //!
-//! Variants take turns, so that whatever else the machine does falls on all alike; medians count.
+//! `cargo bench --bench sweep` prints the tables of docs/performance.md. `-- count NAME` runs one
+//! variant a million times, to be counted by `perf stat` or callgrind. `-- only WORD` measures the
+//! variants with this word in their names.
+//!
+//! Variants take turns, so that other load on the machine affects all alike; the medians are
+//! reported.
 
 mod by_hand;
 mod wheels;
@@ -21,10 +24,11 @@ use std::time::Instant;
 /// Rounds; the median of each variant is taken.
 const ROUNDS: usize = 301;
 
-/// Seconds of calls timed together: the clock's own time vanishes in it, and another program seldom takes its turn within it.
+/// Seconds of calls that are timed together: long enough to make the clock's own time negligible,
+/// short enough that another program seldom interrupts.
 const SAMPLE: f64 = 1e-4;
 
-/// Scenes with loads, and the accelerations on which their balancing moments rest.
+/// Scenes with loads, and the accelerations on which their balancing moments depend.
 const FORCES: [(&str, &[&str]); 4] = [
     ("four-bar-forces", &["a_S1", "a_S2", "a_S3", "alpha_2", "alpha_3"]),
     ("press-forces", &["a_S2", "a_S3", "a_F", "alpha_2", "alpha_3"]),
@@ -32,7 +36,7 @@ const FORCES: [(&str, &[&str]); 4] = [
     ("engine-forces", &["a_S2", "a_C", "alpha_2"]),
 ];
 
-/// A name, what is timed, and the positions of a call.
+/// A name, the timed function, and the number of positions per call.
 type Variant = (String, (Box<dyn FnMut()>, usize));
 
 fn scene(text: &str) -> Scene {
@@ -51,7 +55,7 @@ fn stations(scene: &Scene) -> (Stations, Mechanism) {
     (Stations::slid(now, now + 0.1, CHUNK - 1, 1.0), m)
 }
 
-/// A chunk's positions of a program, its inputs filled in; and how many there are.
+/// Returns a program over one chunk of positions with its inputs, and the number of positions.
 fn chunk_of(scene: &Scene, width: Width) -> (Box<dyn FnMut()>, usize) {
     let (stations, m) = stations(scene);
     let placed = Placed::new(scene, &m).unwrap();
@@ -61,7 +65,8 @@ fn chunk_of(scene: &Scene, width: Width) -> (Box<dyn FnMut()>, usize) {
     (Box::new(move || fused.run(black_box(&mut buffer), width)), n)
 }
 
-/// The same by hand; what it fills is first compared with the sweep's columns.
+/// Returns the hand-written loop for a chunk; its results are first compared with the sweep's
+/// columns.
 fn hand(scene: &Scene, mechanism: by_hand::Mechanism) -> (Box<dyn FnMut()>, usize) {
     let (stations, m) = stations(scene);
     let placed = Placed::new(scene, &m).unwrap();
@@ -77,7 +82,7 @@ fn hand(scene: &Scene, mechanism: by_hand::Mechanism) -> (Box<dyn FnMut()>, usiz
     (Box::new(move || black_box(&mut hand).call()), CHUNK)
 }
 
-/// A crank that drives `n` dyads, each hanging on the last.
+/// A crank that drives `n` dyads, each attached to the one before it.
 fn chain(n: usize) -> Scene {
     let (mut links, mut ground, mut points, mut lengths, mut side) =
         (String::new(), String::from("\"A\""), String::new(), String::new(), String::new());
@@ -101,7 +106,8 @@ fn chain(n: usize) -> Scene {
     ))
 }
 
-/// A train of so many gears in mesh, one after the other on ground, each with a point whose velocity and acceleration are asked.
+/// A train of this number of gears in mesh, all on ground, each with a point with velocity and
+/// acceleration asked for.
 fn train(n: usize) -> Scene {
     let (mut links, mut points, mut gears, mut find) = (String::new(), String::new(), Vec::new(), Vec::new());
     let mut ground = vec!["\"D0\"".to_owned()];
@@ -132,7 +138,7 @@ fn median(mut times: Vec<f64>) -> f64 {
     times[times.len() / 2]
 }
 
-/// Medians of all variants, in turn: ns a position.
+/// Medians of all variants, measured in turn: ns per position.
 fn measure(variants: &mut [Variant]) -> Vec<f64> {
     let mut times = vec![Vec::new(); variants.len()];
     let mut calls = vec![1u32; variants.len()];
@@ -244,7 +250,8 @@ fn batch() {
     }
 }
 
-/// Seconds that all threads have run for, where the system tells: what others do on the machine is not in it.
+/// Running time of all threads (s), if the system gives it; other programs on the machine are not
+/// included.
 fn processor_time() -> Option<f64> {
     let mut sum = 0.0;
     for task in std::fs::read_dir("/proc/self/task").ok()? {

@@ -1,4 +1,5 @@
-//! What cams cost: profiles of one circle, of arcs and lines, by laws, each compiled; and a whole turn of each with what finds its joints and places it.
+//! Cost of cams: profiles of one circle, of arcs and lines, and by laws, each compiled; and a whole
+//! turn of each, including the search for its joints and its placing.
 
 use super::{Variant, chunk_of, scene};
 use hodograph::mechanism::Mechanism;
@@ -9,7 +10,8 @@ use std::hint::black_box;
 /// Positions of a turn.
 const TURN: usize = 360;
 
-/// So many followers round one cam, translating with rollers, the velocity and acceleration of each asked.
+/// A cam with this number of translating roller followers; the velocity and acceleration of each
+/// are asked for.
 fn cam(profile: &str, followers: usize) -> Scene {
     let each = |text: &dyn Fn(usize) -> String| (1..=followers).map(text).collect::<Vec<_>>().join(", ");
     let links = each(&|k| format!(r#""f{k}": ["B{k}"]"#));

@@ -1,4 +1,5 @@
-//! `hodograph animate`: the mechanism with its polygons through the travel of a driver, as a moving picture or as its frames.
+//! `hodograph animate`: the mechanism with its polygons through the travel of a driver, as an
+//! animation or as single frames.
 
 use super::args::Animate;
 use super::draw::style_of;
@@ -60,7 +61,7 @@ pub fn run(a: Animate) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The frames as SVG, each figure once.
+/// Writes the frames as SVG, each figure once.
 fn written(period: &[&Figure]) -> Result<Vec<String>, Failure> {
     let all: Result<Vec<String>, Faults> = period.par_iter().map(|f| Ok(svg::write(f)?.value)).collect();
     all.map_err(|f| Failure::input(f, "", ""))
@@ -70,7 +71,8 @@ fn of_figure(d: Diagnostic) -> Failure {
     Failure::input(d, "", "")
 }
 
-/// A picture for each frame, numbered behind the name that was asked for; returns their names.
+/// Writes one picture per frame, with the frame's number after the requested name; returns the file
+/// names.
 fn frames(path: &str, all: &[String], dpi: f64, together: &mut Together) -> Result<String, Failure> {
     let pictures: Result<Vec<Vec<u8>>, Diagnostic> = all.par_iter().map(|svg| png::render(svg, dpi)).collect();
     let stem = Path::new(path).with_extension("");

@@ -1,4 +1,5 @@
-//! The command `attempts`: the wrong solutions that the scene names, or all typical mistakes that it lets one make.
+//! `hodograph attempts`: the wrong solutions that the scene names, or all typical mistakes that are
+//! possible in it.
 
 use super::{Input, Run, args, choices, files};
 use crate::attempts;

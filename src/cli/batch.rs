@@ -1,8 +1,8 @@
-//! The command `batch`: parameters varied, many mechanisms, into one file, block by block.
+//! `hodograph batch`: varied parameters, many mechanisms, written block by block into one file.
 //!
-//! The rows go to a part file beside the output ([`Part`]). When all are written it takes its name; a run that is interrupted leaves the
-//! part, and the same command goes on from there. A file that cannot be written in full is removed: an output
-//! file is always complete.
+//! The rows go to a part file beside the output ([`Part`]), which is renamed when all are written.
+//! An interrupted run leaves the part, and the same command continues from there. A file that
+//! cannot be written completely is removed: an output file is always complete.
 
 use super::args::Batch as Args;
 use super::part::Part;
@@ -19,12 +19,14 @@ use crate::sweep::vary::Variation;
 use std::io;
 use std::path::Path;
 
-/// Values of a parameter at most.
+/// Largest number of values of a parameter.
 const MOST_VALUES: usize = 10_000_000;
-/// Most steps of each mechanism: all its rows are in memory at once, of a dozen columns some ten megabytes, in each stage of the work.
+/// Largest number of steps of each mechanism: all its rows are in memory at once, in each stage of
+/// the work; a dozen columns take some ten megabytes.
 const MOST_POSITIONS: usize = 100_000;
 
-/// Numbers of a block, about: some megabytes, a row group of some 100 000 rows in Parquet.
+/// Approximate number of values in a block: some megabytes, in Parquet a row group of some 100 000
+/// rows.
 const BLOCK: usize = 1 << 20;
 
 pub fn batch(a: Args) -> Run {
@@ -55,7 +57,7 @@ pub fn batch(a: Args) -> Run {
     )))
 }
 
-/// The columns of a batch: the mechanism's number, its parameters and the driver's position come again and again.
+/// The columns of a batch. The mechanism's number, its parameters and the driver's position repeat.
 fn head(batch: &Batch, title: &str) -> Head {
     let mut head = Head::new(title, batch.columns()).told_in(lang::now());
     let leading = 2 + batch.values.len();
@@ -65,7 +67,8 @@ fn head(batch: &Batch, title: &str) -> Head {
 }
 
 /// # Errors
-/// What cannot be read or is no quantity of its parameter, each shown in its own argument.
+/// Arguments that cannot be read or do not fit the quantity of their parameter, each shown in its
+/// own argument.
 fn plan<'a>(input: &'a Input, mechanism: &'a Mechanism, a: &Args) -> Result<Batch<'a>, Failure> {
     let scene = &input.scene;
     let mut ranges = Vec::new();
@@ -107,14 +110,14 @@ fn plan<'a>(input: &'a Input, mechanism: &'a Mechanism, a: &Args) -> Result<Batc
     Ok(Batch { scene, mechanism, variation, values, choice, driver, stations })
 }
 
-/// Faults of a part of an argument, at the place of that part.
+/// Returns the faults of a part of an argument, at the place of that part.
 fn at(text: &str, part: &str, faults: Faults) -> Faults {
     let start = text.find(part).unwrap_or_default();
     let place = Span::new(start, start + part.len());
     Faults { list: faults.list.into_iter().map(|d| d.at(place)).collect() }
 }
 
-/// A parameter's values as the command line gives them.
+/// A parameter's values as given on the command line.
 #[derive(Clone, Copy)]
 struct Values<'a> {
     name: &'a str,
@@ -198,12 +201,13 @@ fn notes(missing: u64) -> Vec<Diagnostic> {
     (missing > 0).then(|| note(missing)).into_iter().collect()
 }
 
-/// Mechanisms of a block.
+/// Returns the number of mechanisms in a block.
 fn mechanisms_at_once(batch: &Batch) -> u64 {
     (BLOCK / (batch.positions() * batch.columns().len()).max(1)).max(1) as u64
 }
 
-/// Computes and writes block after block: one is computed while the one before it is given its form, and that before it is written.
+/// Computes and writes block after block, in parallel: one block is computed while the one before
+/// it is formatted and the one before that is written.
 fn stream(batch: &Batch, format: &dyn Format, part: &mut Part) -> io::Result<()> {
     let (all, step) = (batch.mechanisms(), mechanisms_at_once(batch));
     let bar = long::bar(all, part.done, &both!("mechanisms", "个机构"));

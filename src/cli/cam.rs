@@ -1,4 +1,5 @@
-//! `hodograph cam`: a disc cam over a whole turn, as text and JSON, its figures, its profile for who mills it.
+//! `hodograph cam`: a disc cam over a whole turn, as text and JSON, its figures, and its profile
+//! for milling.
 
 use super::draw::{FORMATS, style_of};
 use super::places::in_stream;
@@ -96,7 +97,7 @@ pub fn run(a: args::Cam) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The cams that can be surveyed, or the one that is named by its place in the list.
+/// Returns the cams that can be surveyed, or the one at a place in the list.
 fn chosen(input: &Input, which: Option<usize>) -> Result<Vec<(&Cam, &Turning)>, Faults> {
     let cams = &input.scene.cams;
     if cams.is_empty() {
@@ -143,7 +144,8 @@ fn csv(report: &Report, steps: usize) -> Result<Vec<u8>, Failure> {
     Ok(out)
 }
 
-/// The profile in millimetres: arcs and lines as they are, a law as a closed chain; base circle and bore are left to the reader.
+/// The profile in millimetres: arcs and lines unchanged, a motion law as a closed chain of lines;
+/// base circle and bore are not included.
 fn entities(report: &Report, steps: usize) -> Vec<(&'static str, Entity)> {
     let disc = &report.turning.disc;
     let mm = |v: Vec2| v * 1e3;
@@ -161,7 +163,8 @@ fn entities(report: &Report, steps: usize) -> Vec<(&'static str, Entity)> {
                     Entity::Circle { centre: mm(centre), radius: radius * 1e3 }
                 }
                 Segment::Arc { centre, radius, normals: [from, to] } => {
-                    // A hollow lies on the other side of its centre, and goes round the other way.
+                    // The centre of a concave arc is on the other side, and the arc runs in the
+                    // other direction.
                     let half = if radius < 0.0 { std::f64::consts::PI } else { 0.0 };
                     let (low, high) = (from.min(to) + half, from.max(to) + half);
                     let degrees = [low, high].map(|a| crate::cam::in_turn(a).to_degrees());

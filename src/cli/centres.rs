@@ -1,4 +1,5 @@
-//! The command `centres`: all instantaneous centres, how each is found, and what they tell.
+//! `hodograph centres`: all instantaneous centres, the construction of each, and the quantities
+//! that follow from them.
 
 use super::{Input, Run, args, choices, files};
 use crate::centres;
@@ -8,7 +9,7 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: args::Centres) -> Run {
-    // A centre does not depend on how fast the driver goes.
+    // A centre does not depend on the driver's speed.
     let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let Warned { value, notes } = centres::centres(&input.scene).map_err(|f| input.failed(f))?;

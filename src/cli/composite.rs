@@ -1,4 +1,5 @@
-//! The command `composite`: which moving points and frames serve, and the parts of the motion for those that the scene names.
+//! `hodograph composite`: the suitable moving points and frames, and the parts of the motion for
+//! those that the scene names.
 
 use super::{Input, Run, args, choices, files};
 use crate::composite;
@@ -7,7 +8,7 @@ use crate::mechanism::Mechanism;
 use crate::report::composite as report;
 use std::process::ExitCode;
 
-/// Most choices whose parts are told where the scene names none.
+/// Largest number of choices that are worked out if the scene names none.
 const MOST: usize = 3;
 
 /// Runs the command.

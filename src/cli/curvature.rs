@@ -1,4 +1,5 @@
-//! The command `curvature`: pole, inflection circle and centres of curvature of a link's paths, by drawing and by analysis.
+//! `hodograph curvature`: pole, inflection circle and centres of curvature of a link's paths, by
+//! drawing and by analysis.
 
 use super::draw::points_named;
 use super::{Failure, Input, Run, Told, args, choices, files, pencil};
@@ -11,7 +12,7 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: args::Curvature) -> Run {
-    // Where a path bends does not depend on how fast the driver goes.
+    // The curvature of a path does not depend on the driver's speed.
     let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let asked = asked(&input.scene, &a)?;
@@ -36,7 +37,7 @@ pub fn run(a: args::Curvature) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The links and points of the command line; all that are not there at once.
+/// Returns the links and points of the command line; reports all that do not exist at once.
 fn asked(scene: &Scene, a: &args::Curvature) -> Result<Asked, Failure> {
     let (links, points) = (links_named(scene, &a.link, "--link"), points_named(scene, &a.point, "--point"));
     let against: Vec<String> = a.against.iter().cloned().collect();
@@ -57,7 +58,7 @@ fn asked(scene: &Scene, a: &args::Curvature) -> Result<Asked, Failure> {
     if !links.is_empty() {
         return Ok(Asked { links, against, points });
     }
-    // Of a named point that link whose path it is.
+    // For named points, only the links that carry them.
     let carries = |l: &LinkId| points.is_empty() || points.iter().any(|p| scene.links[l.0].points.contains(p));
     let mut links: Vec<LinkId> = couplers(scene).into_iter().filter(carries).collect();
     if links.is_empty() {
@@ -68,7 +69,7 @@ fn asked(scene: &Scene, a: &args::Curvature) -> Result<Asked, Failure> {
     Ok(Asked { links, against, points })
 }
 
-/// The links of these names.
+/// Returns the links with these names.
 ///
 /// # Errors
 /// `unknown-link` for each name that the scene does not have.

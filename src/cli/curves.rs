@@ -1,4 +1,5 @@
-//! `hodograph curves`: displacements, velocities and accelerations against the position of the driver, as line diagrams.
+//! `hodograph curves`: displacements, velocities and accelerations over the position of the driver,
+//! as line diagrams.
 
 use super::args::Curves;
 use super::draw::style_of;
@@ -16,7 +17,8 @@ use crate::sweep::pieces::gather;
 use crate::sweep::{self, Placed, Table, Width};
 use std::process::ExitCode;
 
-/// Most steps of a diagram: its lines are drawn point by point, and no paper shows more than a few thousand of them side by side.
+/// Largest number of steps of a diagram: its lines are drawn point by point, and no paper shows
+/// more than a few thousand of them side by side.
 const MOST_STEPS: usize = 100_000;
 
 /// Runs the command.
@@ -30,7 +32,8 @@ pub fn run(a: Curves) -> Run {
     };
     ask(&mut input, Some(&find))?;
     input.over_a_table();
-    // Displacements were added to the scene's questions: they have no place in a file to point at.
+    // Displacements were added to the scene's questions: they have no place in a file for a
+    // diagnostic.
     input.file.asked = a.range.find.clone();
     let mechanism = sweep::mechanism(&input.scene).map_err(|f| input.failed(f))?;
     let swept = swept_of(&input.scene, a.range.over.as_deref())?;
@@ -89,13 +92,14 @@ pub fn run(a: Curves) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The scene's questions, each after the displacement that it is a rate of: the angle of a link, the coordinates in which a
-/// slider on the ground moves. Of a point that moves freely no coordinate is its displacement.
+/// Returns the scene's questions, each preceded by its displacement: the angle of a link, or the
+/// coordinates in which a slider on the ground moves. A point that moves freely has no such
+/// coordinate.
 fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
     let scene = &input.scene;
     let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
     let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
-    // A train that stands nowhere has no angles either.
+    // A gear train without given centres has no angles.
     let somewhere = input.file.notes.iter().all(|n| n.code != "free-centre");
     let mut words: Vec<String> = Vec::new();
     for find in &scene.find {
@@ -125,16 +129,17 @@ fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
     Ok(seen)
 }
 
-/// Whether a link has an angle of its own: a wheel that is nothing but its centre has none.
+/// Returns true if a link has an angle of its own; a wheel that consists of its centre alone has
+/// none.
 fn has_line(scene: &Scene, link: LinkId) -> bool {
     let guided = scene.guides.iter().any(|g| g.rolling.is_none() && (g.on == link || g.slider == Some(link)));
     guided || scene.links[link.0].points.len() >= 2
 }
 
-/// A guide nearer to an axis than this (sine) is along it: what is left is the rounding of its angle.
+/// Largest deviation (sine) of a guide from an axis that counts as rounding of its angle.
 const ALONG: f64 = 1e-9;
 
-/// In which coordinates a pin on a straight guide of the ground moves.
+/// Returns the coordinates in which a pin on a straight guide of the ground moves.
 fn axes(placed: &Placed, point: PointId) -> &'static [&'static str] {
     let guides = placed.scene.guides.iter().zip(&placed.at.guides);
     let on_ground = guides.filter(|(g, _)| g.pin == Some(point) && g.on == placed.scene.ground);

@@ -1,4 +1,4 @@
-//! `diff`: two figures compared, with the exit codes of diff(1).
+//! `hodograph diff`: compares two figures, with the exit codes of diff(1).
 
 use super::args::Diff;
 use super::{Failure, Run, files, lang};
@@ -8,17 +8,18 @@ use serde_json::{Value, json};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// They differ.
+/// The figures differ.
 const DIFFERENT: u8 = 1;
-/// Neither is known: a file cannot be read, or cannot be written.
+/// No result: a file cannot be read or written.
 const TROUBLE: u8 = 2;
-/// So many differences are told; the others are counted. `--json` has them all.
+/// Number of differences that are printed; the others are counted. `--json` lists them all.
 const TOLD: usize = 60;
 
-/// Compares.
+/// Runs the command.
 pub fn run(a: Diff) -> Run {
     match compared(&a) {
-        // For the other commands 1 is a file that could not be written; here it is taken.
+        // In the other commands, code 1 means that a file could not be written; here it means a
+        // difference.
         Err(failure @ Failure::Output(_)) => {
             failure.say();
             Ok(ExitCode::from(TROUBLE))
@@ -36,7 +37,7 @@ fn compared(a: &Diff) -> Run {
     let usual = Options::default();
     let options = Options {
         tolerance_mm: a.tolerance.unwrap_or(usual.tolerance_mm),
-        // Whoever lets items move lets pixels change.
+        // A tolerance for items removes the default limit of changed pixels.
         pixels: a.pixels.or(usual.pixels.filter(|_| a.tolerance.is_none())),
         ..usual
     };

@@ -1,4 +1,5 @@
-//! `hodograph draw`: the sheet, single figures and the construction's steps, into the files that were asked for.
+//! `hodograph draw`: the sheet, single figures and the construction's steps, in the requested
+//! formats.
 
 use super::args;
 use super::places::{agrees, in_stream, of_name, once, one_result};
@@ -18,7 +19,7 @@ use crate::worked::Worked;
 use hodograph_base::json::fields::suggest;
 use std::path::{Path, PathBuf};
 
-/// Formats that are written into a folder unless the command line says otherwise.
+/// Default formats in a folder.
 pub const FORMATS: [Format; 2] = [Format::Svg, Format::Png];
 
 /// Runs the command.
@@ -62,8 +63,9 @@ pub fn run(a: args::Draw) -> Run {
     Ok(verdict(solved.verdict()))
 }
 
-/// Writes figures, each with its name: a document with a page for each, or files in all formats asked for, all of them or none. Returns the
-/// notes, each once: what has no letters in the embedded fonts is noted in whichever format.
+/// Writes figures, each with its name: a document with one page each, or files in all requested
+/// formats, all of them or none. Returns the notes, each once; letters that the embedded fonts lack
+/// are noted for any format.
 fn put(a: &args::Draw, name: &str, figures: Vec<(String, Figure)>, failed: impl Fn(Faults) -> Failure) -> Result<Vec<Diagnostic>, Failure> {
     let formats = formats(a)?;
     if formats == [Format::Pdf] && (is_stream(&a.output) || of_name(&a.output) == Some(Format::Pdf)) {
@@ -93,22 +95,24 @@ fn put(a: &args::Draw, name: &str, figures: Vec<(String, Figure)>, failed: impl 
     Ok(notes)
 }
 
-/// Whether all figures asked for are such as do not depend on how fast the driver goes.
+/// Returns true if none of the requested figures depends on the driver's speed.
 fn needs_no_rate(a: &args::Draw) -> bool {
     let still = |e: &&'static Entry| matches!(e.name, "centres" | "curvature" | "centrodes" | "inversions");
     !a.figure.is_empty() && a.figure.iter().all(still) && a.path.is_empty() && a.poses == 0 && !a.steps
 }
 
-/// The width that is asked for (mm).
+/// Returns the requested width (mm).
 pub(super) fn width(given: Option<&str>) -> Result<Option<f64>, Failure> {
     let read = |text: &str| scene::width(text).map_err(|faults| Failure::argument("--width", text, faults));
     given.map(read).transpose()
 }
 
-/// The formats that are written: that of the file's ending, else those of `--format`; by default SVG to a stream, SVG and PNG into a folder.
+/// Returns the formats to write: that of the file's ending, else those of `--format`; by default
+/// SVG in a stream, SVG and PNG in a folder.
 ///
 /// # Errors
-/// `format` where the ending and `--format` contradict each other, or several formats are to go into one stream.
+/// `format` if the ending and `--format` contradict each other, or several formats are requested
+/// for one stream.
 fn formats(a: &args::Draw) -> Result<Vec<Format>, Failure> {
     let asked = once(&a.format);
     if is_stream(&a.output) {
@@ -121,7 +125,7 @@ fn formats(a: &args::Draw) -> Result<Vec<Format>, Failure> {
     }
 }
 
-/// Refuses a file of a format that figures are not written in; it would become the name of a folder.
+/// Refuses a file name with the ending of another format: it would become the name of a folder.
 fn output(path: &str) -> Result<(), Faults> {
     let folder = path.ends_with(std::path::is_separator) || Path::new(path).is_dir() || is_stream(path);
     match files::ending(path) {
@@ -141,7 +145,7 @@ fn output(path: &str) -> Result<(), Faults> {
     }
 }
 
-/// The style of a look, with the fonts of the command line before its own.
+/// Returns the style of a look, with the fonts of the command line before its own.
 pub fn style_of(look: &args::Look) -> Result<Style, Failure> {
     ids::take(&look.id_prefix)?;
     let mut style = read_style(&look.style)?;
@@ -154,7 +158,7 @@ pub fn style_of(look: &args::Look) -> Result<Style, Failure> {
     Ok(style)
 }
 
-/// A bundled style by its name, or a style file.
+/// Reads a bundled style by its name, or a style file.
 fn read_style(name: &str) -> Result<Style, Failure> {
     if let Some(style) = Style::named(name) {
         return Ok(style);
@@ -172,13 +176,13 @@ fn read_style(name: &str) -> Result<Style, Failure> {
         ));
     }
     let bytes = files::style(name).map_err(|d| Failure::argument("--style", name, d))?;
-    // Fonts are named from where the style is.
+    // Paths of fonts are relative to the style file.
     let folder = Path::new(name).parent().unwrap_or(Path::new(""));
     style::read_with(&bytes, &mut |font| files::font(&folder.join(font)))
         .map_err(|faults| Failure::input(faults, name, &String::from_utf8_lossy(&bytes)))
 }
 
-/// What is drawn with the mechanism.
+/// Returns the items that are drawn with the mechanism.
 ///
 /// # Errors
 /// Vectors that the questions do not call for, points that the scene does not have.
@@ -205,7 +209,7 @@ fn extras(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Extras, Fail
     }
 }
 
-/// The points with the names that an option lists.
+/// Returns the points with the names that an option lists.
 ///
 /// # Errors
 /// `unknown-point` for each name that the scene does not have.
@@ -230,7 +234,8 @@ pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec
     if faults.has_errors() { Err(Told::argument(option, &names.join(","), faults)) } else { Ok(points) }
 }
 
-/// The files of each figure: one file when the output ends in a format's name, else one for each format in a folder.
+/// Returns the files of each figure: one file if the output has a format's ending, else one for
+/// each format in a folder.
 fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)], formats: &[Format]) -> Result<Vec<Vec<(Format, PathBuf)>>, Faults> {
     let out = Path::new(&a.output);
     let one = is_stream(&a.output) || of_name::<Format>(&a.output).is_some() && !out.is_dir();

@@ -1,4 +1,5 @@
-//! Standard error: faults, warnings and notes as text, each as it comes, or with `--errors json` as one document at the end of the run.
+//! Standard error: faults, warnings and notes, written at once as text, or with `--errors json` as
+//! one document at the end of the run.
 
 use super::{files, lang};
 use crate::diag::{Diagnostic, Faults, json};
@@ -10,20 +11,20 @@ use std::sync::{Mutex, PoisonError};
 /// True if the run writes its faults as JSON.
 static AS_JSON: AtomicBool = AtomicBool::new(false);
 
-/// The document under way; `None` once it is written.
+/// The document under construction; `None` once it is written.
 static TOLD: Mutex<Option<Vec<Value>>> = Mutex::new(Some(Vec::new()));
 
-/// From now on everything is collected for the document.
+/// Collects all further diagnostics for the document.
 pub fn collect() {
     AS_JSON.store(true, Ordering::Relaxed);
 }
 
-/// Returns true if faults are collected for the document: nothing else goes to standard error then.
+/// Returns true if faults are collected for the document; nothing else then goes to standard error.
 pub fn as_json() -> bool {
     AS_JSON.load(Ordering::Relaxed)
 }
 
-/// Tells diagnostics of a text, the file or the value of an option that `name` names.
+/// Reports diagnostics of a text: a file, or the value of an option; `name` is its name.
 pub fn tell(faults: &Faults, name: &str, source: &str) {
     if as_json() {
         add(faults.json(name, source));
@@ -32,7 +33,7 @@ pub fn tell(faults: &Faults, name: &str, source: &str) {
     }
 }
 
-/// Tells a diagnostic that as text is only a line.
+/// Reports a diagnostic; as text it is a single line.
 pub fn tell_line(diagnostic: &Diagnostic, line: &str) {
     if as_json() {
         add(vec![diagnostic.json("", "")]);
@@ -46,7 +47,7 @@ fn add(more: Vec<Value>) {
     told.iter_mut().for_each(|list| list.extend(more.iter().cloned()));
 }
 
-/// Ends what the run tells: writes the document, once, also where there is nothing to tell.
+/// Ends the reports: writes the document once, even if it is empty.
 pub fn finish() {
     if !as_json() {
         return;

@@ -1,4 +1,4 @@
-//! Files: read with a bound, printed where that is possible, figures in their formats.
+//! Reads files up to a size limit, prints, and writes figures in their formats.
 
 use super::places::Place;
 use super::target::{has_read, stdout_is_taken};
@@ -16,17 +16,18 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
 
-/// A scene is a page of text; what is larger than this is not one, and is not read into memory. The reader itself says so
-/// for files between its own limit and this one.
+/// Largest file that is read into memory. A scene is a page of text; the scene reader itself
+/// reports files between its own limit and this one.
 const LARGEST: u64 = 16 << 20;
 
 /// The name by which standard input is shown.
 pub const STDIN: &str = "standard input";
 
-/// Scenes that were read, by their paths: what a pipe or standard input gave is gone from there.
+/// Scenes that were read, by their paths: a pipe or standard input can be read only once.
 static READ: Mutex<BTreeMap<String, Vec<u8>>> = Mutex::new(BTreeMap::new());
 
-/// Reads a scene, from standard input for `-`. Returns the name to show. Asked again, it gives the same bytes.
+/// Reads a scene, from standard input for `-`. Returns the name to show. A second call returns the
+/// same bytes.
 pub fn scene(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
     let name = if path == "-" { STDIN } else { path }.to_owned();
     let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
@@ -48,7 +49,7 @@ fn from_file(path: &str) -> Result<Vec<u8>, Diagnostic> {
 
 fn from_stdin() -> Result<Vec<u8>, Diagnostic> {
     let mut bytes = Vec::new();
-    // A shell may have put a file there: that one is not to be written over either.
+    // Standard input may be a file, which must not be overwritten either.
     has_read(Path::new("/dev/stdin"));
     match io::stdin().lock().take(LARGEST).read_to_end(&mut bytes) {
         Ok(_) => Ok(bytes),
@@ -93,7 +94,7 @@ fn bounded(path: &Path, most: u64, help: Both) -> Result<Vec<u8>, Diagnostic> {
     }
 }
 
-/// A refusal of ours where the system's functions have theirs.
+/// A refusal by this program, in place of an error of the system.
 #[derive(Debug)]
 pub struct Refused(pub Both);
 
@@ -105,7 +106,7 @@ impl std::fmt::Display for Refused {
 
 impl std::error::Error for Refused {}
 
-/// Why the system refuses: in its own words, and in Chinese for what happens to people.
+/// The reason of a system error: in the system's words, and in Chinese for common errors.
 pub fn reason(e: &io::Error) -> Both {
     if let Some(Refused(words)) = e.get_ref().and_then(|e| e.downcast_ref()) {
         return words.clone();
@@ -122,17 +123,17 @@ pub fn reason(e: &io::Error) -> Both {
     }
 }
 
-/// Prints; a reader that closed its end (`| head`) ends the run quietly.
+/// Prints a text; a reader that closes its end (`| head`) ends the run without error.
 pub fn print(text: &str) -> Result<ExitCode, Failure> {
     print_with(|out| out.write_all(text.as_bytes())).map(|()| ExitCode::SUCCESS)
 }
 
-/// Prints names of files; a sign in them that a terminal would obey is shown, not sent.
+/// Prints names of files; control characters are made visible.
 pub fn print_names(names: &str) -> Result<ExitCode, Failure> {
     print(&diagnostics::visible(names))
 }
 
-/// Prints piece by piece. Standard output that a result has been written to (`-o -`) holds nothing else.
+/// Prints piece by piece; prints nothing if a result has gone to standard output (`-o -`).
 pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
     if stdout_is_taken() {
         return Ok(());
@@ -144,34 +145,35 @@ pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result
     }
 }
 
-/// Writes to standard error. A failure to write is ignored: the exit code still tells the outcome.
+/// Writes to standard error. A failure to write is ignored: the exit code still gives the outcome.
 pub fn say(text: &str) {
     let _ = io::stderr().lock().write_all(diagnostics::visible(text).as_bytes());
 }
 
-/// How a file's name ends, after its last dot, in small letters: `x.SVG` is an SVG too.
+/// Returns the ending of a file name, after its last dot, in lower case: `x.SVG` is an SVG too.
 pub fn ending(path: &str) -> Option<String> {
     Path::new(path).extension().and_then(|e| e.to_str()).map(str::to_lowercase)
 }
 
-/// Writes a file whole.
+/// Writes a whole file.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_with(path, |out| out.write_all(bytes))
 }
 
-/// Writes a file piece by piece, whole or not at all: what fails or is interrupted leaves nothing behind.
+/// Writes a file piece by piece, completely or not at all: a failed or interrupted run leaves
+/// nothing behind.
 pub fn write_with(path: &Path, fill: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<(), Failure> {
     let mut one = Together::default();
     one.add_with(path, fill)?;
     one.appear()
 }
 
-/// The name of a scene file without folder and ending, for the files made from it.
+/// Returns the name of a scene file without folder and ending, for the files made from it.
 pub fn stem<'a>(name: &'a str, otherwise: &'a str) -> &'a str {
     Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != STDIN).unwrap_or(otherwise)
 }
 
-/// A figure in a format; what has no letters in the fonts is noted.
+/// Writes a figure in a format; letters that the fonts lack are noted.
 pub fn bytes(figure: &Figure, format: Format, text: Text, dpi: f64) -> Result<Warned<Vec<u8>>, Faults> {
     match format {
         Format::Pdf => pdf::pdf(std::slice::from_ref(figure)),
@@ -186,16 +188,16 @@ pub fn bytes(figure: &Figure, format: Format, text: Text, dpi: f64) -> Result<Wa
     }
 }
 
-/// Dots of a PNG in an inch, where nothing else is said.
+/// Default resolution of a PNG (dots per inch).
 const DPI: f64 = 200.0;
 
-/// Writes one figure to its places. Returns their names, a line each, and the notes.
+/// Writes one figure to its places. Returns the file names, one per line, and the notes.
 pub fn figure(figure: &Figure, places: &[Place<Format>]) -> Result<Warned<String>, Failure> {
     figure_or_pages(|| figure.clone(), || vec![figure.clone()], places)
 }
 
-/// Writes a result that is one figure, and pages in a document of pages, to its places, all of them or none. Returns their names, a line
-/// each, and the notes.
+/// Writes a result to its places, all of them or none: a single figure, or pages in a document of
+/// pages. Returns the file names, one per line, and the notes.
 pub fn figure_or_pages(
     one: impl Fn() -> Figure,
     pages: impl Fn() -> Vec<Figure>,

@@ -1,6 +1,7 @@
-//! `--help` and the faults of arguments in Chinese: what `args` says in English, said again from one table.
+//! Chinese texts of `--help` and of the faults of arguments: one table translates the English of
+//! `args`.
 //!
-//! The printer of the help knows English headings only; those are put into Chinese in what it has printed.
+//! The printer of the help knows only English headings; they are translated in its output.
 
 use super::args::Args;
 use super::files::Refused;
@@ -11,7 +12,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory};
 use std::ffi::OsString;
 
-/// The value of a global option such as `--lang`, before the arguments are read.
+/// Returns the value of a global option such as `--lang`, before the arguments are parsed.
 pub fn given<T>(arguments: &[OsString], option: &str, named: impl Fn(&str) -> Option<T>) -> Option<T> {
     let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).take_while(|a| *a != "--").collect();
     let apart = words.windows(2).filter(|w| w[0] == option).filter_map(|w| named(w[1]));
@@ -19,7 +20,7 @@ pub fn given<T>(arguments: &[OsString], option: &str, named: impl Fn(&str) -> Op
     apart.chain(together).next()
 }
 
-/// A fault of the arguments as a diagnostic: its first sentence, and the usage as advice.
+/// Returns a fault of the arguments as a diagnostic: its first sentence, and the usage as advice.
 pub fn diagnostic(e: &clap::Error) -> Diagnostic {
     let parts = |text: String, mark: &str| {
         let (said, rest) = text.split_once("\n\n").unwrap_or((&text, ""));
@@ -30,9 +31,9 @@ pub fn diagnostic(e: &clap::Error) -> Diagnostic {
     Diagnostic::error("usage", Both { en: en.0, zh: zh.0 }).help(Both { en: en.1, zh: zh.1 })
 }
 
-/// The language of the help where the arguments ask for none: that of the machine.
+/// Returns the language of the help if the arguments choose none: that of the system.
 pub fn of_the_machine() -> Lang {
-    // The order in which they count; an empty one does not.
+    // The variables in the order of their priority; an empty one is ignored.
     let set = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(std::env::var_os).find(|v| !v.is_empty());
     match set {
         Some(name) if name.to_str().is_some_and(|n| n.starts_with("zh")) => Lang::Zh,
@@ -40,7 +41,7 @@ pub fn of_the_machine() -> Lang {
     }
 }
 
-/// The program's arguments with their help in a language.
+/// Returns the program's arguments with their help in a language.
 pub fn command(lang: Lang) -> Command {
     let command = Args::command();
     match lang {
@@ -60,7 +61,7 @@ fn chinese(mut command: Command) -> Command {
     command.term_width(0)
 }
 
-/// One command with its arguments.
+/// Translates one command and its arguments.
 fn told(command: Command, name: &str) -> Command {
     let command = match entry(name, "") {
         Some(about) => command.about(about).long_about(about),
@@ -80,13 +81,13 @@ fn entry(command: &str, argument: &str) -> Option<&'static str> {
     WORDS.iter().find(|w| (w.0, w.1) == (command, argument)).map(|w| w.2)
 }
 
-/// The help as it was printed, its headings and the names of choices in Chinese.
+/// Translates the headings and the names of choices of a printed help into Chinese.
 fn headings(text: &str) -> String {
     let figures = LIST.iter().map(|e| (e.about[0], e.about[1]));
     HEADINGS.iter().copied().chain(figures).fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
 }
 
-/// What is wrong with the arguments, or the help that they ask for, in Chinese.
+/// Returns the faults of the arguments, or the requested help, in Chinese.
 pub fn usage(e: &clap::Error) -> String {
     let value = |kind| e.get(kind).map(|v: &ContextValue| v.to_string()).unwrap_or_default();
     let (argument, given) = (value(ContextKind::InvalidArg), value(ContextKind::InvalidValue));
@@ -115,7 +116,7 @@ pub fn usage(e: &clap::Error) -> String {
     headings(&format!("错误：{said}{usage}\n\n详细说明请用 '--help'。\n"))
 }
 
-/// Why a value is refused, where the library says it.
+/// Returns the reason for which the library refuses a value.
 fn refused(e: &clap::Error) -> String {
     let source = std::error::Error::source(e);
     if let Some(Refused(words)) = source.and_then(|s| s.downcast_ref()) {
@@ -129,7 +130,7 @@ fn refused(e: &clap::Error) -> String {
     }
 }
 
-/// Prints the help, or what is wrong with the arguments, in the language of the help.
+/// Returns the help, or the faults of the arguments, in the language of the help.
 pub fn said(e: &clap::Error, lang: Lang) -> String {
     match lang {
         Lang::En => e.render().to_string(),
@@ -137,7 +138,8 @@ pub fn said(e: &clap::Error, lang: Lang) -> String {
     }
 }
 
-/// What the printer of the help writes by itself, and the choices of an argument; those of figures come from their list.
+/// Texts that the printer of the help writes itself, and the choices of an argument; those of
+/// figures come from their list.
 const HEADINGS: &[(&str, &str)] = &[
     ("Usage:", "用法："),
     ("Commands:", "命令："),
@@ -152,7 +154,7 @@ const HEADINGS: &[(&str, &str)] = &[
     ("Text, for drawing programs", "文字，供绘图软件编辑"),
 ];
 
-/// Command, argument, help: no argument is the command itself, `*` any command.
+/// Command, argument, help. An empty argument is the command itself, `*` any command.
 const WORDS: &[(&str, &str, &str)] = &[
     ("", "", "用图解法求解平面机构：列矢量方程，作速度多边形和加速度多边形，图面与教科书一致"),
     (
@@ -354,7 +356,7 @@ mod tests {
     fn every_command_and_argument_is_told_in_chinese() {
         let mut command = command(Lang::Zh);
         assert!(is_chinese(&command.get_about().unwrap().to_string()));
-        // The list of the commands again.
+        // Skips the list of commands, which `help` repeats.
         for c in command.get_subcommands_mut().filter(|c| c.get_name() != "help") {
             let name = c.get_name().to_owned();
             assert!(c.get_about().is_some_and(|a| is_chinese(&a.to_string())), "{name}: no Chinese in WORDS");
@@ -363,7 +365,7 @@ mod tests {
                 assert!(is_chinese(&help), "{name} {}: no Chinese in WORDS, but {help:?}", arg.get_id());
             }
             let text = headings(&c.render_long_help().to_string());
-            // What is left in Latin letters are names: no two small words follow one another.
+            // Only names remain in Latin letters: no two lower-case words follow one another.
             let english = text.lines().find(|l| {
                 let small = |w: &str| w.len() > 1 && w.chars().all(|c| c.is_ascii_lowercase());
                 let words: Vec<&str> = l.split(' ').collect();

@@ -1,4 +1,4 @@
-//! The prefix of the ids of this run's SVG files: that of `--id-prefix`.
+//! The prefix of the ids in the SVG files of this run (`--id-prefix`).
 
 use super::{Failure, args};
 use crate::diag::{Diagnostic, both};
@@ -6,17 +6,17 @@ use crate::render::svg::IdPrefix;
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-/// The prefix of the command line; a run has one.
+/// The prefix of the command line, one per run.
 static PREFIX: OnceLock<IdPrefix> = OnceLock::new();
 
-/// Takes the prefix of the command line.
+/// Sets the prefix from the command line.
 pub fn take(text: &str) -> Result<(), Failure> {
     let prefix = IdPrefix::new(text).map_err(|d| Failure::argument("--id-prefix", text, d))?;
     let _ = PREFIX.set(prefix);
     Ok(())
 }
 
-/// An SVG with the prefix before its ids.
+/// Returns an SVG with the prefix before its ids.
 pub fn put_before(svg: &str) -> Cow<'_, str> {
     PREFIX.get().map_or(svg.into(), |prefix| prefix.put_before(svg))
 }

@@ -1,4 +1,4 @@
-//! The command `inversions`: each link of the chain as ground in turn, in words, and as scenes in files.
+//! `hodograph inversions`: each link of the chain as ground in turn, in words and as scene files.
 
 use super::together::Together;
 use super::{Failure, Input, Run, args, choices, files, places};
@@ -14,7 +14,7 @@ pub fn run(a: args::Inversions) -> Run {
     if a.pick.is_none() {
         places::no_report_beside(a.output.as_deref(), a.json)?;
     }
-    // How far links turn does not depend on how fast.
+    // The rotation of links does not depend on the driver's speed.
     let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let Warned { value: all, notes } = inversions(&input.scene).map_err(|f| input.failed(f))?;

@@ -1,47 +1,50 @@
-//! The journal of a table under way: what was asked, then a line for each piece that is in the part.
+//! The journal of a table in progress: the job, then one line for each piece that the part file
+//! holds.
 //!
-//! A mark, then lines of JSON, each behind the CRC-32 of its text. A line is added when its piece has been written, so that a run that
-//! ends at any moment, in the middle of a line too, loses the piece under way only; and what has been changed since is found.
+//! A journal consists of a mark and of JSON lines, each after the CRC-32 of its text. A line is
+//! added after its piece has been written. A run that ends at any moment, even in the middle of a
+//! line, therefore loses only the current piece, and later changes of the files are detected.
 //!
-//! Decided here: what the bytes of a journal say. Not decided here: where they are.
+//! This module defines the bytes of a journal, not their place.
 
 use serde::{Deserialize, Serialize};
 
-/// How every journal begins. A file that begins otherwise is somebody else's.
+/// The first bytes of every journal. A file with another beginning belongs to another program.
 pub const MARK: &[u8] = b"hodograph journal 1\n";
 
-/// What was asked.
+/// The job.
 #[derive(Serialize, Deserialize, Debug, PartialEq)]
 pub struct Job {
-    /// Another question begins anew.
+    /// The description of the job; a different one starts anew.
     pub job: String,
-    /// Length of what stands before the first row.
+    /// Length of the text before the first row.
     pub begin: u64,
 }
 
 /// A piece of the table.
 #[derive(Serialize, Deserialize, Debug, PartialEq)]
 pub struct Entry {
-    /// Mechanisms whose rows are in the part with it.
+    /// Number of mechanisms in the part after this piece.
     pub done: u64,
-    /// Positions of it that have no row.
+    /// Number of positions of the piece without a row.
     pub missing: u64,
-    /// Length of the part with it.
+    /// Length of the part after this piece.
     pub bytes: u64,
     /// CRC-32 of its own bytes.
     pub crc: u32,
-    /// Its rows.
+    /// Number of its rows.
     pub rows: u64,
-    /// What the end of the table has to know of it.
+    /// The data that the end of the table needs from it.
     pub index: Vec<u8>,
 }
 
-/// Whether a file that begins so is a journal: an empty one and one that ends within its mark are journals that were just begun.
+/// Returns true if a file with this beginning is a journal; an empty one and one that ends within
+/// its mark have just been begun.
 pub fn is_journal(text: &[u8]) -> bool {
     text.starts_with(MARK) || MARK.starts_with(text)
 }
 
-/// A line of a journal.
+/// Returns a line of a journal.
 ///
 /// # Errors
 /// Those of the JSON writer.
@@ -53,16 +56,16 @@ pub fn line(of: &impl Serialize) -> serde_json::Result<Vec<u8>> {
     Ok(line)
 }
 
-/// What a journal says, as far as it is whole.
+/// The complete lines of a journal.
 pub struct Journal {
     pub job: Job,
-    /// Where the job's line ends.
+    /// End of the job's line.
     pub begun: usize,
-    /// The pieces, each with the place at which its line ends.
+    /// The pieces, each with the end of its line.
     pub pieces: Vec<(Entry, usize)>,
 }
 
-/// Reads a journal; `None` where not even its job is whole.
+/// Reads a journal; `None` if even its job is incomplete.
 pub fn read(text: &[u8]) -> Option<Journal> {
     let mut at = MARK.len();
     let mut rest = text.strip_prefix(MARK)?;
@@ -81,7 +84,7 @@ pub fn read(text: &[u8]) -> Option<Journal> {
     Some(Journal { job, begun, pieces })
 }
 
-/// The text of a line whose checksum is right.
+/// Returns the text of a line with a correct checksum.
 fn unwrapped(line: &[u8]) -> Option<&[u8]> {
     let (crc, text) = line.strip_suffix(b"\n")?.split_at_checked(9)?;
     let crc = std::str::from_utf8(crc.strip_suffix(b" ")?).ok()?;

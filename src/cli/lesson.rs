@@ -6,7 +6,7 @@ use crate::diag::{Diagnostic, Warned, both};
 use crate::problem::{self, Lesson, Look, Options, Wish};
 use crate::scene::Swept;
 
-/// The endings that a lesson's file may have.
+/// The valid endings of a lesson's file.
 const LESSONS: [&str; 2] = ["html", "htm"];
 
 /// Runs the command.

@@ -1,4 +1,5 @@
-//! Long work: a bar with rate and time left, and one piece computed while the one before it is written.
+//! Long work: a progress bar with rate and remaining time, and a pipeline that computes one piece
+//! while it writes the one before.
 
 use super::{errors, lang};
 use crate::diag::{Both, both};
@@ -6,7 +7,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, IsTerminal};
 use std::sync::mpsc;
 
-/// A bar on standard error, where that is a terminal.
+/// Returns a progress bar on standard error, if that is a terminal.
 pub fn bar(all: u64, done: u64, what: &Both) -> ProgressBar {
     let bar = if io::stderr().is_terminal() && !errors::as_json() { ProgressBar::new(all) } else { ProgressBar::hidden() };
     let words =
@@ -18,9 +19,9 @@ pub fn bar(all: u64, done: u64, what: &Both) -> ProgressBar {
     bar
 }
 
-/// Makes, forms and takes pieces side by side until there are no more, or one of them fails. What has been formed goes back to the
-/// maker, and what has been taken to the former, who need no new memory then; three of what is made and three of what is formed are
-/// there at most.
+/// Makes, formats and takes pieces in parallel until there are no more or one of the steps fails.
+/// Formatted pieces return to `make`, and taken ones to `form`, so that their memory is used again.
+/// At most three made and three formatted pieces exist at a time.
 pub fn pipeline<T: Send, U: Send>(
     mut make: impl FnMut(Option<T>) -> Option<T> + Send,
     mut form: impl FnMut(&T, Option<U>) -> io::Result<U> + Send,
@@ -31,12 +32,12 @@ pub fn pipeline<T: Send, U: Send>(
     let (to_take, formed) = mpsc::sync_channel(1);
     let (give_taken, taken) = mpsc::channel();
     std::thread::scope(|s| {
-        // An error of a sender: who should receive has failed and gone.
+        // A send fails only after the receiver has failed.
         s.spawn(move || while make(used.try_recv().ok()).is_some_and(|piece| to_form.send(piece).is_ok()) {});
         s.spawn(move || {
             for piece in made {
                 let new = form(&piece, taken.try_recv().ok());
-                // The maker may have ended.
+                // `make` may have ended.
                 let _ = give_back.send(piece);
                 if to_take.send(new).is_err() {
                     break;
@@ -46,7 +47,7 @@ pub fn pipeline<T: Send, U: Send>(
         formed.into_iter().try_for_each(|piece| {
             let piece = piece?;
             take(&piece)?;
-            // The former may have ended.
+            // `form` may have ended.
             let _ = give_taken.send(piece);
             Ok(())
         })

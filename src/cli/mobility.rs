@@ -1,4 +1,4 @@
-//! `hodograph mobility`: what is counted, as text or JSON, and the groups drawn apart.
+//! `hodograph mobility`: the degree of freedom as text or JSON, and the groups drawn apart.
 
 use super::draw::style_of;
 use super::values::Format;
@@ -9,7 +9,7 @@ use crate::scene::{self, Scene};
 use crate::worked::{Scope, work};
 use std::process::ExitCode;
 
-/// A scene of which only the pose is asked: without drivers those that move it.
+/// Returns a scene of which only the pose matters; if it has no drivers, with drivers that move it.
 pub(super) fn posed_scene(scene: Scene) -> Scene {
     let chosen = || report::surveyed(&scene).0.choices.into_iter().next().map(|c| c.scene.drivers);
     let drivers = if scene.drivers.is_empty() { chosen().unwrap_or_default() } else { scene.drivers.clone() };
@@ -25,7 +25,7 @@ pub fn run(a: args::Mobility) -> Run {
     let (lang, notation) = choices(&input.scene, &a.common);
     let (survey, checked) = report::surveyed(&input.scene);
     if let Some(places) = &places {
-        // A drawing needs the pose: what is missing for it is told as everywhere.
+        // A drawing needs the pose; missing data are reported as in other commands.
         let posed = scene::read_pose(&input.file.source).map_err(|f| input.failed(f))?;
         let asked = posed_scene(posed.value);
         let worked = work(&asked, Scope::Figure).map_err(|f| input.failed(f))?;

@@ -1,7 +1,9 @@
-//! The command line: the only place that reads arguments and files, prints, and decides exit codes.
+//! The command line: the only module that reads arguments and files, prints, and decides exit
+//! codes.
 //!
-//! Exit codes: 0 done; 1 a file could not be written, or the figures of `diff` differ; 2 bad input; 3 drawing and analysis disagree, which is an error of
-//! ours; 4 done, but for answers that do not exist in the pose (dead centres); 130 interrupted while a file was written.
+//! Exit codes: 0 done; 1 a file could not be written, or the figures of `diff` differ; 2 bad input;
+//! 3 drawing and analysis disagree, which is an error of this program; 4 done, but some answers do
+//! not exist in the pose (dead centres); 130 interrupted while a file was written.
 
 mod animate;
 mod args;
@@ -67,7 +69,7 @@ pub fn main() -> ExitCode {
 
 fn run() -> ExitCode {
     let given: Vec<OsString> = std::env::args_os().collect();
-    // Faults of the arguments are told in the same form.
+    // Faults of the arguments have the same form.
     if help::given(&given, "--errors", Errors::named) == Some(Errors::Json) {
         errors::collect();
     }
@@ -114,7 +116,7 @@ fn run() -> ExitCode {
     result.unwrap_or_else(Failure::say)
 }
 
-/// Help and version, or what is wrong with the arguments.
+/// Prints help and version, or the faults of the arguments.
 fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
     let code = u8::try_from(e.exit_code()).unwrap_or(2);
     if errors::as_json() && e.use_stderr() {
@@ -122,8 +124,8 @@ fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
         return ExitCode::from(code);
     }
     let plain = help::said(e, of_help);
-    // An argument is quoted as it was given; what a terminal would obey is not, and then the colours are gone too.
-    // The colours go with the English of the library.
+    // Arguments are quoted as given, without control characters; the colours are then lost too.
+    // Texts other than the English of the library have no colours.
     if diagnostics::visible(&plain) != plain || of_help != Lang::En && e.use_stderr() {
         files::say(&plain);
         return ExitCode::from(code);
@@ -139,17 +141,17 @@ fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
     }
 }
 
-/// Why a run ended early.
+/// The reason for which a run ended early.
 enum Failure {
-    /// Something is wrong with a scene, an argument, or a file that was named.
+    /// A fault in a scene, an argument, or a named file.
     Input(Vec<Told>),
     /// A file could not be written.
     Output(Both),
-    /// The user asked to stop; what is left of the work.
+    /// The user asked to stop; the text describes the remaining work.
     Interrupted(Both),
 }
 
-/// Faults, and the text in which their places count.
+/// Faults, with the text that their places refer to.
 struct Told {
     faults: Faults,
     name: String,
@@ -157,7 +159,8 @@ struct Told {
 }
 
 impl Told {
-    /// Faults of an argument, each at its place there; what has no place is about all of it.
+    /// Faults of an argument, each at its place in it; a fault without a place refers to the whole
+    /// argument.
     fn argument(option: &str, text: &str, faults: impl Into<Faults>) -> Told {
         let whole = (!text.is_empty()).then(|| Span::new(0, text.len()));
         let mut faults = faults.into();
@@ -169,17 +172,17 @@ impl Told {
 }
 
 impl Failure {
-    /// Faults of a file.
+    /// Returns the failure for faults of a file.
     fn input(faults: impl Into<Faults>, name: &str, source: &str) -> Failure {
         Failure::Input(vec![Told { faults: faults.into(), name: name.into(), source: source.into() }])
     }
 
-    /// Faults of an argument.
+    /// Returns the failure for faults of an argument.
     fn argument(option: &str, text: &str, faults: impl Into<Faults>) -> Failure {
         Failure::Input(vec![Told::argument(option, text, faults)])
     }
 
-    /// Says it; returns the exit code that is due, whether anybody could hear it or not.
+    /// Reports the failure; returns its exit code, even if the report cannot be written.
     fn say(self) -> ExitCode {
         match self {
             Failure::Input(all) => {
@@ -199,7 +202,7 @@ impl Failure {
     }
 }
 
-/// Tells what an interrupted run has left undone.
+/// Reports the work that an interrupted run has left undone.
 fn interrupted(message: &Both) {
     let line = both!("interrupted: {}\n", "已中断：{}\n", message);
     errors::tell_line(&Diagnostic::error("interrupted", message.clone()), lang::of(&line));
@@ -207,19 +210,19 @@ fn interrupted(message: &Both) {
 
 type Run = Result<ExitCode, Failure>;
 
-/// A file that a command was given, and what is to be said of it.
+/// The file given to a command, with the notes on it.
 struct File {
     name: String,
     source: String,
     notes: Vec<Diagnostic>,
-    /// The author's fonts that its figures are set in.
+    /// The author's fonts of its figures.
     fonts: Fonts,
     /// The questions of the command line, which replace those of the scene.
     asked: Option<String>,
 }
 
 impl File {
-    /// The file that the command line names, with its parameters.
+    /// Opens the file that the command line names, with its parameters.
     fn open(path: &str, set: &[String]) -> Result<File, Failure> {
         let (name, bytes) = values::file(path, set)?;
         let source = String::from_utf8_lossy(&bytes).into_owned();
@@ -231,14 +234,14 @@ impl File {
         Ok(File { name, source, notes: Vec::new(), fonts: Fonts::default(), asked: None })
     }
 
-    /// Reads the file; its remarks are kept.
+    /// Reads the file; its notes are kept.
     fn read<T>(&mut self, read: impl FnOnce(&[u8]) -> Result<Warned<T>, Faults>) -> Result<T, Failure> {
         let Warned { value, notes } = read(self.source.as_bytes()).map_err(|faults| self.failed(faults))?;
         self.notes.extend(notes);
         Ok(value)
     }
 
-    /// The answers to a problem.
+    /// Solves a problem.
     fn solve(&mut self, problem: &Problem, options: &problem::Options) -> Result<Solved, Failure> {
         let solved = problem::solve(problem, options).map_err(|faults| match faults.list.iter().any(|d| d.code == "no-candidate") {
             true => Failure::argument("--pick", &(options.candidate + 1).to_string(), faults),
@@ -248,7 +251,8 @@ impl File {
         Ok(solved)
     }
 
-    /// Diagnostics of the file, each in the text in which its place counts: the file, or the questions of the command line.
+    /// Diagnostics of the file, each with the text that its place refers to: the file, or the
+    /// questions of the command line.
     fn told(&self, faults: Faults) -> Vec<Told> {
         let (mut of_file, mut of_asked) = (Faults::default(), Faults::default());
         for mut d in faults.list {
@@ -266,38 +270,39 @@ impl File {
         std::iter::once(file).chain(asked).filter(|t| !t.faults.list.is_empty()).collect()
     }
 
-    /// The end of a run with faults of the file.
+    /// Returns the failure for faults of the file.
     fn failed(&self, faults: Faults) -> Failure {
         Failure::Input(self.told(faults))
     }
 
-    /// Says the remarks where faults are told as JSON; the answers as JSON hold them too.
+    /// Reports the notes if faults are written as JSON; the answers as JSON contain them too.
     fn say_notes_beside_json(&self) {
         if errors::as_json() {
             self.say_notes();
         }
     }
 
-    /// Says what is to be known of the work, and what the author's fonts did not have.
+    /// Reports the notes, and the letters that the author's fonts lack.
     fn say_notes(&self) {
         let list: Vec<_> = self.notes.iter().cloned().chain(self.fonts.lacking()).collect();
         self.told(Faults { list }).iter().for_each(|t| errors::tell(&t.faults, &t.name, &t.source));
     }
 }
 
-/// A scene file, read.
+/// A scene file that has been read.
 struct Input {
     file: File,
     scene: Scene,
 }
 
 impl Input {
-    /// The scene that the command line names; one without a rate where nothing that it asks depends on it.
+    /// Reads the scene that the command line names; it may lack a rate on which no question
+    /// depends.
     fn read(common: &Common) -> Result<Input, Failure> {
         Input::of(common, Extent::Motion)
     }
 
-    /// The scene for a question that does not depend on rates.
+    /// Reads the scene for questions that do not depend on rates.
     fn read_at_rest(common: &Common) -> Result<Input, Failure> {
         Input::of(common, Extent::Pose)
     }
@@ -312,7 +317,7 @@ impl Input {
         Ok(Input { file, scene })
     }
 
-    /// Its links and pairs; the rest may be missing.
+    /// Reads its links and pairs; all else may be missing.
     fn read_topology(common: &Common) -> Result<Input, Failure> {
         let mut file = File::open(&common.scene, &common.set)?;
         let scene = file.read(|bytes| {
@@ -322,25 +327,25 @@ impl Input {
         Ok(Input { file, scene })
     }
 
-    /// The end of a run with faults of the scene.
+    /// Returns the failure for faults of the scene.
     fn failed(&self, faults: Faults) -> Failure {
         self.file.failed(faults)
     }
 
-    /// Takes the style in which its figures are drawn.
+    /// Sets the style of its figures.
     fn drawn_in(mut self, style: &Style) -> Input {
         self.file.fonts = style.fonts.clone();
         self
     }
 
-    /// For its whole motion.
+    /// Changes the scene to its whole motion.
     fn over_a_turn(&mut self) {
         let Warned { value, notes } = problem::whole_motion(self.scene.clone());
         self.scene = value;
         self.file.notes.extend(notes);
     }
 
-    /// The scene worked through, its notes added.
+    /// Solves the scene and adds its notes.
     fn work(&mut self, scope: Scope) -> Result<Worked, Failure> {
         match work(&self.scene, scope) {
             Ok(Warned { value, notes }) => {
@@ -352,13 +357,14 @@ impl Input {
     }
 }
 
-/// The pencil error of the command line (mm), where it has one.
+/// Returns the pencil error of the command line (mm), if given.
 fn pencil(drafting: Option<&str>) -> Result<Option<f64>, Failure> {
     let read = |text| scene::pencil(text).map_err(|faults| Failure::argument("--drafting", text, faults));
     drafting.filter(|t| !t.is_empty()).map(read).transpose()
 }
 
-/// Refuses options that files of a kind do not grant; each with its value, where the command line has it.
+/// Refuses options that files of a kind do not offer; each comes with its value if the command line
+/// has it.
 fn granted(kind: Kind, wishes: &[(Option<String>, Wish)]) -> Result<(), Failure> {
     for (value, wish) in wishes.iter().filter_map(|(value, wish)| Some((value.as_ref()?, *wish))) {
         kind.grants(wish).map_err(|d| Failure::argument(wish.option(), value, d))?;
@@ -366,17 +372,20 @@ fn granted(kind: Kind, wishes: &[(Option<String>, Wish)]) -> Result<(), Failure>
     Ok(())
 }
 
-/// Language and notation of the command line, else those of the file, with a style and digits.
+/// Returns language and notation of the command line, else those of the file, with a style and
+/// digits.
 fn look_of(common: &Common, style: Style, digits: usize) -> Look {
     Look { lang: lang::asked(), notation: common.notation.as_deref().and_then(Notation::named), style, digits }
 }
 
-/// Language and notation: the command line's, else the scene's, else English and its profile.
+/// Returns language and notation: the command line's, else the scene's, else English and its
+/// profile.
 fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
     look_of(common, Style::default(), 0).of(scene.language, scene.notation.as_deref())
 }
 
-/// 3 where drawing and analysis disagree, 4 where an answer does not exist in the pose, else 0; that a radius is infinite is an answer.
+/// Returns 3 if drawing and analysis disagree, 4 if an answer does not exist in the pose, else 0;
+/// an infinite radius counts as an answer.
 fn verdict(verdict: Verdict) -> ExitCode {
     match verdict {
         Verdict::Answered => ExitCode::SUCCESS,

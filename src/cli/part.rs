@@ -1,8 +1,9 @@
-//! A long table under way: the file beside the output that grows piece by piece, and its [`journal`], by which a run that was
-//! interrupted goes on where it was left.
+//! A long table in progress: the file beside the output that grows piece by piece, and its
+//! [`journal`], from which an interrupted run continues.
 //!
-//! The journal is locked while a run lasts: two runs never write one table. Both files are opened by their own names, never through a
-//! link, and only where a journal of ours says that they are ours.
+//! The journal is locked during a run, so that two runs never write one table. Both files are
+//! opened by their own names, never through a link, and only if a journal of this program shows
+//! that they belong to it.
 
 use super::Failure;
 use super::files::Refused;
@@ -16,28 +17,28 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-/// The table under way.
+/// The table in progress.
 pub struct Part {
     target: Target,
     path: PathBuf,
     file: File,
     journal: File,
-    /// Where the part of a pipe or a device lies; it is gone with the run.
+    /// Folder of the part for a pipe or a device; it is removed at the end of the run.
     _folder: Option<TempDir>,
     pieces: Vec<Standing>,
     bytes: u64,
-    /// Mechanisms whose rows are in the file.
+    /// Number of mechanisms in the file.
     pub done: u64,
-    /// Rows in the file.
+    /// Number of rows in the file.
     pub rows: u64,
-    /// Positions without a row so far.
+    /// Number of positions without a row.
     pub missing: u64,
-    /// Mechanisms that an earlier run had done, but whose bytes are no longer those that it wrote.
+    /// Number of mechanisms of an earlier run with bytes that have been changed since.
     pub changed: u64,
 }
 
 impl Part {
-    /// Opens the part of an output, and goes on where the same job was left.
+    /// Opens the part of an output, and continues where the same job was left.
     pub fn open(out: &Path, job: &str, format: &dyn Format) -> Result<Part, Failure> {
         let target = Target::of(out)?;
         Part::opened(out, target, job, format).map_err(|e| unwritable(out, &e))
@@ -90,7 +91,8 @@ impl Part {
         Ok(part)
     }
 
-    /// Takes what an earlier run has left of the same job, and makes both files end there.
+    /// Keeps the valid pieces of an earlier run of the same job, and truncates both files behind
+    /// them.
     fn go_on(&mut self, job: &Job, begin: &[u8], text: &[u8]) -> io::Result<()> {
         let kept = match journal::read(text) {
             Some(known) if known.job == *job => self.recall(known.begun, known.pieces)?,
@@ -101,7 +103,8 @@ impl Part {
         if kept == journal::MARK.len() {
             self.journal.write_all(&journal::line(job)?)?;
         }
-        // What stands before the rows is known without reading it; a run that was ended while it gave the rows' number may have changed it.
+        // The text before the rows is known without reading it; a run that ended while it wrote the
+        // number of rows may have changed it.
         self.file.set_len(self.bytes)?;
         self.file.seek(SeekFrom::Start(0))?;
         self.file.write_all(begin)?;
@@ -109,7 +112,7 @@ impl Part {
         Ok(())
     }
 
-    /// Counts in the pieces whose bytes are still those that were written; returns how much of the journal they are.
+    /// Counts the pieces with unchanged bytes; returns their length in the journal.
     fn recall(&mut self, begun: usize, entries: Vec<(Entry, usize)>) -> io::Result<usize> {
         let mut kept = begun;
         let all = entries.last().map_or(0, |(e, _)| e.done);
@@ -127,7 +130,7 @@ impl Part {
         Ok(kept)
     }
 
-    /// Counts a piece in.
+    /// Counts a piece.
     fn take(&mut self, entry: Entry) {
         if entry.rows > 0 {
             self.pieces.push(Standing { offset: self.bytes, rows: entry.rows, index: entry.index });
@@ -137,7 +140,7 @@ impl Part {
         self.missing += entry.missing;
     }
 
-    /// Adds a piece, with which `done` mechanisms are in the file.
+    /// Adds a piece, after which the file holds `done` mechanisms.
     pub fn add(&mut self, piece: &Piece, done: u64, missing: u64) -> io::Result<()> {
         let mut entry = Entry { done, missing, bytes: self.bytes, crc: 0, rows: piece.rows, index: piece.index.clone() };
         if piece.rows > 0 {
@@ -151,18 +154,18 @@ impl Part {
         Ok(())
     }
 
-    /// Whether the same command can go on from here after this run has ended.
+    /// Returns true if the same command can continue from here in a later run.
     pub fn stays(&self) -> bool {
         matches!(self.target, Target::File(_))
     }
 
-    /// Removes what is there. What cannot be removed is left; its name says what it is.
+    /// Removes part and journal. A file that cannot be removed stays; its name identifies it.
     pub fn remove(&self) {
         let _ = std::fs::remove_file(&self.path);
         let _ = std::fs::remove_file(beside(&self.path, ".journal"));
     }
 
-    /// Ends the table and gives it its name.
+    /// Ends the table and gives it its final name.
     pub fn finish(&mut self, format: &dyn Format, notes: &[Diagnostic]) -> io::Result<()> {
         self.file.write_all(&format.end(&self.pieces, notes)?)?;
         self.file.seek(SeekFrom::Start(0))?;
@@ -180,14 +183,16 @@ impl Part {
     }
 }
 
-/// A part that is not there yet. The journal comes first, where it has not begun: a part without one is somebody else's.
+/// Starts a new part. The journal is begun first if necessary: a part without one belongs to
+/// another program.
 fn begun_anew(journal: Option<&mut File>, path: &Path, out: &Path) -> io::Result<File> {
     if let Some(journal) = journal {
         journal.seek(SeekFrom::Start(0))?;
         journal.write_all(journal::MARK)?;
     }
     let file = created(path)?;
-    // Permissions are set before the first byte, so that a protected file is never readable while it is written.
+    // Permissions are set before the first byte, so that a protected file is not readable while it
+    // is written.
     if let Err(e) = as_before(&file, out) {
         let _ = std::fs::remove_file(path);
         return Err(e);
@@ -195,7 +200,7 @@ fn begun_anew(journal: Option<&mut File>, path: &Path, out: &Path) -> io::Result
     Ok(file)
 }
 
-/// The CRC-32 of the next bytes; `None` where there are fewer.
+/// Returns the CRC-32 of the next bytes; `None` if there are fewer.
 fn crc_of(file: &mut impl Read, length: u64) -> io::Result<Option<u32>> {
     let mut crc = crc32fast::Hasher::new();
     let mut buffer = [0; 1 << 16];
@@ -213,7 +218,7 @@ fn crc_of(file: &mut impl Read, length: u64) -> io::Result<Option<u32>> {
     Ok(Some(crc.finalize()))
 }
 
-/// The journal under a name, made where there is none, locked for this run.
+/// Opens the journal of this name, creates it if missing, and locks it for this run.
 fn claimed(path: &Path) -> io::Result<File> {
     loop {
         let file = match own(path)? {
@@ -228,11 +233,12 @@ fn claimed(path: &Path) -> io::Result<File> {
             Err(TryLockError::WouldBlock) => {
                 return Err(io::Error::other(Refused(both!("another run is writing it", "另一个程序正在写入"))));
             }
-            // A file system without locks: there one run at a time is the user's business.
+            // On a file system without locks, the user must not start two runs at once.
             Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => {}
             Err(TryLockError::Error(e)) => return Err(e),
         }
-        // The run that held it may have ended and taken it away, after it was opened here and before it was locked.
+        // The run that held the lock may have ended and removed the file between opening and
+        // locking.
         if !stands_at(&file, path) {
             continue;
         }
@@ -247,10 +253,10 @@ fn claimed(path: &Path) -> io::Result<File> {
     }
 }
 
-/// Opens the file under a name, if there is one. Nothing is changed in it.
+/// Opens the file of this name, if it exists, without changing it.
 ///
 /// # Errors
-/// What is no plain file with this one name: a link, a folder, a device, a file that has other names too.
+/// A link, a folder, a device, or a file that also has other names.
 fn own(path: &Path) -> io::Result<Option<File>> {
     match std::fs::symlink_metadata(path) {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
@@ -262,7 +268,8 @@ fn own(path: &Path) -> io::Result<Option<File>> {
     }
     match OpenOptions::new().read(true).write(true).open(path) {
         Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(None),
-        // A link may have been put there meanwhile; or the run that owned it has taken it away.
+        // The name may have become a link in the meantime, or the run that owned the file has
+        // removed it.
         Ok(file) if stands_at(&file, path) => Ok(Some(file)),
         Ok(_) if std::fs::symlink_metadata(path).is_err() => Ok(None),
         Ok(_) => Err(stranger(path, both!("it is a link or no plain file", "它是链接或不是普通文件"))),
@@ -270,7 +277,7 @@ fn own(path: &Path) -> io::Result<Option<File>> {
     }
 }
 
-/// How many names a file has.
+/// Returns the number of names (hard links) of a file.
 #[cfg(unix)]
 fn names(m: &std::fs::Metadata) -> u64 {
     std::os::unix::fs::MetadataExt::nlink(m)
@@ -281,7 +288,7 @@ fn names(_: &std::fs::Metadata) -> u64 {
     1
 }
 
-/// Makes a file that is not there yet; no link is followed.
+/// Creates a new file; no link is followed.
 fn created(path: &Path) -> io::Result<File> {
     OpenOptions::new().create_new(true).read(true).write(true).open(path)
 }
@@ -295,7 +302,7 @@ fn stranger(path: &Path, why: Both) -> io::Error {
     )))
 }
 
-/// A name with more behind it.
+/// Returns a name with an addition at its end.
 fn beside(path: &Path, more: &str) -> PathBuf {
     let mut name = OsString::from(path);
     name.push(more);

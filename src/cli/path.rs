@@ -1,4 +1,5 @@
-//! `hodograph path`: paths of points on the mechanism, and the hodographs of their velocities and accelerations.
+//! `hodograph path`: paths of points over the mechanism, and the hodographs of their velocities and
+//! accelerations.
 
 use super::args::Path;
 use super::draw::{points_named, style_of};

@@ -1,17 +1,18 @@
-//! Destinations and formats of results: `-o` and `--format` of all commands, read alike.
+//! Destinations and formats of results: `-o` and `--format` of all commands.
 //!
-//! The ending of `-o` decides. Without an ending `--format` does, a list with commas or given several times: one format is written to
-//! the very name, of several each to the name with its ending. Standard output, a pipe and a device take one result in one format.
+//! The ending of `-o` decides. Without an ending `--format` does; it is a list with commas, or is
+//! given several times. A single format is written to the name itself, several are each written to
+//! the name with their ending. Standard output, a pipe and a device take one result in one format.
 
 use super::target::is_stream;
 use super::{Failure, files};
 use crate::diag::{Both, Diagnostic, both};
 use clap::ValueEnum;
 
-/// A result's format and the file that it is written to.
+/// A result's format and its file.
 pub type Place<F> = (F, String);
 
-/// An output as it is called in sentences.
+/// An output's name in sentences.
 pub fn shown(output: &str) -> Both {
     if output == "-" { both!("standard output", "标准输出") } else { Both::same(output) }
 }
@@ -21,17 +22,17 @@ pub fn ending<F: ValueEnum>(format: F) -> String {
     format.to_possible_value().map(|v| v.get_name().to_owned()).unwrap_or_default()
 }
 
-/// The format that a file's name ends with, if it is one of a command's formats.
+/// The format for a file's ending, if it is one of the command's formats.
 pub fn of_name<F: ValueEnum + Copy>(path: &str) -> Option<F> {
     let named = files::ending(path)?;
     F::value_variants().iter().copied().find(|f| ending(*f) == named)
 }
 
-/// The places of one result.
+/// Returns the places of one result.
 ///
 /// # Errors
-/// `output` where neither the name nor `--format` tells a format, `format` where the two contradict each other or several formats are
-/// to go into one stream.
+/// `output` if neither the name nor `--format` gives a format; `format` if the two contradict each
+/// other or a stream is to take several formats.
 pub fn places<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual: F) -> Result<Vec<Place<F>>, Failure> {
     let formats = once(formats);
     if is_stream(output) {
@@ -53,7 +54,7 @@ pub fn places<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usua
     Ok(formats.iter().map(|f| (*f, name(f))).collect())
 }
 
-/// Each format once.
+/// Returns each format once.
 pub fn once<F: Copy + PartialEq>(formats: &[F]) -> Vec<F> {
     let mut all: Vec<F> = Vec::new();
     formats.iter().for_each(|f| {
@@ -64,10 +65,10 @@ pub fn once<F: Copy + PartialEq>(formats: &[F]) -> Vec<F> {
     all
 }
 
-/// The one format that a stream takes.
+/// Returns the format for a stream.
 ///
 /// # Errors
-/// `format` where several are asked for.
+/// `format` if several are requested.
 pub fn in_stream<F: ValueEnum + Copy>(output: &str, formats: &[F], usual: F) -> Result<F, Failure> {
     match formats {
         [] => Ok(of_name(output).unwrap_or(usual)),
@@ -86,10 +87,10 @@ pub fn in_stream<F: ValueEnum + Copy>(output: &str, formats: &[F], usual: F) -> 
     }
 }
 
-/// Checks that `--format` agrees with the ending of the file, or is not given.
+/// Checks that `--format` agrees with the file's ending or is not given.
 ///
 /// # Errors
-/// `format` where it says another.
+/// `format` if it gives another.
 pub fn agrees<F: ValueEnum + Copy + PartialEq>(output: &str, named: F, formats: &[F]) -> Result<(), Failure> {
     if formats.iter().all(|f| *f == named) {
         return Ok(());
@@ -107,7 +108,7 @@ pub fn agrees<F: ValueEnum + Copy + PartialEq>(output: &str, named: F, formats: 
     Err(Failure::argument("-o", output, Diagnostic::error("format", message).help(help)))
 }
 
-/// The fault of a name that tells no format of a command.
+/// The fault of a name without a format of the command.
 pub fn no_format<F: ValueEnum + Copy>(output: &str) -> Failure {
     let all: Vec<String> = F::value_variants().iter().map(|f| format!(".{}", ending(*f))).collect();
     let message = both!("{output} ends in none of {}", "{output} 不以 {} 结尾", Both::names(&all));
@@ -122,7 +123,7 @@ pub fn no_format<F: ValueEnum + Copy>(output: &str) -> Failure {
 /// Refuses several results for a stream.
 ///
 /// # Errors
-/// `output`, with how to ask for one.
+/// `output`, with advice on how to request one.
 pub fn one_result(output: &str, count: usize, how: Both) -> Result<(), Failure> {
     if count == 1 || !is_stream(output) {
         return Ok(());

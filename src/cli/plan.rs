@@ -1,4 +1,4 @@
-//! `hodograph plan`: the equations without numbers, as text and for programs.
+//! `hodograph plan`: the equations without numbers, as text and as JSON.
 
 use super::{Input, Run, args, choices, files, verdict};
 use crate::certified::certify;
@@ -37,15 +37,15 @@ pub(super) fn run(a: args::Plan) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The plan and what was done for it. A plan needs no numbers: where the pose cannot be solved it stands alone, and the
-/// notes say why.
+/// Prints the plan and the work done for it. A plan needs no numbers: if the pose cannot be solved,
+/// the plan is printed alone, and the notes give the reason.
 fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: bool) -> Run {
     let fail = |input: &Input, faults| input.failed(faults);
     let mut code = ExitCode::SUCCESS;
     let document = match work(&input.scene, if figure { Scope::Figure } else { Scope::Questions }) {
         Ok(Warned { value: worked, notes }) => {
             input.file.notes.extend(notes);
-            // What has no answer in the pose is no fault of the plan.
+            // A question without an answer in the pose is not a fault of the plan.
             code = if Verdict::of(&worked) == Verdict::Disagree { verdict(Verdict::Disagree) } else { code };
             let certified = certify(&input.scene, &worked, answers::DIGITS);
             let mut done = Work::of(&worked).with_certified(&certified);

@@ -1,4 +1,5 @@
-//! The command `readings`: the answers of each reading of a scene whose figure is lost, and which of them gives what was printed.
+//! `hodograph readings`: the answers of each reading of a scene without its figure, and the reading
+//! that gives the printed answers.
 
 use super::{Input, Run, args, choices, files};
 use crate::attempts::wanted;
@@ -23,7 +24,7 @@ pub fn run(a: args::Readings) -> Run {
         };
         match read() {
             Ok(read) => all.push(read),
-            // Their places are in a generated text: the reading is named instead.
+            // Their places refer to a generated text: the reading is named instead.
             Err(f) => faults.list.extend(f.list.into_iter().map(|mut d| {
                 d.message = both!("reading `{}`: {}", "读法 `{}`：{}", reading.name, d.message);
                 d.span = None;

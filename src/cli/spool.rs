@@ -1,12 +1,13 @@
-//! A table set aside as it comes, row by row, to be read again column by column: for a format that writes one column after the other.
+//! A table that is stored row by row and read column by column, for formats that write one column
+//! after the other.
 
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
-/// Pieces of columns in a file without a name.
+/// Pieces of columns in an unnamed file.
 pub struct Spool {
     file: File,
-    /// Where each piece begins, and its rows.
+    /// Offset and number of rows of each piece.
     pieces: Vec<(u64, usize)>,
     end: u64,
 }
@@ -14,7 +15,7 @@ pub struct Spool {
 /// Bytes of a number.
 const WIDTH: u64 = size_of::<f64>() as u64;
 
-/// Columns of one length, one after the other, in the memory of bytes that are no longer needed.
+/// Encodes columns of one length, one after the other, into a buffer that is no longer needed.
 pub fn bytes(columns: &[&[f64]], mut used: Vec<u8>) -> Vec<u8> {
     used.clear();
     columns.iter().copied().flatten().for_each(|v| used.extend_from_slice(&v.to_le_bytes()));
@@ -27,7 +28,7 @@ impl Spool {
         Spool { file, pieces: Vec::new(), end: 0 }
     }
 
-    /// Adds some rows of so many columns, as [`bytes`] makes them.
+    /// Adds rows of this number of columns, encoded by [`bytes`].
     pub fn add(&mut self, bytes: &[u8], columns: usize) -> io::Result<()> {
         self.file.write_all(bytes)?;
         self.pieces.push((self.end, bytes.len() / (columns * size_of::<f64>()).max(1)));
@@ -35,7 +36,7 @@ impl Spool {
         Ok(())
     }
 
-    /// One column, piece by piece.
+    /// Reads one column, piece by piece.
     pub fn column(&self, column: usize) -> impl Iterator<Item = io::Result<Vec<f64>>> + '_ {
         self.pieces.iter().map(move |&(begin, rows)| {
             let mut bytes = vec![0; rows * size_of::<f64>()];

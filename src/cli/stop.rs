@@ -1,9 +1,10 @@
-//! Being asked to stop (Ctrl-C, a termination signal) while a file is written: the writer comes to an end by itself, so that nothing
-//! half-written stays. Until somebody watches, such a signal ends the program as it does any other.
+//! Requests to stop (Ctrl-C, a termination signal) while a file is written: the writer ends by
+//! itself, so that no half-written file remains. Before [`watch`], such a signal ends the program
+//! in the default way.
 //!
-//! A writer in the middle of a long computation may not look up for seconds. So it is waited for a moment only; then the program ends
-//! all the same, unless the writer has heard and is coming to its end. What is under way then stands under a name of its own, as after
-//! any end without warning.
+//! A writer in a long computation may not check for a request for seconds. The handler waits a
+//! moment; then it ends the program, unless the writer has seen the request and is about to end. An
+//! unfinished file then keeps its temporary name, as after any abrupt end.
 
 use crate::diag::both;
 use std::process;
@@ -14,27 +15,28 @@ use std::time::Duration;
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 
-/// Whether a writer has learnt that it is to stop.
+/// True once a writer has seen the request.
 static HEARD: AtomicBool = AtomicBool::new(false);
 
-/// Writers that look up again and again by themselves.
+/// Number of writers that check regularly.
 static LOOKING: AtomicUsize = AtomicUsize::new(0);
 
-/// Held while files get their names, and by who ends the program.
+/// Locked while files are renamed, and by the handler that ends the program.
 static DECIDED: Mutex<()> = Mutex::new(());
 
-/// Exit code of an interrupted run, as shells have it.
+/// Exit code of an interrupted run, as in shells.
 pub const INTERRUPTED: u8 = 130;
 
-/// How long a writer is waited for: who has pressed a key has an answer within half a second.
+/// Time to wait for a writer: the user gets a response within half a second.
 const PATIENCE: Duration = Duration::from_millis(400);
 
-/// How long one is waited for that has heard, or soon will: it has a file to remove or a line to write, on whatever disk.
+/// Time to wait for a writer that has seen the request or soon will: it may have to remove a file
+/// or to write a line, on a slow disk.
 const TO_THE_END: Duration = Duration::from_secs(5);
 
-/// From now on a signal asks first.
+/// Handles further signals as requests.
 pub fn watch() {
-    // A second handler in one process is refused; the first does the same.
+    // A second handler in one process is refused; the first one serves.
     let _ = ctrlc::set_handler(|| {
         ASKED.store(true, Ordering::Relaxed);
         thread::sleep(PATIENCE);
@@ -48,7 +50,7 @@ pub fn watch() {
     });
 }
 
-/// Whether the user has asked.
+/// Returns true if the user has asked to stop.
 pub fn asked() -> bool {
     let asked = ASKED.load(Ordering::Relaxed);
     if asked {
@@ -57,11 +59,12 @@ pub fn asked() -> bool {
     asked
 }
 
-/// A writer that looks up between two rows: on a machine with much else to do it is waited for longer, and leaves nothing behind.
+/// A writer that checks for requests between rows: on a busy machine the handler waits longer for
+/// it, and it leaves no file behind.
 pub struct Looking(());
 
 impl Looking {
-    /// From now on, until this is dropped.
+    /// Begins the checks, until the value is dropped.
     pub fn begin() -> Looking {
         LOOKING.fetch_add(1, Ordering::Relaxed);
         Looking(())
@@ -74,7 +77,8 @@ impl Drop for Looking {
     }
 }
 
-/// As long as this is held the program is not ended in the middle: for the moment in which files get their names.
+/// Prevents the end of the program while the guard is held, for the moment in which files are
+/// renamed.
 pub fn undisturbed() -> MutexGuard<'static, ()> {
     DECIDED.lock().unwrap_or_else(PoisonError::into_inner)
 }

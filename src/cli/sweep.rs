@@ -1,4 +1,5 @@
-//! The commands `sweep` (all positions of a driver, or of a parameter, into a file) and `limits` (what the motion comes to).
+//! `hodograph sweep` (all positions of a driver, or values of a parameter, into a file) and
+//! `hodograph limits` (results of the whole motion).
 
 use super::args::{Limits, Range, Sweep};
 use super::places::Place;
@@ -17,12 +18,12 @@ use crate::sweep::vary::{Span, Variation, Varied};
 use crate::sweep::{self, Placed, Stations, Steps};
 use std::process::ExitCode;
 
-/// Steps of a sweep unless the command line says otherwise: one for each degree of a turn.
+/// Default number of steps: one for each degree of a turn.
 pub const STEPS: usize = 360;
 
 pub fn sweep(a: Sweep) -> Run {
     let mut input = Input::read(&a.common)?;
-    // Without a name and a format the table is printed.
+    // Without a name and a format, the table is printed.
     let asked = a.output.as_deref().or((!a.format.is_empty()).then_some("-"));
     let place = asked.map(|output| tables::place(output, &a.format, Table::Csv)).transpose()?;
     ask(&mut input, a.range.find.as_deref())?;
@@ -34,7 +35,8 @@ pub fn sweep(a: Sweep) -> Run {
 }
 
 impl Input {
-    /// The scene for its whole motion, for a table: its rows follow every piece of a profile, by reading the scene again for each where no driver does.
+    /// Changes the scene to its whole motion for a table. The rows follow every piece of a profile;
+    /// where no driver moves the cam, the scene is read again for each row.
     pub(super) fn over_a_table(&mut self) {
         self.over_a_turn();
         if self.scene.is_told_everywhere() {
@@ -43,7 +45,7 @@ impl Input {
     }
 }
 
-/// Writes the table to where it belongs; returns its notes.
+/// Writes the table to its place; returns its notes.
 fn sweep_into(input: &Input, a: &Sweep, place: Option<&Place<Table>>) -> Result<Vec<Diagnostic>, Failure> {
     let title = input.scene.title.get(choices(&input.scene, &a.common).0);
     let scene = &input.scene;
@@ -74,9 +76,9 @@ fn write(sweep: &mut dyn Pieces, title: &str, place: Option<&Place<Table>>) -> R
     Ok(sweep.notes())
 }
 
-/// The command `limits`: what the motion as a whole comes to.
+/// Runs the command `limits`.
 pub fn limits(a: Limits) -> Run {
-    // How far it goes does not depend on how fast.
+    // The limits of the motion do not depend on the driver's speed.
     let mut input = Input::read_at_rest(&a.common)?;
     input.over_a_turn();
     let (lang, _) = choices(&input.scene, &a.common);
@@ -107,7 +109,8 @@ pub fn limits(a: Limits) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Mean balancing moment and surplus of energy of a scene with loads, with the flywheel where one is asked for.
+/// Returns mean balancing moment and surplus energy of a scene with loads, with the flywheel if
+/// requested.
 fn balanced(input: &Input, driver: usize, delta: Option<&str>) -> Result<Option<report::balanced::Balanced>, Failure> {
     let wrong = |message: Both, help: Both| {
         Failure::argument("--flywheel", delta.unwrap_or_default(), Diagnostic::error("flywheel", message).help(help))
@@ -133,7 +136,8 @@ fn balanced(input: &Input, driver: usize, delta: Option<&str>) -> Result<Option<
     let asked = scene::read_asking(&input.file.source, &question).map(|read| read.value);
     let scene = match asked {
         Ok(scene) => scene,
-        // A driver that slides has a force, and the rate of another may be missing: the limits stand without.
+        // A sliding driver has a force instead, and the rate of another driver may be missing: the
+        // limits are printed without the balance.
         Err(_) if told.is_none() => return Ok(None),
         Err(faults) => return Err(input.failed(faults)),
     };
@@ -159,7 +163,7 @@ fn balanced(input: &Input, driver: usize, delta: Option<&str>) -> Result<Option<
     }
 }
 
-/// The driver that `--over` names; the first where it names none.
+/// Returns the driver that `--over` names; without a name the first.
 pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
     let Some(name) = over.filter(|o| *o != "driver") else { return Ok(0) };
     if let Some(d) = driver_named(scene, name)
@@ -176,7 +180,8 @@ pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
     })
 }
 
-/// What `--over` names: a driver, or `t`; where it names none, time if the scene has laws of it, else the first driver.
+/// Returns the variable that `--over` names: a driver, or `t`. Without a name, it is time if the
+/// scene has laws of time, else the first driver.
 pub fn swept_of(scene: &Scene, over: Option<&str>) -> Result<Swept, Failure> {
     match over {
         None => Ok(Swept::usual(scene)),
@@ -185,7 +190,7 @@ pub fn swept_of(scene: &Scene, over: Option<&str>) -> Result<Swept, Failure> {
     }
 }
 
-/// Replaces the scene's questions by those of `--find`; faults point at the argument.
+/// Replaces the scene's questions by those of `--find`; faults point to the argument.
 pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
     let Some(find) = find else { return Ok(()) };
     input.file.asked = Some(find.to_owned());
@@ -195,7 +200,7 @@ pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The values of a parameter between the bounds of the command line.
+/// Returns the values of a parameter between the bounds of the command line.
 fn values(scene: &Scene, variation: &Variation, name: &str, a: &Sweep) -> Result<Span, Failure> {
     let bound = |text: Option<&str>, option: &'static str| {
         let missing = || {
@@ -210,18 +215,19 @@ fn values(scene: &Scene, variation: &Variation, name: &str, a: &Sweep) -> Result
     variation.span(scene, name, &from, &to, a.range.steps.unwrap_or(STEPS)).map_err(|f| Failure::argument("--over", name, f))
 }
 
-/// A driver by the name of its column: `phi_1`, `s_B`, `l_BC`; `driver` and `driver2` count.
+/// Returns a driver by the name of its column: `phi_1`, `s_B`, `l_BC`; `driver` and `driver2` give
+/// its number.
 pub fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
     (0..scene.drivers.len()).find(|&d| scene.driver_name(d).0 == name || name == format!("driver{}", d + 1))
 }
 
-/// The stations of a driver between two values as the scene would write them; without them a full turn where it turns, and as far
-/// as it goes where it slides.
+/// Returns the stations of a driver between two values in the scene's notation; by default a full
+/// turn for a turning driver, and the whole travel for a sliding one.
 pub fn stations(input: &Input, placed: &Placed, driver: usize, range: &Range, count: usize) -> Result<Stations, Failure> {
     Ok(steps(input, placed, driver, range, count)?.all())
 }
 
-/// So many steps, if they are not more than `what` may have.
+/// Checks that the number of steps is not larger than `what` allows.
 pub fn within(steps: usize, most: usize, what: Both) -> Result<usize, Failure> {
     if steps <= most {
         return Ok(steps);
@@ -234,10 +240,11 @@ pub fn within(steps: usize, most: usize, what: Both) -> Result<usize, Failure> {
     Err(Failure::argument("--steps", &steps.to_string(), d))
 }
 
-/// Farthest ends of a range, in turns: a mechanism whose links are followed is followed through all of them.
+/// Largest end of a range, in turns: a mechanism with followed links is followed through all of
+/// them.
 const MOST_TURNS: f64 = 10_000.0;
 
-/// An end of a range, if it is not too far off.
+/// Checks that the end of a range is not too far away.
 fn not_too_far(option: &str, text: &str, angle: Angle) -> Result<Angle, Failure> {
     let turns = angle.degrees().abs() / 360.0;
     if turns <= MOST_TURNS {
@@ -251,7 +258,7 @@ fn not_too_far(option: &str, text: &str, angle: Angle) -> Result<Angle, Failure>
     Err(Failure::argument(option, text, d))
 }
 
-/// The mechanism followed through the time of the command line (s), and its ends.
+/// Follows the mechanism through the time of the command line (s); returns it with the ends.
 pub fn through<'a>(placed: &'a Placed<'a>, range: &Range) -> Result<(Timed<'a>, [f64; 2]), Failure> {
     let ends = bounds(range, edit::time)?;
     let text = range.to.as_deref().or(range.from.as_deref()).unwrap_or_default();
@@ -281,7 +288,7 @@ fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: us
     Ok(Steps { way: Way::Slide { from, to, per_value }, steps })
 }
 
-/// `--from` and `--to`, as far as they are given; all their faults at once.
+/// Reads `--from` and `--to` if given; reports all their faults at once.
 fn bounds<T>(range: &Range, read: impl Fn(&str) -> Result<T, Faults>) -> Result<[Option<T>; 2], Failure> {
     let mut wrong = Vec::new();
     let both = [("--from", &range.from), ("--to", &range.to)].map(|(option, text)| {

@@ -1,4 +1,5 @@
-//! Tables into files: which format a name calls for, and the rows written as they come, in the memory of a piece.
+//! Writes tables into files: chooses the format by the name, and writes rows as they come, with the
+//! memory of one piece.
 
 use super::places::{self, Place, places};
 use super::spool::{self, Spool};
@@ -16,13 +17,13 @@ use std::path::Path;
 /// Rows of a piece: half a megabyte for each column.
 const ROWS: usize = 1 << 16;
 
-/// Numbers of a piece at most: sixteen megabytes.
+/// Largest number of values in a piece: sixteen megabytes.
 const NUMBERS: usize = 1 << 21;
 
-/// The one place of a table: its rows come once, and are written in one format.
+/// Returns the place of a table: its rows come once, and are written in one format.
 ///
 /// # Errors
-/// Those of [`places`], and `format` where several are asked for.
+/// Those of [`places`], and `format` if several are requested.
 pub fn place<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual: F) -> Result<Place<F>, Failure> {
     let mut all = places(output, formats, usual)?;
     if all.len() == 1 {
@@ -34,7 +35,7 @@ pub fn place<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual
     Err(Failure::argument("-o", output, Diagnostic::error("format", message).help(help)))
 }
 
-/// A format that is written row by row.
+/// Returns a format that is written row by row.
 pub fn by_rows(format: Rows, head: Head) -> io::Result<Box<dyn Format>> {
     Ok(match format {
         Rows::Csv => Box::new(Csv::new(head)),
@@ -43,7 +44,7 @@ pub fn by_rows(format: Rows, head: Head) -> io::Result<Box<dyn Format>> {
     })
 }
 
-/// Writes a sweep, whole or not at all; one piece is computed while the one before it is
+/// Writes a sweep, completely or not at all; one piece is computed while the one before it is
 /// written.
 pub fn write(sweep: &mut dyn Pieces, title: &str, (format, path): &Place<Table>) -> Result<(), Failure> {
     let head = Head::new(title, sweep.columns()).told_in(lang::now());
@@ -57,10 +58,12 @@ pub fn write(sweep: &mut dyn Pieces, title: &str, (format, path): &Place<Table>)
     })
 }
 
-/// What of a sweep's rows is kept in memory before they are printed; more of them are set aside on disk.
+/// Largest part of a sweep's rows that is kept in memory before printing; further rows are stored
+/// on disk.
 const KEPT: usize = 8 << 20;
 
-/// A sweep as CSV to a place where nothing can be written over: its notes, which come first, are known with the last row only.
+/// Prints a sweep as CSV to a place where nothing can be overwritten: the notes come first, but are
+/// known only with the last row.
 pub fn print(sweep: &mut dyn Pieces, out: &mut dyn Write) -> io::Result<()> {
     let format = Csv::new(Head::new("", sweep.columns()).told_in(lang::now()));
     let mut rows = tempfile::spooled_tempfile(KEPT);
@@ -74,7 +77,8 @@ pub fn print(sweep: &mut dyn Pieces, out: &mut dyn Write) -> io::Result<()> {
     io::copy(&mut rows, out).map(drop)
 }
 
-/// Makes a sweep piece by piece until all are made or the user asks to stop, gives each its form and takes it.
+/// Makes a sweep piece by piece until all are made or the user asks to stop; formats each piece and
+/// takes it.
 fn in_pieces<U: Send>(
     sweep: &mut dyn Pieces,
     bar: &ProgressBar,
@@ -82,7 +86,7 @@ fn in_pieces<U: Send>(
     take: impl FnMut(&U) -> io::Result<()>,
 ) -> io::Result<()> {
     let (count, mut from) = (sweep.count(), 0);
-    // What many questions ask comes in shorter pieces, so that a piece is a few megabytes at most.
+    // With many columns the pieces are shorter, so that a piece has a few megabytes at most.
     let rows = ROWS.min((NUMBERS / sweep.columns().len().max(1)).max(1));
     let make = |_: Option<Vec<Vec<f64>>>| {
         let to = count.min(from + rows);
@@ -102,7 +106,7 @@ fn in_pieces<U: Send>(
     long::pipeline(make, |columns, used| form(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>(), used), take)
 }
 
-/// The form of pieces in a format.
+/// Returns the function that formats pieces.
 fn formed(format: &dyn Format) -> impl FnMut(&[&[f64]], Option<Piece>) -> io::Result<Piece> + Send {
     |columns, used| format.piece_in(columns, used.unwrap_or_default())
 }
@@ -110,7 +114,7 @@ fn formed(format: &dyn Format) -> impl FnMut(&[&[f64]], Option<Piece>) -> io::Re
 fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Result<()> {
     let count = sweep.count() as u64;
     let bar = long::bar(count, 0, &both!("positions", "个位置"));
-    // The beginning assumes that all rows are there and finite; it is replaced if it turns out otherwise.
+    // The beginning assumes that all rows exist and are finite; otherwise it is replaced.
     let begin = format.begin(count, &sweep.notes());
     out.write_all(&begin)?;
     let (mut offset, mut written) = (begin.len() as u64, 0);

@@ -1,5 +1,5 @@
-//! Destinations of outputs: through links to the file that they name, into standard output, pipes and devices as they stand, and never onto what the run
-//! has read.
+//! Destinations of outputs: files, through links to the file that they name; standard output, pipes
+//! and devices, written directly. No output replaces a file that the run has read.
 
 use super::Failure;
 use crate::diag::{Diagnostic, both};
@@ -12,7 +12,7 @@ use std::sync::{Mutex, PoisonError};
 /// The files that this run has read, by their full names.
 static READ: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Remembers what has been read: no output may take its place.
+/// Remembers a file that has been read: no output may replace it.
 pub fn has_read(path: &Path) {
     if let Ok(full) = path.canonicalize() {
         READ.lock().unwrap_or_else(PoisonError::into_inner).push(full);
@@ -23,41 +23,43 @@ fn was_read(path: &Path) -> bool {
     path.canonicalize().is_ok_and(|full| READ.lock().unwrap_or_else(PoisonError::into_inner).contains(&full))
 }
 
-/// What an output is written to.
+/// The destination of an output.
 pub enum Target {
-    /// A file, which is written beside itself and renamed; links have been followed.
+    /// A file, which is written under a temporary name in its folder and renamed; links have been
+    /// followed.
     File(PathBuf),
-    /// A pipe or a device, which takes the bytes as it stands.
+    /// A pipe or a device, which is written directly.
     Stream(PathBuf),
     /// Standard output.
     Stdout,
 }
 
-/// True once a result has been written to standard output, which holds nothing else then.
+/// True once a result has been written to standard output, which then holds nothing else.
 static TAKEN: AtomicBool = AtomicBool::new(false);
 
-/// Returns true if standard output holds a result: reports and names of files are not printed then.
+/// Returns true if standard output holds a result; reports and names of files are then not printed.
 pub fn stdout_is_taken() -> bool {
     TAKEN.load(Ordering::Relaxed)
 }
 
-/// Returns true for the names of standard output: `-`, and the files that systems have for it.
+/// Returns true for the names of standard output: `-`, and the names that systems have for it.
 pub fn is_stdout(name: &str) -> bool {
     name == "-" || cfg!(unix) && ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].contains(&name)
 }
 
-/// Returns true if the name is no regular file: standard output, a pipe, a device.
+/// Returns true if the name is not a regular file: standard output, a pipe, a device.
 pub fn is_stream(name: &str) -> bool {
     let path = Path::new(name);
     let open = |m: Metadata| !m.is_dir() && (!m.is_file() || matches!(followed(path), Ok(None)));
     is_stdout(name) || std::fs::metadata(path).is_ok_and(open)
 }
 
-/// More links one behind the other are a loop; so many does the system follow too.
+/// Largest number of links in a chain, as in the system; more count as a loop.
 const LINKS: usize = 40;
 
 impl Target {
-    /// Where an output of this name goes. Whether it may be written is seen here, before any work is written.
+    /// Returns the destination for an output's name. Write permission is checked here, before any
+    /// work is done.
     ///
     /// # Errors
     /// A folder, a file that may not be written, a file that this run has read.
@@ -67,7 +69,7 @@ impl Target {
             return Ok(Target::Stdout);
         }
         let fail = |e: io::Error| unwritable(path, &e);
-        // Before anything is asked of the name: `new/../scene.json` is another file once `new` is there.
+        // Folders are created first: `new/../scene.json` is another file once `new` exists.
         std::fs::create_dir_all(folder_of(path)).map_err(fail)?;
         match std::fs::metadata(path) {
             Ok(m) if m.is_dir() => return Err(fail(io::ErrorKind::IsADirectory.into())),
@@ -85,7 +87,7 @@ impl Target {
             return Err(Failure::input(d.help(both!("name another file, such as -o out/", "请另写文件，如 -o out/")), "", ""));
         }
         if let Ok(known) = std::fs::metadata(&file) {
-            // Renaming asks the folder alone: who protected the file is asked here.
+            // Renaming needs only the folder's permission; a write-protected file is checked here.
             if known.permissions().readonly() {
                 return Err(fail(io::ErrorKind::PermissionDenied.into()));
             }
@@ -96,7 +98,8 @@ impl Target {
 }
 
 impl Target {
-    /// Copies a whole result to where it goes, if that is no file. A reader of standard output that closed its end has had enough.
+    /// Copies a whole result to a destination that is not a file. A reader of standard output that
+    /// closes its end causes no error.
     pub fn take(&self, from: &mut File) -> io::Result<()> {
         from.seek(SeekFrom::Start(0))?;
         match self {
@@ -113,12 +116,13 @@ impl Target {
     }
 }
 
-/// What is said of an output that cannot be written.
+/// The failure of an output that cannot be written.
 pub fn unwritable(path: &Path, e: &io::Error) -> Failure {
     Failure::Output(both!("{} cannot be written: {}", "不能写入 {}：{}", path.display(), super::files::reason(e)))
 }
 
-/// The file at the end of a chain of links; `None` where that is an open file of a process (`/dev/stdout`), which has no other name.
+/// Returns the file at the end of a chain of links; `None` for an open file of a process
+/// (`/dev/stdout`), which has no other name.
 fn followed(path: &Path) -> io::Result<Option<PathBuf>> {
     let mut at = path.to_owned();
     for _ in 0..LINKS {
@@ -142,10 +146,11 @@ pub fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Gives a file that takes another's place the rights of that one, and its owner where that is allowed.
+/// Gives a file the permissions of the file that it replaces, and its owner if the system allows
+/// that.
 ///
 /// # Errors
-/// The system refuses; a file that others could read by mistake is not to appear.
+/// The system refuses; the file is then not put in place, because others might be able to read it.
 pub fn as_before(file: &File, place: &Path) -> io::Result<()> {
     match std::fs::metadata(place) {
         Ok(before) => {
@@ -161,7 +166,7 @@ pub fn as_before(file: &File, place: &Path) -> io::Result<()> {
 fn owner(file: &File, before: &Metadata) {
     use std::os::unix::fs::{MetadataExt, fchown};
     if file.metadata().is_ok_and(|m| (m.uid(), m.gid()) != (before.uid(), before.gid())) {
-        // Only the superuser may give a file away; for all others it stays theirs.
+        // Only the superuser may change the owner; otherwise the file keeps that of the user.
         let _ = fchown(file, Some(before.uid()), Some(before.gid()));
     }
 }
@@ -169,7 +174,8 @@ fn owner(file: &File, before: &Metadata) {
 #[cfg(not(unix))]
 fn owner(_: &File, _: &Metadata) {}
 
-/// Whether an open file is the one that stands under a name, not one that a link there leads to, nor one that was there before.
+/// Returns true if an open file has this name itself, not through a link, and has not been
+/// replaced.
 #[cfg(unix)]
 pub fn stands_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -177,7 +183,7 @@ pub fn stands_at(file: &File, path: &Path) -> bool {
     file.metadata().ok().map(id).is_some_and(|f| std::fs::symlink_metadata(path).ok().map(id) == Some(f))
 }
 
-/// Whether an open file is the one that stands under a name.
+/// Returns true if an open file has this name.
 #[cfg(not(unix))]
 pub fn stands_at(_: &File, path: &Path) -> bool {
     std::fs::symlink_metadata(path).is_ok_and(|m| m.is_file())

@@ -1,8 +1,8 @@
-//! Files that appear together or not at all: each is written beside its place under a unique temporary name, and when all are
-//! whole they are renamed, one right after the other.
+//! Files that appear together or not at all: each is written in its folder under a unique temporary
+//! name, and when all are complete they are renamed, one right after the other.
 //!
-//! A name under way is `.hodograph-`, twelve letters or digits, `.tmp`, and its writer holds a lock on it. What a run that was killed
-//! left has no such lock: the next run that writes to the folder takes it away.
+//! A temporary name is `.hodograph-`, twelve letters or digits, `.tmp`, and its writer holds a lock
+//! on it. Files of a killed run have no lock: the next run that writes to the folder removes them.
 
 use super::target::{Target, as_before, folder_of, stands_at, unwritable};
 use super::{Failure, stop};
@@ -16,7 +16,7 @@ const PREFIX: &str = ".hodograph-";
 const SUFFIX: &str = ".tmp";
 const RANDOM: usize = 12;
 
-/// Files on their way.
+/// Files in progress.
 #[derive(Default)]
 pub struct Together {
     files: Vec<Staged>,
@@ -24,21 +24,21 @@ pub struct Together {
     cleared: Vec<PathBuf>,
 }
 
-/// A file that is whole, but for its name.
+/// A complete file under its temporary name.
 struct Staged {
     temporary: NamedTempFile,
     place: PathBuf,
-    /// As the user calls it.
+    /// The name that the user gave.
     name: PathBuf,
 }
 
 impl Together {
-    /// Adds a file.
+    /// Adds a whole file.
     pub fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         self.add_with(path, |out| out.write_all(bytes))
     }
 
-    /// Adds a file piece by piece.
+    /// Adds a file that is written piece by piece.
     pub fn add_with(&mut self, path: &Path, fill: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<(), Failure> {
         stop::watch();
         let fail = |e: io::Error| unwritable(path, &e);
@@ -56,7 +56,8 @@ impl Together {
                 let folder = folder_of(&place);
                 self.clear(folder);
                 let temporary = temporary(folder).map_err(fail)?;
-                // Permissions are set before the first byte, so that a protected file is never readable while it is written.
+                // Permissions are set before the first byte, so that a protected file is not
+                // readable while it is written.
                 as_before(temporary.as_file(), &place).map_err(fail)?;
                 unless_stopped(path, filled(temporary.as_file(), folder))?;
                 self.files.push(Staged { temporary, place, name: path.to_owned() });
@@ -65,13 +66,13 @@ impl Together {
         Ok(())
     }
 
-    /// Takes away what runs that were killed left in a folder.
+    /// Removes files of killed runs from a folder.
     fn clear(&mut self, folder: &Path) {
         if self.cleared.iter().any(|f| f == folder) {
             return;
         }
         self.cleared.push(folder.to_owned());
-        // A folder that cannot be listed keeps what it has; that is no reason not to write.
+        // A folder that cannot be listed is not cleared; it can still be written to.
         for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
             if is_temporary(&entry.file_name().to_string_lossy()) {
                 clear_one(&entry.path());
@@ -79,13 +80,13 @@ impl Together {
         }
     }
 
-    /// Gives all of them their names. Where one cannot have it, those that had theirs already give them back.
+    /// Renames all files. If one cannot be renamed, those renamed before are put back.
     pub fn appear(self) -> Result<(), Failure> {
         if let Some(first) = self.files.iter().map(|f| &f.name).chain(self.streams.iter().map(|s| &s.0)).next() {
             unless_stopped(first, Ok(()))?;
         }
         let _naming = stop::undisturbed();
-        // One file needs no way back: renaming is whole by itself.
+        // A single file needs no undo: renaming is atomic.
         let lone = self.files.len() + self.streams.len() == 1;
         let mut done = Undo::default();
         for staged in self.files {
@@ -106,16 +107,16 @@ impl Together {
     }
 }
 
-/// The way back, which is gone when this is dropped with files in `placed`.
+/// The undo: dropped with files in `placed`, it restores the state before.
 #[derive(Default)]
 struct Undo {
     placed: Vec<PathBuf>,
-    /// What stood in a place, under a name of its own until all is done.
+    /// Earlier files of these places, kept under temporary names until all is done.
     before: Vec<(PathBuf, NamedTempFile)>,
 }
 
 impl Undo {
-    /// Keeps what stands in a place.
+    /// Keeps the file of a place.
     fn keep(&mut self, place: &Path) -> io::Result<()> {
         match std::fs::File::open(place) {
             Ok(mut old) => {
@@ -134,7 +135,7 @@ impl Undo {
 impl Drop for Undo {
     fn drop(&mut self) {
         for place in &self.placed {
-            // The way back may be barred too; nothing more can be done then.
+            // The undo may fail too; nothing more can be done then.
             let _ = match self.before.iter().position(|(p, _)| p == place) {
                 Some(k) => self.before.swap_remove(k).1.persist(place).map(drop).map_err(|e| e.error),
                 None => std::fs::remove_file(place),
@@ -143,23 +144,23 @@ impl Drop for Undo {
     }
 }
 
-/// A file of its own in a folder, locked, as readable as any file that the user writes.
+/// Creates a temporary file in a folder, locked, with the default permissions of the user's files.
 fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(RANDOM);
     #[cfg(unix)]
     {
-        // A temporary file is private by default. What the user's mask takes away is taken away here too.
+        // Temporary files are private by default. The user's mask also applies here.
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
     loop {
         let file = builder.tempfile_in(folder)?;
-        // Another run that clears the folder may have seen it before it was locked, and taken it for one that was left.
+        // Another run that clears the folder may have removed the file before it was locked.
         match file.as_file().try_lock() {
             Ok(()) if stands_at(file.as_file(), file.path()) => return Ok(file),
             Ok(()) | Err(std::fs::TryLockError::WouldBlock) => {}
-            // A file system without locks has no stale files to clear.
+            // On a file system without locks no files are cleared.
             Err(std::fs::TryLockError::Error(_)) => return Ok(file),
         }
     }
@@ -178,12 +179,12 @@ fn clear_one(path: &Path) {
         && file.try_lock().is_ok()
         && stands_at(&file, path)
     {
-        // Who may not remove it leaves it.
+        // A file that cannot be removed stays.
         let _ = std::fs::remove_file(path);
     }
 }
 
-/// What came of writing, unless the user has asked to stop.
+/// Returns the result of writing, or the interruption if the user has asked to stop.
 fn unless_stopped(path: &Path, filled: io::Result<()>) -> Result<(), Failure> {
     if stop::asked() {
         return Err(Failure::Interrupted(both!("{} is not written", "{} 没有写入", path.display())));
@@ -191,7 +192,7 @@ fn unless_stopped(path: &Path, filled: io::Result<()>) -> Result<(), Failure> {
     filled.map_err(|e| unwritable(path, &e))
 }
 
-/// A file under way, which takes nothing more once the user has asked to stop.
+/// A file in progress; it accepts no bytes once the user has asked to stop.
 pub struct Out {
     file: BufWriter<File>,
     folder: PathBuf,
@@ -199,7 +200,7 @@ pub struct Out {
 
 impl Write for Out {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        // Not of the kind `Interrupted`: that one is tried again.
+        // Not of the kind `Interrupted`, which would be retried.
         if stop::asked() { Err(io::Error::other("interrupted")) } else { self.file.write(bytes) }
     }
 
@@ -209,12 +210,12 @@ impl Write for Out {
 }
 
 impl Out {
-    /// A file without a name in the same place, for what is not yet in its order.
+    /// Creates an unnamed file in the same place, for rows that are not in their final order.
     pub fn scratch(&self) -> io::Result<File> {
         tempfile::tempfile_in(&self.folder)
     }
 
-    /// Replaces the first `old` bytes; those behind them move.
+    /// Replaces the first `old` bytes; the bytes behind them move.
     pub fn replace_beginning(&mut self, old: u64, new: &[u8]) -> io::Result<()> {
         self.file.flush()?;
         if new.len() as u64 != old {

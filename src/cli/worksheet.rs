@@ -55,7 +55,7 @@ fn options(input: &Input, a: &args::Worksheet, style: Style, sides: Sides) -> Op
     Options { sheet: sheet::Options { lang, notation: style.marks.over(&notation), digits: a.digits, style }, sides }
 }
 
-/// The sheet on mobility: links and pairs are enough for it, and the pose for its drawings.
+/// Runs the worksheet on mobility: it needs links and pairs, and the pose only for its drawings.
 fn counting(a: &args::Worksheet, style: Style, sides: Sides, files: &Files) -> Run {
     let mut input = Input::read_topology(&a.common)?.drawn_in(&style);
     let options = options(&input, a, style, sides);
@@ -91,7 +91,7 @@ fn no_drawings() -> Diagnostic {
     ))
 }
 
-/// The files that a document is written to.
+/// The files of a document.
 struct Files {
     output: String,
     places: Vec<Place<Sheet>>,
@@ -102,8 +102,8 @@ impl Files {
         Ok(Files { output: a.output.clone(), places: places(&a.output, &a.format, Sheet::Html)? })
     }
 
-    /// Puts the files there with the drawings that lie beside them, all or none, and says their names. Returns what could not be written
-    /// as it should.
+    /// Writes the files and their drawings, all or none, and prints their names. Returns the
+    /// diagnostics of parts that could not be written faithfully.
     fn write(&self, document: &Document, failed: impl Fn(Faults) -> Failure) -> Result<Vec<Diagnostic>, Failure> {
         let (mut all, mut names, mut notes): (_, Vec<String>, _) = (Together::default(), Vec::new(), Vec::new());
         for (format, path) in &self.places {
@@ -118,7 +118,7 @@ impl Files {
             for picture in written.beside {
                 let path = out.with_file_name(&picture.name);
                 let name = path.display().to_string();
-                // Markdown and Typst show the same drawings.
+                // Markdown and Typst share the drawings.
                 if !names.contains(&name) {
                     all.add(&path, ids::put_before(&picture.text).as_bytes())?;
                     names.push(name);
@@ -134,7 +134,7 @@ impl Files {
     }
 }
 
-/// A document in a format, and what could not be written as it should.
+/// A document in a format, with the diagnostics of parts that could not be written faithfully.
 #[derive(Default)]
 struct Written {
     bytes: Vec<u8>,
@@ -142,7 +142,7 @@ struct Written {
     notes: Vec<Diagnostic>,
 }
 
-/// The document in a format, given the stem of the names of its drawings.
+/// Returns the document in a format; the names of its drawings begin with `stem`.
 fn written(document: &Document, format: Sheet, stem: &str) -> Result<Written, Faults> {
     let text = |(text, beside): (String, Vec<Beside>)| Written { bytes: text.into_bytes(), beside, ..Written::default() };
     Ok(match format {

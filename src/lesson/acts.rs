@@ -1,5 +1,6 @@
-//! What an action on the board is about, for the page: the link that it lights up, the line of the mechanism to which its vector is
-//! square or parallel, and by what a wrong guess at it is judged.
+//! Data of the page about each action of the construction: the links that it highlights, the line
+//! of the mechanism to which its vector is perpendicular or parallel, and the data by which the
+//! page judges a wrong guess.
 
 use serde_json::{Value, json};
 
@@ -14,10 +15,16 @@ use super::bank::Formulas;
 use super::frames::Frame;
 use super::steps::writer;
 
-/// For each action of a polygon: its kind (`l` a vector laid off, `d` a direction, `x` a crossing, `c` a copied image, `j` two marks joined,
-/// `p` a perpendicular; empty where nothing is drawn), the links, then of its first term: vertex and the one from which it is
-/// seen (of a crossing or an image the vertex found, and −1), what sets its sense (`t` a turning, `n` a centre, `k` a turning and a
-/// sliding, `s` a sliding), and the formulas of symbol, direction, line and turning; −1 where there is none.
+/// Returns, for each action of a polygon, its kind, its links, and the data of its first term; −1
+/// where there is none.
+///
+/// * Kind: `l` a vector laid off, `d` a direction, `x` a crossing, `c` a copied image, `j` two
+///   points joined, `p` a perpendicular; empty where nothing is drawn.
+/// * Vertices: the term's own vertex and the vertex from which it is seen; for a crossing or an
+///   image the vertex found, and −1.
+/// * Sense, decided by: `t` an angular velocity or acceleration, `n` a centre, `k` an angular
+///   velocity and a sliding velocity, `s` a sliding velocity.
+/// * Formulas of symbol, direction, line and angular velocity or acceleration.
 pub fn acts(frame: &Frame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let (scene, paper) = (&frame.scene, &frame.worked.construction);
     let Some(p) = paper.polygon(on) else { return Vec::new() };
@@ -25,7 +32,8 @@ pub fn acts(frame: &Frame, on: DiagramKind, notation: &Notation, formulas: &mut 
     p.actions.iter().map(|a| Act { w: &w, on, p, paper }.told(a, formulas)).collect()
 }
 
-/// [`acts`] of the equilibrium of some links: known forces are laid off, lines cross in a vertex that has no number.
+/// [`acts`] for the equilibrium of some links: known forces are laid off, and lines cross in a
+/// vertex without number.
 pub fn acts_of_forces(frame: &Frame, links: &[LinkId], notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let Some((w, group)) = writer(frame, links, notation, Lang::En) else { return Vec::new() };
     let own: Vec<usize> = group.links.iter().map(|l| l.0).collect();
@@ -39,7 +47,7 @@ pub fn acts_of_forces(frame: &Frame, links: &[LinkId], notation: &Notation, form
             json!(["", own, -1, -1])
         }
     };
-    // The first step stands before those with numbers.
+    // The first step has no number.
     w.of.acts(group).iter().skip(1).map(of).collect()
 }
 
@@ -99,7 +107,7 @@ impl Act<'_> {
         body.map_or_else(String::new, |body| self.w.turning(on, body))
     }
 
-    /// The links whose motion the terms are, each once.
+    /// The links to whose motion the terms belong, each once.
     fn links(&self, terms: &[Term]) -> Vec<usize> {
         let mut links: Vec<usize> = terms.iter().flat_map(|t| self.of_term(t)).collect();
         links.sort_unstable();
@@ -135,7 +143,7 @@ fn of_body(scene: &Scene, body: Body) -> Vec<usize> {
     }
 }
 
-/// What sets the sense of a term along its line.
+/// Quantity that decides the sense of a term along its line.
 fn sense(t: &Term) -> &'static str {
     match t.kind {
         TermKind::Relative | TermKind::Tangential => "t",

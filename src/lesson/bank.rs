@@ -1,4 +1,5 @@
-//! Sentences over all frames in few characters: what is said alike once, with the numbers that change apart.
+//! Sentences over all frames in few characters: common words are stored once, apart from the
+//! numbers that change.
 
 use std::collections::HashMap;
 
@@ -9,21 +10,21 @@ use crate::paper::phrase::Phrase;
 use crate::report::html::sentence_with;
 use crate::report::math::mathml;
 
-/// Formulas without changing numbers, each once: they come again and again.
+/// Formulas without changing numbers, each stored once.
 #[derive(Default)]
 pub struct Formulas {
-    /// As MathML in short.
+    /// Formulas in abbreviated MathML.
     pub list: Vec<String>,
     known: HashMap<String, usize>,
 }
 
 impl Formulas {
-    /// The index of a formula of the label language.
+    /// Returns the index of a formula in the label language.
     pub fn formula(&mut self, source: &str) -> usize {
         self.index(mathml(&Label::math(source)))
     }
 
-    /// A sentence without changing numbers as HTML, its formulas told by their indices.
+    /// A sentence without changing numbers as HTML; its formulas are given by their indices.
     pub fn phrase(&mut self, phrase: &Phrase) -> String {
         sentence_with(phrase, |source| self.told(source))
     }
@@ -42,7 +43,8 @@ impl Formulas {
     }
 }
 
-/// What formulas are full of, each told to the page as one private character from [`TAG`] on.
+/// Frequent pieces of formulas; each is written to the page as one private character from [`TAG`]
+/// on.
 const TAGS: [&str; 24] = [
     "<math><mrow>",
     "</mrow></math>",
@@ -71,7 +73,7 @@ const TAGS: [&str; 24] = [
 ];
 const TAG: u32 = 0xE010;
 
-/// The tags, for the page.
+/// The tags for the page.
 pub fn tags() -> &'static [&'static str] {
     &TAGS
 }
@@ -81,13 +83,14 @@ fn short(markup: &str) -> String {
     TAGS.iter().enumerate().fold(markup.to_owned(), |text, (k, tag)| text.replace(tag, &sign(k)))
 }
 
-/// Before and after the index of a formula.
+/// Characters before and after the index of a formula.
 const FORMULA: [char; 2] = ['\u{E001}', '\u{E002}'];
-/// Stands for a changing number in what the page is told (a private character).
+/// Placeholder of a changing number (a private character).
 const HOLE: char = '\u{E000}';
 
-/// One sentence over the frames, in label language with formulas between dollar signs; `None` where nothing is said. For the
-/// page: forms with holes, which form each frame has, and the numbers in its holes.
+/// Packs one sentence over the frames, in label language with formulas between dollar signs; `None`
+/// where a frame has no sentence. Returns the forms with placeholders, the form of each frame, and
+/// the numbers for its placeholders.
 pub fn told(frames: &[Option<String>], formulas: &mut Formulas) -> Value {
     let mut forms: Vec<(Vec<String>, Vec<Vec<&str>>)> = Vec::new();
     let mut index: HashMap<Vec<&str>, usize> = HashMap::new();
@@ -121,12 +124,12 @@ pub fn told(frames: &[Option<String>], formulas: &mut Formulas) -> Value {
             }
         }
     }
-    // One form in all frames is said by its absence.
+    // 0 means one form in all frames.
     let sequence = if sequence.iter().all(|s| *s == 0) { json!(0) } else { json!(runs(&sequence)) };
     json!([markup, sequence, numbers.join(" ")])
 }
 
-/// Equal neighbours as (value, count) in one list.
+/// Returns runs of equal neighbours as (value, count) in one list.
 pub fn runs(list: &[i64]) -> Vec<i64> {
     let mut out: Vec<i64> = Vec::new();
     for &v in list {
@@ -138,9 +141,10 @@ pub fn runs(list: &[i64]) -> Vec<i64> {
     out
 }
 
-/// The form as HTML, with holes for the changing numbers.
+/// Returns the form as HTML, with placeholders for the changing numbers.
 fn form(words: &[String], numbers: &[&str], open: &[bool], formulas: &mut Formulas) -> String {
-    // A number that no sentence has keeps the hole's place through the formulas' grammar.
+    // A number that occurs in no sentence keeps the place of the placeholder while the formula is
+    // parsed.
     let keeper = |n: usize| format!("{}", 90_000_001 + n);
     let mut text = words[0].clone();
     for (n, word) in words[1..].iter().enumerate() {
@@ -154,7 +158,7 @@ fn form(words: &[String], numbers: &[&str], open: &[bool], formulas: &mut Formul
     short(&kept().fold(html, |html, k| html.replace(&k, &HOLE.to_string())))
 }
 
-/// What stands between the numbers, and the numbers.
+/// Returns the pieces of text between the numbers, and the numbers.
 fn taken_apart(text: &str) -> (Vec<&str>, Vec<&str>) {
     let bytes = text.as_bytes();
     let (mut words, mut numbers) = (Vec::new(), Vec::new());

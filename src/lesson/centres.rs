@@ -1,8 +1,9 @@
-//! The lesson of a task that asks for instantaneous centres: each is found as a step, by its pair or by two lines, then angular velocities and speeds follow
-//! by them; the driver is moved through its travel.
+//! The lesson of a task that asks for instantaneous centres. Each centre is found in a step of its
+//! own, by its pair or by two lines; angular velocities and speeds follow from the centres. The
+//! driver is moved through its travel.
 //!
-//! Decided here: which poses the page holds. The centres are found anew in each ([`crate::centres`]), the drawings are those of
-//! [`crate::figure::centres`], the page is that of [`super::motion`].
+//! This module chooses the poses that the page holds. [`crate::centres`] finds the centres anew in
+//! each pose, [`crate::figure::centres`] draws them, and [`super::motion`] writes the page.
 
 use crate::budget::here;
 use rayon::prelude::*;
@@ -31,7 +32,7 @@ use crate::scene::{DiagramKind, Kind, Scene, Swept};
 use crate::sweep::follow::{Follower, Pose, Sweep};
 use crate::worked::{Worked, work_pose};
 
-/// Words of this page beside those of [`super::motion::PLAYER`]: key, both languages.
+/// Words of this page in addition to those of [`super::motion::PLAYER`]: key, both languages.
 const WORDS: [(&str, [&str; 2]); 6] = [
     ("home", ["Back to the given position", "回到给定位置"]),
     ("instant", ["Position of the driver", "原动件位置"]),
@@ -53,9 +54,9 @@ const WORDS: [(&str, [&str; 2]); 6] = [
     ),
 ];
 
-/// Centres farther than this around the mechanism are told by arrows (mm).
+/// Centres farther than this from the mechanism are indicated by arrows (mm).
 const REACH_MM: f64 = 45.0;
-/// Every so many poses of the travel one is shown: each holds its drawings.
+/// Every n-th pose of the travel is shown, because each pose holds its own drawings.
 const EVERY: usize = 2;
 
 /// A pose with its centres.
@@ -64,7 +65,7 @@ struct Found {
     centres: Centres,
 }
 
-/// The page of a task.
+/// Writes the page of a task.
 ///
 /// # Errors
 /// No pose can be drawn; those of the SVG writer.
@@ -83,7 +84,7 @@ pub(super) fn lesson(
         scene.paper.scales.set(Kind::Length, Some(mu));
         let (scene, worked) = work_pose(&scene, (&worked.mechanism, &worked.demand), &pose.configuration).ok()?;
         let centres = placed(&scene, &worked.mechanism, &worked.configuration).ok()?.value;
-        // A centre without a place in a pose would leave its steps without one.
+        // Poses in which a centre has no place are dropped: its steps would have nothing to show.
         let whole = centres.list.iter().zip(&task.found.list).all(|(c, own)| c.place.is_some() || own.place.is_none());
         whole.then_some(Found { frame: Frame { travel: pose.travel, scene, worked, shown: Vec::new(), end: false }, centres })
     };
@@ -116,7 +117,7 @@ fn views(f: &Found, options: &sheet::Options) -> Vec<View> {
     ]
 }
 
-/// What is said in a pose: its name, the sentences of the steps, the answers, the scales of the drawings.
+/// Data of a pose: its name, the sentences of the steps, the answers, the scales of the drawings.
 fn told(f: &Found, views: &[View], options: &Options) -> Value {
     let steps = LANGS.map(|lang| {
         let words = Words::marked(&f.centres, lang);
@@ -133,7 +134,7 @@ fn told(f: &Found, views: &[View], options: &Options) -> Value {
     json!({"at": position(&f.frame, options.swept), "steps": steps, "answers": answers, "scales": scales})
 }
 
-/// Where the driver stands: `φ₂ = 40°`, or how far it has gone where no one says where it stood.
+/// The driver's position, as `φ₂ = 40°`; its travel where the scene does not state the position.
 fn position(frame: &Frame, swept: Swept) -> String {
     let told = moved(&frame.scene, swept);
     let (plain, factor) = (told["plain"].as_str().unwrap_or_default(), told["factor"].as_f64().unwrap_or(1.0));

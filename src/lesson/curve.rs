@@ -1,7 +1,9 @@
-//! What lies between two frames: the curve that the page draws through them, here to judge how true it is.
+//! The curve that the page draws between two frames; it is used here to judge the accuracy of the
+//! page.
 
-/// The value at `t` between knots `k` and `k + 1` (time and value each): a cubic whose slopes at the knots are those of the
-/// parabola through each knot and its two neighbours, at an end those of the last three.
+/// The value at `t` between knots `k` and `k + 1` (each a time and a value). The curve is a cubic.
+/// Its slope at a knot is that of the parabola through the knot and its two neighbours, at an end
+/// that of the parabola through the last three knots.
 pub fn between(knots: &[(f64, f64)], k: usize, t: f64) -> f64 {
     let ((t0, p0), (t1, p1)) = (knots[k], knots[k + 1]);
     let h = t1 - t0;
@@ -10,7 +12,7 @@ pub fn between(knots: &[(f64, f64)], k: usize, t: f64) -> f64 {
     let before = k.checked_sub(1);
     let after = (k + 2 < knots.len()).then_some(k + 1);
     let here = rise(k);
-    // The slope of a parabola: the rises on both sides, each weighed by the other's length.
+    // Slope of a parabola: each of the two rises is weighted by the length of the other interval.
     let weigh = |a: usize, b: usize| (step(b) * rise(a) + step(a) * rise(b)) / (step(a) + step(b));
     let m0 = match (before, after) {
         (Some(b), _) => weigh(b, k),
@@ -27,7 +29,7 @@ pub fn between(knots: &[(f64, f64)], k: usize, t: f64) -> f64 {
     p0 * (2.0 * s3 - 3.0 * s2 + 1.0) + m0 * h * (s3 - 2.0 * s2 + s) + p1 * (3.0 * s2 - 2.0 * s3) + m1 * h * (s3 - s2)
 }
 
-/// The value at `t` beyond known ones: on by the polynomial through them.
+/// The value at `t` outside the known values, extrapolated by the polynomial through them.
 pub fn onward(known: &[(f64, f64)], t: f64) -> f64 {
     let weight = |i: usize| (0..known.len()).filter(|j| *j != i).map(|j| (t - known[j].0) / (known[i].0 - known[j].0)).product::<f64>();
     known.iter().enumerate().map(|(i, k)| k.1 * weight(i)).sum()
@@ -37,7 +39,7 @@ pub fn onward(known: &[(f64, f64)], t: f64) -> f64 {
 mod tests {
     use super::{between, onward};
 
-    /// A parabola is met exactly, with uneven steps and at the ends.
+    /// The curve reproduces a parabola exactly, with uneven steps and at the ends.
     #[test]
     fn parabolas_are_exact() {
         let f = |t: f64| 3.0 * t * t - t + 2.0;

@@ -1,8 +1,9 @@
-//! The lesson of a synthesis: one HTML page with the construction step by step, and the linkage that comes of it, which goes to each of
-//! the wanted positions.
+//! The lesson of a synthesis: one HTML page with the construction step by step and the linkage
+//! found, which moves to each of the prescribed positions.
 //!
-//! Decided here: what the page holds. The construction is that of [`crate::figure::synthesis`], the motion that of
-//! [`crate::sweep::follow`]; nothing is drawn or solved anew. The page fetches nothing and holds both languages.
+//! This module decides what the page holds. The construction is that of
+//! [`crate::figure::synthesis`], the motion that of [`crate::sweep::follow`]. The page fetches
+//! nothing and holds both languages.
 
 use super::LARGER;
 use super::motion::PLAYER;
@@ -39,7 +40,7 @@ const SCRIPT: &str = concat!(include_str!("design.js"), include_str!("player.js"
 /// Frames through a turn of the driver.
 const FRAMES: usize = 120;
 
-/// Words of this page beside those of [`PLAYER`]: key, both languages.
+/// Words of this page in addition to those of [`PLAYER`]: key, both languages.
 const WORDS: [(&str, [&str; 2]); 6] = [
     ("construction", ["Construction", "作图"]),
     ("linkage", ["The linkage", "所得机构"]),
@@ -66,12 +67,12 @@ fn word(key: &str, lang: Lang) -> &'static str {
     found[usize::from(lang == Lang::Zh)]
 }
 
-/// How the page is written.
+/// Options of the page.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The language in which it opens; it holds both.
+    /// The language in which the page opens; it holds both.
     pub lang: Lang,
-    /// Weights, sizes and fonts of the drawings; the colours are the page's.
+    /// Weights, sizes and fonts of the drawings; the page sets the colours.
     pub style: Style,
 }
 
@@ -87,10 +88,10 @@ pub struct Options {
 /// ```
 ///
 /// # Errors
-/// Drawing and formula disagree; a scene of ours that cannot be placed; those of the SVG writer.
+/// Drawing and formula disagree; a generated scene cannot be placed; those of the SVG writer.
 pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<String, Faults> {
     let board = figure::to_scale(task, candidate)?;
-    // Read from the last row, not from a sheet in the hand.
+    // Small type is enlarged: the page is read from the last row.
     let style = Style { small_mm: options.style.small_mm * LARGER, ..options.style.clone() };
     let set = Set { style: &style, lang: options.lang, whole: false };
     let mut drawn: Vec<Elements> = Vec::new();
@@ -118,7 +119,7 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
         "links": motion.links, "pins": motion.pins, "blocks": motion.blocks, "frames": motion.frames,
         "stops": motion.stops, "full": motion.full, "fixed": motion.fixed,
     });
-    // Inside a script element `</` could end it, and after `<!--` nothing might.
+    // In a script element, `</` may end the script, and `<!--` may hide its end.
     let data = data.to_string().replace("</", "<\\/").replace("<!", "\\u003c!");
     Ok(filled(
         PAGE,
@@ -136,7 +137,7 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
     ))
 }
 
-/// Items without their names: two drawings in a page may not share them.
+/// Items without their ids: two drawings in a page must not share ids.
 pub(super) fn nameless<'a>(items: impl Iterator<Item = &'a Item>) -> Vec<Item> {
     items.map(|i| Item { id: String::new(), ..i.clone() }).collect()
 }
@@ -161,7 +162,7 @@ fn stepped(figure: &Figure, drawn: &mut Vec<Elements>, lang: Lang) -> Result<Str
     ))
 }
 
-/// The linkage's picture without what moves, over all places that its points take.
+/// The linkage's picture without the moving parts, over all places of its points.
 fn moving(linkage: &Scaled, window: Rect, drawn: &mut Vec<Elements>) -> Result<String, Faults> {
     let figure = &linkage.figure;
     let items = nameless(figure.items.iter().filter(|i| !i.class.split(' ').any(|c| c == MOVES)));
@@ -183,7 +184,7 @@ fn name(name: &str) -> String {
     if index.is_empty() { escaped(&word) } else { format!("{}<sub>{index}</sub>", escaped(&word)) }
 }
 
-/// What is read off the paper beside the formula's numbers; else the numbers alone.
+/// The values measured on paper beside the formula's numbers; without a drawing the numbers alone.
 fn facts(book: &Book, candidate: &Candidate, board: Option<&Board>, lang: Lang) -> String {
     let row = |cells: [String; 3], tag: &str| format!("<tr>{}</tr>", cells.map(|c| format!("<{tag}>{c}</{tag}>")).concat());
     let read = board.iter().flat_map(|b| b.readings.iter().map(move |r| (*b, r)));
@@ -211,14 +212,14 @@ fn facts(book: &Book, candidate: &Candidate, board: Option<&Board>, lang: Lang) 
 
 /// The linkage through the travel of its driver, in millimetres of the page, y down.
 struct Motion {
-    /// Of each link the indices of its points.
+    /// The indices of each link's points.
     links: Vec<Vec<usize>>,
-    /// Pins, those on the ground too: they lie over the links.
+    /// Pins, also those on the ground: they are drawn over the links.
     pins: Vec<usize>,
-    /// Points with a block.
+    /// Points with a slider block.
     blocks: Vec<usize>,
     frames: Vec<Value>,
-    /// The frames of the wanted positions.
+    /// The frames of the prescribed positions.
     stops: Vec<usize>,
     full: bool,
     /// Points on the ground.
@@ -237,7 +238,7 @@ impl Motion {
         let now = position_now(&scene, &base, 0);
         let mut poses = sweep.poses;
         let stops = candidate.draft.wanted.iter().map(|w| stop(&mut poses, &follower, w.driver - now, sweep.full)).collect::<Vec<_>>();
-        // Frames were put in between: the later ones have moved on.
+        // Frames were inserted: later frames have a larger index.
         let travels: Vec<f64> = stops.into_iter().flatten().collect();
         let stops = travels.iter().filter_map(|t| poses.iter().position(|p| p.travel == *t)).collect();
         Motion::drawn(&scene, linkage, &poses, now, stops, sweep.full)
@@ -271,7 +272,7 @@ impl Motion {
                 })
                 .collect();
             let posed = pose_of(scene, &pose.configuration);
-            // Turning counts downward on the page.
+            // On the page, positive rotation is clockwise.
             let turned: Vec<Value> = posed.sliders.iter().map(|s| hundredths(-s.direction.angle().to_degrees())).collect();
             let driver = significant((now + pose.travel).to_degrees().rem_euclid(360.0), 5);
             json!({"p": places, "r": turned, "d": driver})
@@ -287,13 +288,14 @@ fn hundredths(value: f64) -> Value {
     json!((value * 100.0).round() / 100.0)
 }
 
-/// Points by their names; what a pose does not have stays at the origin, and no drawing shows it.
+/// Points by their names; a point without place in a pose is put at the origin, and no drawing
+/// shows it.
 fn places(scene: &Scene, at: &Configuration, names: &[String]) -> Vec<Point> {
     let of = |name: &String| (0..scene.points.len()).find(|p| scene.points[*p].name == *name).and_then(|p| at.points[p]);
     names.iter().map(|n| of(n).unwrap_or(Point::ORIGIN)).collect()
 }
 
-/// Puts the pose of a wanted position among the others; its travel, where the motion gets there.
+/// Inserts the pose of a prescribed position; returns its travel if the motion reaches it.
 fn stop(poses: &mut Vec<Pose>, follower: &Follower, travel: f64, full: bool) -> Option<f64> {
     let (low, high) = (poses.first()?.travel, poses.last()?.travel);
     let step = (high - low) / poses.len() as f64;

@@ -1,7 +1,8 @@
 //! The equation that each step solves, with its table, for the page.
 //!
-//! Decided here: which table belongs to a step and which of its columns the step draws. What is written is that of
-//! [`crate::report::equation`]; the page shows the columns of the step in colour and those still to come in grey.
+//! This module decides which table belongs to a step and which of its columns the step draws. The
+//! text is that of [`crate::report::equation`]; the page shows the columns of the step in colour
+//! and those of later steps in grey.
 
 use serde_json::{Value, json};
 
@@ -20,12 +21,15 @@ use super::bank::{Formulas, runs};
 use super::frames::{Frame, Frames, groups};
 use super::steps::{LANGS, writer};
 
-/// For the page: what is written, and which frames follow which variant of the construction.
+/// Returns the texts of the equations for the page, and the variant of the construction in each
+/// frame.
 ///
-/// `written`: a table is a list of columns (sign before it, symbol, direction, magnitude: indices of formulas, −1 for none), a
-/// statement an object with both languages. `variants`: for each polygon, then for each group's forces, and each of its actions 0, or the index of what is written
-/// and the columns that the action draws. `acts`: for each variant and polygon what its actions are about ([`super::acts`]). `frames`:
-/// runs of variants, −1 for none; 0 for the first in all.
+/// * `written`: a table is a list of columns (sign before it, symbol, direction, magnitude: indices
+///   of formulas, −1 for none), a statement is an object with both languages.
+/// * `variants`: for each polygon, then for each group's forces, and for each of its actions: 0, or
+///   the index of the text and the columns that the action draws.
+/// * `acts`: for each variant and polygon the data of its actions ([`super::acts`]).
+/// * `frames`: runs of variants, −1 for none; 0 if all frames have the first.
 pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
     let mut table = Book { written: Vec::new() };
     let (mut variants, mut about): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
@@ -52,7 +56,7 @@ pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) 
     json!({"written": table.written, "variants": variants, "acts": about, "frames": which, "direction_first": notation.first_row == "direction"})
 }
 
-/// Whether two frames are drawn by the same equations in the same steps.
+/// True if two frames are drawn by the same equations in the same steps.
 fn alike(a: &Frame, b: &Frame) -> bool {
     let forces =
         || groups(&a.worked) == groups(&b.worked) && a.shown.contains(&DiagramKind::Force) == b.shown.contains(&DiagramKind::Force);
@@ -72,10 +76,10 @@ fn drawn(p: &Polygon, action: usize) -> Vec<Term> {
     }
 }
 
-/// The action that solves an equation, what is written of it, and its columns.
+/// The action that solves an equation, the index of its text, and its columns.
 type Solved = (usize, Option<usize>, Vec<Column>);
 
-/// What is written in any frame, each once.
+/// Texts of all frames, each stored once.
 struct Book {
     written: Vec<Value>,
 }
@@ -88,7 +92,7 @@ impl Book {
         })
     }
 
-    /// For each action of a polygon 0, or what is written and the columns that it draws.
+    /// For each action of a polygon: 0, or the index of its text and the columns that it draws.
     fn level(&mut self, frame: &Frame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
         let (paper, plan) = (&frame.worked.construction, &frame.worked.plan);
         let Some(polygon) = paper.polygon(on) else { return Vec::new() };
@@ -109,7 +113,7 @@ impl Book {
                         let both = [en, zh].map(|line| formulas.phrase(&line));
                         all.push((found, Some(self.index(json!({"line": both}))), Vec::new()));
                     }
-                    // The sentence of such a step says as much.
+                    // The sentence of such a step states the same.
                     _ => all.push((found, None, Vec::new())),
                 }
             }
@@ -119,7 +123,8 @@ impl Book {
 }
 
 impl Book {
-    /// For each step of a group's equilibrium after the first 0, or its equation and the columns that the step draws.
+    /// For each step of a group's equilibrium after the first: 0, or its equation and the columns
+    /// that the step draws.
     fn forces(&mut self, frame: &Frame, links: &[LinkId], notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
         let Some((w, group)) = writer(frame, links, notation, Lang::En) else { return Vec::new() };
         let [known, unknown, plus, end] = [&notation.known, &notation.unknown, "+", "= 0"].map(|text| formulas.formula(text) as i64);
@@ -154,14 +159,15 @@ impl Book {
     }
 }
 
-/// An action belongs to the first equation that is solved at it or after it; what is only read off belongs to none.
+/// Assigns an action to the first equation that is solved at it or after it; an action that only
+/// reads a value belongs to none.
 fn of_action(polygon: &Polygon, action: usize, all: &[Solved]) -> Value {
     if polygon.actions[action].reads() {
         return json!(0);
     }
     let Some((found, Some(index), columns)) = all.iter().find(|(found, ..)| *found >= action) else { return json!(0) };
     let terms = drawn(polygon, action);
-    // The vector that is looked for stands before the sign of equality, and is found last.
+    // The unknown vector comes before the equals sign and is found last.
     let sought = |k: usize, c: &Column| k == 0 && c.term.is_none() && *found == action;
     let now = |(k, c): &(usize, &Column)| c.term.is_some_and(|t| terms.contains(&t)) || sought(*k, c);
     let mut told = vec![*index];

@@ -1,7 +1,8 @@
-//! Every pose worked through to common scales, with more poses where the motion bends.
+//! Solves every pose to common scales, and adds poses where the motion curves strongly.
 //!
-//! Decided here: that all poses fit the paper but those next to a limit, where vectors grow beyond all bounds, and how many
-//! poses the page needs to show those between them true to a hundredth of a millimetre. Which scales they have: [`super::zoom`].
+//! This module ensures that all poses fit the paper, except those next to a limit, where vectors
+//! grow without bound. It also determines how many poses the page needs so that its drawings
+//! between them are accurate to 0.01 mm. [`super::zoom`] chooses the scales.
 
 use crate::budget::here;
 use rayon::prelude::*;
@@ -23,45 +24,46 @@ use super::split::{Split, split};
 use super::zoom::{Ends, Windows, Zoom};
 use crate::sweep::follow::{Follower, Pose, Sweep, between};
 
-/// A pose with all that is known of it.
+/// A pose with all its results.
 pub struct Frame {
-    /// How far what moves has gone from the scene's pose: radians, metres or seconds.
+    /// Travel of the driver from the scene's pose: radians, metres or seconds.
     pub travel: f64,
-    /// The scene with its driver there.
+    /// The scene with its driver at this travel.
     pub scene: Scene,
-    /// The pose worked through.
+    /// The solved pose.
     pub worked: Worked,
-    /// Whether the polygon of velocities, and that of accelerations, is on the paper.
+    /// The diagrams on the paper: polygon of velocities, polygon of accelerations.
     pub shown: Vec<DiagramKind>,
-    /// Whether the driver can go no farther here: nothing is said of the motion.
+    /// True if the driver can go no farther here; the frame then has no statement of the motion.
     pub end: bool,
 }
 
 /// All frames of a lesson.
 pub struct Frames {
-    /// In the order of travel.
+    /// The frames in the order of travel.
     pub list: Vec<Frame>,
-    /// The one in the scene's own pose.
+    /// The index of the scene's own pose.
     pub base: usize,
-    /// Whether the mechanism turns fully.
+    /// True if the mechanism turns fully.
     pub full: bool,
-    /// The scale and the windows of either polygon, if there is one.
+    /// The scale and the windows of each polygon, if there is one.
     pub zoom: ByKind<Zoom>,
-    /// How either is split over several drawings, if it is.
+    /// The division of each polygon into several drawings, if it is split.
     pub split: ByKind<Split>,
-    /// The links of each group whose forces are drawn in the scene's own pose.
+    /// The links of each group with forces drawn in the scene's own pose.
     pub groups: Vec<Vec<LinkId>>,
-    /// Whether some polygon next to a limit is too large for the paper.
+    /// True if some polygon next to a limit is too large for the paper.
     pub cut: bool,
 }
 
 impl Frames {
-    /// For each frame the first with its plan: what they show is one drawing that moves.
+    /// For each frame the index of the first frame with the same plan; frames with one plan show
+    /// one moving drawing.
     pub fn plans(&self) -> Vec<usize> {
         self.firsts(|a, b| a.worked.plan == b.worked.plan)
     }
 
-    /// For each frame the first whose forces are drawn in the same steps.
+    /// For each frame the index of the first frame whose forces are drawn in the same steps.
     pub fn force_plans(&self) -> Vec<usize> {
         self.firsts(|a, b| groups(&a.worked) == groups(&b.worked))
     }
@@ -79,30 +81,33 @@ impl Frames {
     }
 }
 
-/// The groups whose forces a pose draws.
+/// The groups with forces drawn in a pose.
 pub fn groups(worked: &Worked) -> &[GroupForces] {
     worked.equilibrium.as_ref().map_or(&[], |of| &of.groups)
 }
 
-/// What the page shows between two frames may be off by this (mm), so that with all roundings it is true to a hundredth.
+/// Largest error of the page between two frames (mm); with all roundings the page is then accurate
+/// to 0.01 mm.
 const BETWEEN_MM: f64 = 0.006;
-/// Joints farther from the origin of the diagram than this (mm) are not seen: centres of curvature of what is nearly straight.
+/// Joints farther than this from the origin of the diagram (mm) are not shown: centres of curvature
+/// of nearly straight paths.
 const FAR_MM: f64 = 1000.0;
-/// More frames than this part of those asked for are not added.
+/// Largest number of added frames, as a part of the frames requested.
 const ADDED: f64 = 0.4;
 /// Rounds of halving: next to a limit a step of 5° becomes one of 0.3°.
 const ROUNDS: usize = 4;
-/// A pose in which lines coincide is shown from so far (a part of a step) on both sides of it: a change point from where its
-/// polygons can be read, a limit from as near as anything can be drawn.
+/// Distances from a pose in which lines coincide, on both sides of it, at which it is shown (parts
+/// of a step). At a change point the polygons can be read there; at a limit it is the nearest pose
+/// that can be drawn.
 const ASIDE: [f64; 1] = [0.05];
 const BEFORE: [f64; 4] = [1e-9, 1e-7, 1e-5, 1e-3];
 
-/// A pose under way: with the scales of its own pose.
+/// A candidate pose, solved to its own scales.
 #[derive(Clone)]
 struct Trial {
     travel: f64,
     scene: Scene,
-    /// Its places in the scene of the motion.
+    /// The configuration in the scene of the motion.
     at: Configuration,
     worked: Worked,
 }
@@ -110,7 +115,7 @@ struct Trial {
 /// The scales of all poses.
 struct Papers {
     common: Scales,
-    /// That of the scene's own figure (m/mm).
+    /// The scale of the scene's own figure (m/mm).
     mu: f64,
     /// The names of the points of the motion.
     points: Vec<String>,
@@ -119,27 +124,27 @@ struct Papers {
     groups: Vec<Vec<LinkId>>,
 }
 
-/// A mark in a window, and in which.
+/// A point and the index of the window that shows it.
 type Mark = (usize, Point);
 
-/// What a lesson is made from.
+/// The input of a lesson.
 pub struct Maker<'a> {
     /// The scene in its own pose.
     pub scene: &'a Scene,
     /// Its topology.
     pub mechanism: &'a Mechanism,
-    /// What it asks for, and all positions.
+    /// The quantities that the scene asks for, and all positions.
     pub demand: &'a Demand,
-    /// How the mechanism is followed.
+    /// The follower that moves the mechanism.
     pub follower: &'a Follower<'a>,
     /// Sizes of the type.
     pub style: &'a Style,
-    /// How vectors are named.
+    /// The notation of vectors.
     pub notation: &'a Notation,
 }
 
 impl Maker<'_> {
-    /// Works all poses of a sweep, and more between them.
+    /// Solves all poses of a sweep, and more poses between them.
     ///
     /// # Errors
     /// `no-motion` where no pose can be drawn.
@@ -154,13 +159,15 @@ impl Maker<'_> {
             }
         }
         if trials.is_empty() {
-            // No way leads on from the scene's own pose, a dead centre or a locked one: it is shown alone, as far as it is answered.
+            // No motion leads on from the scene's own pose (a dead centre or a locked pose): it is
+            // shown alone, with the answers that it has.
             trials.extend(sweep.poses.iter().find(|pose| pose.travel == 0.0).and_then(|pose| self.worked(pose)));
         }
         if sweep.full
             && let Some(first) = trials.first()
         {
-            // The turn is closed, so that what lies between the last frame and the first is judged as well.
+            // The turn is closed, so that the interval between the last frame and the first is
+            // judged as well.
             let turn = Trial { travel: sweep.period(), ..first.clone() };
             trials.push(turn);
         }
@@ -177,14 +184,14 @@ impl Maker<'_> {
         self.worked(pose).filter(|trial| regular(&trial.worked))
     }
 
-    /// Any pose, as far as it has answers.
+    /// Any pose, with the answers that it has.
     fn worked(&self, pose: &Pose) -> Option<Trial> {
         let scene = self.follower.scene_at(self.scene, pose.travel);
         let (scene, worked) = work_pose(&scene, (self.mechanism, self.demand), &pose.configuration).ok()?;
         Some(Trial { travel: pose.travel, scene, at: pose.configuration.clone(), worked })
     }
 
-    /// The poses beside a singular one.
+    /// Returns the poses next to a singular one.
     fn beside(&self, sweep: &Sweep, k: usize, parts: &[f64]) -> Vec<Trial> {
         let here = &sweep.poses[k];
         let neighbours = [k.checked_sub(1), Some(k + 1)].map(|n| n.and_then(|n| sweep.poses.get(n)));
@@ -193,7 +200,7 @@ impl Maker<'_> {
         neighbours.into_iter().flatten().filter_map(aside).collect()
     }
 
-    /// Adds frames where the page could not tell what lies between.
+    /// Adds frames where the page could not interpolate accurately enough.
     fn refine(&self, trials: &mut Vec<Trial>, sweep: &Sweep) {
         let most = trials.len() + (sweep.poses.len() as f64 * ADDED) as usize;
         let mut settled = vec![false; trials.len().saturating_sub(1)];
@@ -210,7 +217,7 @@ impl Maker<'_> {
             };
             let here = here();
             let mut wanted: Vec<(usize, f64, Trial)> = open.par_iter().filter_map(|k| here.enter(|| halved(k))).collect();
-            // The worst first, where there is room for some only.
+            // The worst come first, because only a limited number may be added.
             wanted.sort_by(|a, b| b.1.total_cmp(&a.1));
             wanted.truncate(most.saturating_sub(trials.len()));
             if wanted.is_empty() {
@@ -229,10 +236,10 @@ impl Maker<'_> {
         }
     }
 
-    /// How far a point of the page would be from where it belongs in the middle of an interval (mm).
+    /// Distance (mm) between a point of the page in the middle of an interval and its true place.
     fn error(&self, trials: &[Trial], k: usize, middle: &Trial, papers: &Papers) -> f64 {
         let from = k.saturating_sub(2);
-        // Polygons by two plans have no marks in common.
+        // Polygons by two plans have no points in common.
         let alike = |t: &Trial| [t.worked.plan == middle.worked.plan, groups(&t.worked) == groups(&middle.worked)];
         let marks = |t: &Trial| papers.marks(t, alike(t));
         let keys: Vec<(f64, Vec<Option<Mark>>)> =
@@ -242,11 +249,11 @@ impl Maker<'_> {
         for (i, truth) in marks(middle).iter().enumerate() {
             let Some((scale, truth)) = *truth else { continue };
             let mark = |n: usize| keys.get(n).and_then(|key| key.1.get(i).copied().flatten());
-            // A pose next to a singular one may have fewer marks.
+            // A pose next to a singular one may have fewer points.
             if (at.saturating_sub(1)..(at + 3).min(keys.len())).any(|n| mark(n).is_none()) {
                 continue;
             }
-            // What is seen through another window tells the page nothing of this one.
+            // Places in another window do not help to interpolate in this one.
             let alike = |n: &usize| mark(*n).is_some_and(|m| m.0 == scale);
             let side = |places: [Option<usize>; 3]| places.into_iter().map_while(|n| n.filter(alike)).collect::<Vec<_>>();
             let (before, after) =
@@ -337,7 +344,7 @@ impl Maker<'_> {
             let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));
             frames.list.push(Frame { travel: trial.travel, scene, worked, shown: if end { Vec::new() } else { shown }, end });
         }
-        // A scene in a singular pose begins beside it.
+        // For a scene in a singular pose, the nearest frame is the base.
         let from_own = |k: &usize| frames.list[*k].travel.abs();
         frames.base = (0..frames.list.len()).min_by(|a, b| from_own(a).total_cmp(&from_own(b))).unwrap_or(0);
         if frames.list.is_empty() {
@@ -363,7 +370,8 @@ fn vertices<'a>(worked: &'a Worked, links: &[LinkId]) -> impl Iterator<Item = Po
 }
 
 impl Papers {
-    /// Joints on paper, then images if polygons are asked for, then vertices if those of forces are, in a fixed order.
+    /// Joints on paper, then images if polygons are requested, then vertices if those of forces
+    /// are, in a fixed order.
     fn marks(&self, trial: &Trial, [polygons, forces]: [bool; 2]) -> Vec<Option<Mark>> {
         let Trial { scene, worked, .. } = trial;
         let on_paper = |p: Point| Some((p.to_vec2() * (1.0 / self.mu)).to_point()).filter(|p| p.to_vec2().norm() < FAR_MM);
@@ -382,7 +390,7 @@ impl Papers {
         }
         for on in DiagramKind::POLYGONS {
             let (Some(p), Some(zoom)) = (worked.construction.polygon(on), self.zooms.of(on.kind())) else { continue };
-            // What is not shown need not be true.
+            // Points outside the paper need not be accurate.
             let on_paper = self.common.holds(worked, on);
             let through = |windows: &Windows, scale: usize, q: Point| {
                 on_paper.then(|| (scale, (q.to_vec2() * (1.0 / windows.view[scale])).to_point()))
@@ -413,7 +421,8 @@ mod tests {
     use crate::scene::{Lang, Swept, read, templates};
     use crate::worked::{Scope, work};
 
-    /// Through time each frame is the scene whose instant it is: the same rates, the same answers.
+    /// In a motion through time each frame is the scene at that instant: the same velocities and
+    /// accelerations, the same answers.
     #[test]
     fn each_frame_of_a_law_is_the_scene_at_its_instant() {
         let scene = read(templates::get("plate-by-law").unwrap()).unwrap().value;

@@ -1,5 +1,5 @@
-//! The points of the mechanism over all frames, with their velocities and accelerations: for paths, hodographs, vectors drawn at the
-//! points, and what a guess is compared with.
+//! The points of the mechanism over all frames, with their velocities and accelerations. The page
+//! uses them for paths, hodographs, vectors drawn at the points, and to judge a guess.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -19,9 +19,13 @@ use super::pack;
 use super::scenery::stray;
 use super::track::{UNIT, runs};
 
-/// For the page, in mm of paper, y up. `seen`: the frames in which places, velocities and accelerations are known. `list`: each
-/// vertex's name, whether its place is told, whether it is a moving point of the mechanism, whether a question asks for it, and the symbols of its
-/// vectors (−1 where it has none). `columns`: for each of them x and y of its place, its velocity, its acceleration.
+/// Data for the page, in mm of paper, y up.
+///
+/// * `seen`: the frames in which places, velocities and accelerations are known.
+/// * `list`: each vertex's name, whether its place is given, whether it is a moving point of the
+///   mechanism, whether a question asks for it, and the symbols of its vectors (−1 where it has
+///   none).
+/// * `columns`: for each vertex x and y of its place, its velocity and its acceleration.
 pub fn marks(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
     let base = &frames.list[frames.base];
     let plan = &base.worked.plan;
@@ -53,7 +57,7 @@ pub fn marks(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
     json!({"seen": seen.map(runs), "list": list, "columns": packed.text})
 }
 
-/// Whether a question asks for a vector of the vertex.
+/// True if a question asks for a vector of the vertex.
 fn asked(w: &Writer, v: VertexId) -> bool {
     let Spot::Point(point) = w.plan.vertex(v).spot else { return false };
     w.scene.find.iter().any(|f| match f.what.meaning(w.scene) {
@@ -62,7 +66,7 @@ fn asked(w: &Writer, v: VertexId) -> bool {
     })
 }
 
-/// Columns one after the other; the same one twice is told once.
+/// Columns one after the other; equal columns are stored once.
 #[derive(Default)]
 struct Columns {
     text: String,
@@ -70,7 +74,8 @@ struct Columns {
 }
 
 impl Columns {
-    /// A point over the frames in which it is seen; nothing, and `false`, where some frame does not have it.
+    /// Adds a point over the frames in which it is seen. Returns `false` and adds nothing if some
+    /// frame does not have it.
     fn points(&mut self, frames: &Frames, seen: &[bool], of: impl Fn(&Frame) -> Option<Point>) -> bool {
         let list: Option<Vec<Point>> = frames.list.iter().zip(seen).filter(|(_, s)| **s).map(|(f, _)| of(f)).collect();
         let Some(list) = list else { return false };

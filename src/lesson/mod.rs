@@ -1,10 +1,12 @@
-//! A lesson: one HTML page in which a mechanism stands beside its polygons, built step by step, with a crank to drag.
+//! A lesson: one HTML page that shows a mechanism beside its polygons, which are built step by
+//! step, with a crank to drag.
 //!
-//! Decided here: what the page holds. [`crate::sweep::follow`] follows the mechanism through its driver's travel, [`frames`] works each pose to
-//! one scale ([`zoom`]; [`split`] parts one of many vectors), [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
-//! characters, [`bank`] does the same for sentences ([`crate::report::math`] sets their formulas), [`equations`] gives each step its equation, [`page`] puts it together, and
+//! This module decides what the page holds. [`crate::sweep::follow`] follows the mechanism through
+//! its driver's travel, [`frames`] solves each pose to one scale ([`zoom`]; [`split`] divides a
+//! polygon of many vectors), [`scenery`] draws it, [`track`] finds what changes from frame to frame
+//! and [`pack`] packs it, [`bank`] does the same for sentences ([`crate::report::math`] sets their
+//! formulas), [`equations`] gives each step its equation, [`page`] puts the page together, and
 //! [`reveal`] writes one pose as a fragment for slides.
-//! Not decided here: how anything is drawn or solved.
 
 mod acts;
 mod bank;
@@ -39,38 +41,41 @@ use crate::sweep::follow::Follower;
 use crate::sweep::follow::course::over_a_turn;
 use frames::Maker;
 
-/// How a lesson is written.
+/// Options of a lesson.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// The language in which the page opens; it holds both.
     pub lang: Lang,
-    /// Marks; they stay the same in both languages.
+    /// Notation of vectors; it is the same in both languages.
     pub notation: Notation,
-    /// Poses through a full turn, or through the travel of a slider; more are added where the motion bends.
+    /// Number of poses through a full turn, or through the travel of a slider; more are added where
+    /// the motion curves strongly.
     pub positions: usize,
-    /// What is moved.
+    /// The driver or the time that is moved.
     pub swept: Swept,
-    /// Weights, sizes and fonts of the drawings; the colours are the page's, which has a light and a dark theme.
+    /// Weights, sizes and fonts of the drawings; the page sets the colours, with a light and a dark
+    /// theme.
     pub style: Style,
 }
 
 impl Options {
-    /// The usual lesson in a language.
+    /// The default lesson in a language.
     pub fn of_language(lang: Lang) -> Options {
         Options { lang, notation: Notation::of_language(lang), positions: POSITIONS, swept: Swept::Driver(0), style: Style::default() }
     }
 }
 
-/// Names of the drawings over those of a sheet: read from the last row.
+/// Size of names in the drawings, relative to a sheet: they must be legible from the last row.
 const LARGER: f64 = 1.6;
 
-/// Poses through a turn unless others are asked for: every 5°.
+/// Default number of poses through a turn: every 5°.
 pub const POSITIONS: usize = 72;
 
-/// Links and their points together: the labels of so many are placed anew for every position, some seconds in all.
+/// Largest number of links and points together: the labels are placed anew for every position,
+/// which takes some seconds in all.
 const MOST: usize = 120;
 
-/// The page, and what the reader should know of it.
+/// Writes the page; the warnings are remarks for the reader.
 ///
 /// # Errors
 /// Those of the scene in its own pose.
@@ -84,7 +89,7 @@ const MOST: usize = 120;
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
 pub fn lesson(scene: &Scene, options: &Options) -> Result<Warned<String>, Faults> {
-    // Pairs that stand for cams at the instant are none of the motion.
+    // Pairs that replace cams at the instant do not take part in the motion.
     let scene = &over_a_turn(scene);
     let Warned { value: worked, mut notes } = work(scene, Scope::Figure)?;
     let made = of_worked(scene, &worked, options)?;
@@ -92,7 +97,8 @@ pub fn lesson(scene: &Scene, options: &Options) -> Result<Warned<String>, Faults
     Ok(Warned { value: made.value, notes })
 }
 
-/// The page of a scene that has been worked through for [`Scope::Figure`] in its own pose, without the notes of that.
+/// Writes the page of a scene that is solved for [`Scope::Figure`] in its own pose, without the
+/// notes of that.
 ///
 /// # Errors
 /// A driver that the scene does not have; a mechanism too large for all its positions; those of the drawings.

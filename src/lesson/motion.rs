@@ -1,7 +1,10 @@
-//! The lesson of a motion without a mechanism: one HTML page with the construction step by step at an instant that is moved.
+//! The lesson of a motion without a mechanism: one HTML page with the construction step by step at
+//! an instant that the reader moves.
 //!
-//! Decided here: which instants the page holds, and one set of scales for them. The drawings are those of [`crate::figure::particle`], the numbers those of
-//! [`crate::particle`]: at each instant the motion is solved and drawn anew. The page fetches nothing and holds both languages.
+//! This module chooses the instants that the page holds and one set of scales for them. The
+//! drawings are those of [`crate::figure::particle`], the numbers those of [`crate::particle`]: at
+//! each instant the motion is solved and drawn anew. The page fetches nothing and holds both
+//! languages.
 
 use super::LARGER;
 use super::design::nameless;
@@ -33,7 +36,7 @@ const PAGE: &str = concat!(include_str!("head.html"), include_str!("player.html"
 const STYLE: [&str; 3] = [BASE, include_str!("design.css"), include_str!("motion.css")];
 const SCRIPT: &str = concat!(include_str!("motion.js"), include_str!("player.js"));
 
-/// Words of the controls that all pages with a player have: key, both languages.
+/// Words of the controls of all pages with a player: key, both languages.
 pub(super) const PLAYER: [(&str, [&str; 2]); 9] = [
     ("first", ["First step", "第一步"]),
     ("previous", ["Previous step", "上一步"]),
@@ -46,7 +49,7 @@ pub(super) const PLAYER: [(&str, [&str; 2]); 9] = [
     ("language", ["中文", "English"]),
 ];
 
-/// Words of this page beside them.
+/// Words of this page in addition to those of [`PLAYER`].
 const WORDS: [(&str, [&str; 2]); 6] = [
     ("home", ["Back to the given instant", "回到给定时刻"]),
     ("instant", ["The instant", "时刻"]),
@@ -70,23 +73,25 @@ const WORDS: [(&str, [&str; 2]); 6] = [
 
 /// Both languages, in the order of the page's pairs.
 const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
-/// At an instant whose vectors need a scale so much coarser than that of the given one, the scale changes: all others would be drawn too small.
+/// An instant has its own scale if its vectors need one coarser by this factor than the given
+/// instant: otherwise all other instants would be drawn too small.
 const COARSER: f64 = 4.0;
-/// Of the time to a meeting, so much is shown: at the end the two stand on each other, and no line has a direction.
+/// The part of the time to a meeting that is shown: at the meeting the two points coincide, and the
+/// line between them has no direction.
 const SHOWN: f64 = 0.995;
-/// Air around a drawing (mm).
+/// Margin around a drawing (mm).
 const AIR_MM: f64 = 2.0;
 
-/// How the page is written.
+/// Options of the page.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The language in which it opens; it holds both, its marks stay the same.
+    /// The language in which the page opens; it holds both, the notation is that of this language.
     pub lang: Lang,
-    /// Weights, sizes and fonts of the drawings; the colours are the page's.
+    /// Weights, sizes and fonts of the drawings; the page sets the colours.
     pub style: Style,
-    /// Instants beside the given one.
+    /// Number of instants in addition to the given one.
     pub positions: usize,
-    /// Which of the motions that have something to draw, counted from 0.
+    /// Index of the motion among those that have something to draw, from 0.
     pub motion: usize,
 }
 
@@ -98,7 +103,7 @@ struct Frame {
 }
 
 impl Frame {
-    /// At another instant, by what is known of a pursuit from this one.
+    /// The frame of another instant; a pursuit continues from its state at this one.
     fn at(&self, t: f64) -> Result<Frame, Faults> {
         let problem = self.problem.at(t, None)?;
         let solved = solve_again(&problem, &self.solved)?;
@@ -111,7 +116,7 @@ impl Frame {
         Ok(all.into_iter().find(|d| d.motion == self.drawn.motion).ok_or_else(|| nothing(self.drawn.motion))?)
     }
 
-    /// Drawn to other scales.
+    /// The frame drawn to other scales.
     fn scaled(self, mu: [f64; 3]) -> Result<Frame, Faults> {
         let problem = self.problem.at(self.problem.instant(), Some(mu))?;
         let drawn = self.drawn_again(&problem)?;
@@ -148,7 +153,7 @@ pub fn lesson(problem: &Problem, options: &Options) -> Result<String, Faults> {
     let (frames, base) = frames(problem, options)?;
     let also = room(&frames);
     let given = &frames[base];
-    // What stands still, then what each instant draws.
+    // First the fixed items, then the drawing of each instant.
     let still = given.maker(&style, options.lang, &also).course(&given.drawn, false);
     let mut views: Vec<Vec<View>> = Vec::new();
     for f in &frames {
@@ -173,18 +178,19 @@ pub(super) struct Page<'a> {
     pub title: [&'a str; 2],
     /// The language in which it opens.
     pub lang: Lang,
-    /// What it says around the drawings.
+    /// Words around the drawings.
     pub words: &'a [(&'a str, [&'a str; 2])],
-    /// The units of scales.
+    /// The units of the scales.
     pub book: &'a Book,
-    /// The given one among the instants.
+    /// The index of the given instant.
     pub base: usize,
-    /// What stands behind the first drawing at all of them.
+    /// The fixed background of the first drawing, common to all instants.
     pub still: Option<&'a View>,
 }
 
 impl Page<'_> {
-    /// The page, of the drawings of each instant and what is said at it: its name `at`, sentences of `steps`, `answers`, `scales`.
+    /// Writes the page from the drawings of each instant and its data: its name `at`, sentences of
+    /// `steps`, `answers`, `scales`.
     pub fn written(&self, views: &[Vec<View>], told: &[Value]) -> Result<String, Faults> {
         let mut elements: Vec<Elements> = Vec::new();
         let mut drawings = Vec::new();
@@ -230,7 +236,7 @@ impl Page<'_> {
     }
 }
 
-/// The instants, to one set of scales as far as that serves, and the place of the given one among them.
+/// The instants, to one set of scales as far as possible, and the index of the given one.
 fn frames(problem: &Problem, options: &Options) -> Result<(Vec<Frame>, usize), Faults> {
     let which = options.motion;
     let drawn = draw(problem)?.into_iter().nth(which).ok_or_else(|| nothing(which))?;
@@ -251,7 +257,7 @@ fn frames(problem: &Problem, options: &Options) -> Result<(Vec<Frame>, usize), F
     let mut times: Vec<f64> = (0..=count).map(|k| last * k as f64 / count as f64).filter(|t| (t - now).abs() > 1e-6 * last).collect();
     times.push(now);
     times.sort_by(f64::total_cmp);
-    // Where a law has no value there is no picture.
+    // An instant at which a law has no value has no picture.
     let natural: Vec<Frame> = times.iter().filter_map(|t| given.at(*t).ok()).collect();
     let usual = [0, 1, 2].map(|k| {
         let own = given.drawn.mu[k];
@@ -268,7 +274,7 @@ fn frames(problem: &Problem, options: &Options) -> Result<(Vec<Frame>, usize), F
     Ok((frames, base))
 }
 
-/// Places that the two views of a plate hold at any instant.
+/// Points that the two views of a plate must hold at any instant.
 fn room(frames: &[Frame]) -> [Vec<Point>; 2] {
     let mut out = ALONE;
     for f in frames {
@@ -281,14 +287,15 @@ fn room(frames: &[Frame]) -> [Vec<Point>; 2] {
     out
 }
 
-/// What moves of the views of an instant.
+/// The moving part of the views of an instant.
 fn seen(maker: &Maker, drawn: &Drawn, still: Option<&View>) -> Result<Vec<View>, Diagnostic> {
     let Some(still) = still else { return maker.views(drawn) };
     let course = View { part: maker.pair(drawn), caption: still.caption.clone(), scales: still.scales.clone() };
     Ok([course].into_iter().chain(maker.polygons(drawn)).collect())
 }
 
-/// What is said at an instant: its time, the sentences of the steps, the answers, the scales of the drawings.
+/// Data of an instant: its time, the sentences of the steps, the answers, the scales of the
+/// drawings.
 fn told(f: &Frame, views: &[View], style: &Style) -> Value {
     let both_of = |say: &dyn Fn(Lang) -> String| json!(LANGS.map(say));
     let steps: Vec<Value> =
@@ -305,9 +312,9 @@ fn told(f: &Frame, views: &[View], style: &Style) -> Value {
 /// A drawing at all instants.
 struct Sequence {
     size_mm: [f64; 2],
-    /// What stands behind.
+    /// The fixed background.
     ground: String,
-    /// What each instant draws.
+    /// The drawing of each instant.
     frames: Vec<String>,
 }
 

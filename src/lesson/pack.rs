@@ -1,56 +1,58 @@
-//! Numbers of many frames in few characters.
+//! Packs the numbers of many frames into few characters.
 //!
-//! A column of coordinates over the frames is nearly a polynomial: its third differences are a few thousandths of a
-//! millimetre. The page undoes this in `read.js`; the test in a browser compares the two.
+//! A column of coordinates over the frames is nearly a polynomial: its third differences are a few
+//! thousandths of a millimetre. `read.js` unpacks them on the page; the test in a browser compares
+//! the two.
 
 use base64::prelude::{BASE64_STANDARD, Engine};
 use miniz_oxide::deflate::compress_to_vec;
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
 
-/// How hard the data of a page is pressed: the most that takes no longer than drawing them.
+/// Compression level of a page's data: the highest that takes no longer than drawing them.
 const LEVEL: u8 = 8;
 
-/// All that a page is told, deflated (RFC 1951) and in base64: browsers undo both themselves.
+/// The data of a page, deflated (RFC 1951) and in base64; browsers can decode both.
 pub fn pressed(text: &str) -> String {
     BASE64_STANDARD.encode(compress_to_vec(text.as_bytes(), LEVEL))
 }
 
-/// What a page is told (JSON), from its text; `None` of what is no lesson. At most [`MOST_BYTES`] of it.
+/// The data of a page (JSON) from its text, at most [`MOST_BYTES`]; `None` if the text is not a
+/// lesson.
 pub fn told(page: &str) -> Option<String> {
     let text = page.split("id=\"data\">").nth(1)?.split("</script>").next()?;
     let bytes = decompress_to_vec_with_limit(&BASE64_STANDARD.decode(text).ok()?, MOST_BYTES).ok()?;
     String::from_utf8(bytes).ok()
 }
 
-/// More than any lesson tells; a file that claims more is none.
+/// Upper limit of the data of a lesson; a larger file is not accepted as a lesson.
 const MOST_BYTES: usize = 1 << 26;
 
-/// Digits: printable characters that need no escape in JSON nor in HTML.
+/// The digits: printable characters that need no escape in JSON or HTML.
 const DIGITS: &[u8; 88] = b"!#$%'()*+,-./0123456789:;=?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[]^_`abcdefghijklmnopqrstuvwxyz{|}";
-/// The last digit of a number is one of the first half, all before it are of the second.
+/// The last digit of a number comes from the first half, all digits before it from the second.
 const HALF: u64 = 44;
 
-/// The alphabet, for the page.
+/// The alphabet for the page.
 pub fn alphabet() -> &'static str {
     std::str::from_utf8(DIGITS).expect("the digits are ASCII")
 }
 
-/// In place of an order: the column is the same as an earlier one, whose number follows.
+/// Mark instead of an order: the column equals an earlier one, whose number follows.
 const SAME: u64 = 4;
 
-/// A column that is the same as an earlier one.
+/// Writes a column that equals an earlier one.
 pub fn same(column: usize, out: &mut String) {
     number(SAME, out);
     number(column as u64, out);
 }
 
-/// A column: the order of its differences, then the numbers.
+/// Writes a column: the order of its differences, then the numbers.
 pub fn column(values: &[i64], out: &mut String) {
     let best = (0..=3).map(|order| packed(values, order)).min_by_key(String::len);
     out.push_str(&best.unwrap_or_default());
 }
 
-/// What follows some values by the polynomial of this order through the last of them.
+/// The value predicted by the polynomial of this order through the last values.
 fn foretold(values: &[i64], order: usize) -> i64 {
     match (order, values) {
         (0, _) | (_, []) => 0,
@@ -71,7 +73,7 @@ fn packed(values: &[i64], order: usize) -> String {
     out
 }
 
-/// A natural number, lowest digits first.
+/// Writes a natural number, lowest digits first.
 pub fn number(mut n: u64, out: &mut String) {
     while n >= HALF {
         out.push(DIGITS[(HALF + n % HALF) as usize] as char);

@@ -1,6 +1,6 @@
-//! The page: template, style and script of this folder with the lesson's markup and data in them.
+//! The page: template, style and script of this folder, filled with the lesson's markup and data.
 //!
-//! Decided here: what stands where. Nothing is fetched: all is in the one file.
+//! This module arranges the parts. The page is one file and fetches nothing.
 
 use crate::budget::here;
 use serde_json::{Value, json};
@@ -33,18 +33,19 @@ use super::{Options, pack};
 use crate::sweep::follow::Sweep;
 use crate::webfont;
 
-/// How far (mm of the diagram) from its pivot a link is gripped that has neither another point nor a slot nor a rim.
+/// Distance (mm of the diagram) from the pivot at which a link is gripped that has no other point,
+/// slot or rim.
 const ARM_MM: f64 = 20.0;
 /// The buttons of a drawing.
 const ZOOMS: &str = "<div class=\"zooms\"><button type=\"button\" class=\"whole\" data-title=\"whole\">⤢</button>\
     <button type=\"button\" class=\"farther\" data-title=\"farther\">−</button><button type=\"button\" class=\"nearer\" data-title=\"nearer\">+</button></div>\n";
-/// What all lessons look like; their pages add their own.
+/// The common style of all lessons; each page adds its own.
 pub const BASE: &str = include_str!("base.css");
 const PAGE: &str = concat!(include_str!("head.html"), include_str!("page/page.html"));
 const STYLE: [&str; 2] = [BASE, include_str!("page/page.css")];
-/// What opens the script.
+/// The start of the script.
 const BOOT: &str = include_str!("page/boot.js");
-/// The script, in the order of its rooms.
+/// The script, in the order of its modules.
 const SCRIPT: [&str; 7] = [
     include_str!("page/read.js"),
     include_str!("page/draw.js"),
@@ -109,7 +110,7 @@ pub fn page(scene: &Scene, options: &Options, (mechanism, sweep): (&Mechanism, &
         "formulas": formulas.list,
         "tags": bank::tags(),
     });
-    // Those of a motion that takes more than one.
+    // Words for a motion that takes more than one turn.
     if frames.full && sweep.turns != 1 {
         data["turns"] = json!(sweep.turns);
     }
@@ -131,7 +132,8 @@ pub fn page(scene: &Scene, options: &Options, (mechanism, sweep): (&Mechanism, &
     ))
 }
 
-/// A template with values in the places of their names, `{{name}}`. What a value says is not looked at: a title may hold braces.
+/// Fills a template: values replace their names, `{{name}}`. Values are not examined: a title may
+/// hold braces.
 pub(super) fn filled(template: &str, values: &[(&str, &str)]) -> String {
     let mut out = String::new();
     for (k, part) in template.split("{{").enumerate() {
@@ -151,19 +153,19 @@ pub(super) fn filled(template: &str, values: &[(&str, &str)]) -> String {
     out
 }
 
-/// Style or script without indents, empty lines and lines that are nothing but a comment.
+/// Style or script without indents, empty lines and comment lines.
 pub(super) fn terse(text: &str) -> String {
     let lines = text.lines().map(str::trim_start).filter(|l| !l.is_empty() && !l.starts_with("//"));
     let lines = lines.filter(|l| !(l.starts_with("/*") && l.ends_with("*/")));
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The style of a page from its sheets, the fonts with it.
+/// The style of a page from its sheets, with the fonts.
 pub(super) fn with_fonts(sheets: &[&str]) -> String {
     sheets.iter().map(|s| terse(s) + "\n").collect::<String>() + webfont::faces()
 }
 
-/// A number in ten significant digits: more than any screen shows.
+/// A number to ten significant digits, more than any screen shows.
 fn ten_digits(value: f64) -> f64 {
     format!("{value:.9e}").parse().unwrap_or(value)
 }
@@ -172,13 +174,14 @@ fn tag(lang: Lang) -> &'static str {
     figure_words::words(lang).tag
 }
 
-/// What the page is told of a drawing: of each of its windows how many times as large the paper is seen, where the origin
-/// lies in it (y down), in which frames it holds the drawing, what moves, the force polygon with which it is seen if that is so, and
-/// for the second the elements.
+/// Data of a drawing for the page. Each window has its magnification, the place of the origin (y
+/// down), the frames in which it holds the drawing, the moving elements, and the force polygon with
+/// which it is seen, if any; the second window also has the elements.
 fn drawing(d: &Scenery, told: &[Told], many: bool) -> Value {
     let layout = |(l, told): (&Layout, &Told)| {
         let origin = [l.origin.x, d.size_mm[1] - l.origin.y].map(ten_digits);
-        // In hundredths; rounding and the roundness of heads are no reason to step back.
+        // In hundredths; rounding and the round corners of arrowheads alone do not enlarge the
+        // window.
         let back = bank::runs(&l.back.iter().map(|b| if *b < 1.03 { 100 } else { (b * 100.0).ceil() as i64 }).collect::<Vec<_>>());
         let mut value = json!({"mu": l.mu, "times": ten_digits(d.mu / l.mu), "origin": origin, "held": runs(l.held.iter().copied()), "back": back, "moving": told.moving});
         if let Some(group) = l.group {
@@ -188,15 +191,16 @@ fn drawing(d: &Scenery, told: &[Told], many: bool) -> Value {
     };
     let mut layouts: Vec<Value> = d.layouts.iter().zip(told).map(layout).collect();
     for (layout, told) in layouts.iter_mut().zip(told).skip(1) {
-        // A name stands once in a document: that of an element in the window of all poses is kept aside.
+        // An identifier occurs once in a document: the window of all poses keeps those of its
+        // elements in `data-id`.
         layout["markup"] = json!(told.markup.replace(" id=\"", " data-id=\""));
     }
-    // One group alone has no number.
+    // A single group has no number.
     let part = d.shows.part.filter(|_| d.shows.on != DiagramKind::Force || many);
     json!({"key": d.shows.key(), "level": d.shows.level(), "part": part, "shown": runs(d.shown.iter().copied()), "layouts": layouts})
 }
 
-/// A drawing with its caption, as it is first seen.
+/// A drawing with its caption, in its initial view.
 fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let book = &frames.list[frames.base].scene.book;
@@ -228,13 +232,14 @@ fn of_links(name: &str, links: &[LinkId], frames: &Frames, lang: Lang) -> String
     }
 }
 
-/// The statement for the page: HTML, its formulas told by their indices, a line for each paragraph.
+/// The problem statement for the page: HTML, formulas by their indices, one line for each
+/// paragraph.
 fn statement(scene: &Scene, lang: Lang, formulas: &mut Formulas) -> String {
     let stated: Vec<String> = paragraphs(scene, lang).iter().map(|p| formulas.phrase(p)).collect();
     if stated.is_empty() { escaped(word("diagram", lang)) } else { stated.join("<br>") }
 }
 
-/// What is moved, for the page.
+/// Data of the moved driver or time for the page.
 pub(super) fn moved(scene: &Scene, swept: Swept) -> Value {
     match swept {
         Swept::Driver(k) => driver(scene, k),
@@ -243,8 +248,8 @@ pub(super) fn moved(scene: &Scene, swept: Swept) -> Value {
     }
 }
 
-/// Of a driver: whether it turns, its symbol, where it stands in the scene's own pose (degrees or millimetres; null where no
-/// one says), and its unit.
+/// Data of a driver: whether it turns, its symbol, its position in the scene's own pose (degrees or
+/// millimetres; null where the scene does not state it), and its unit.
 fn driver(scene: &Scene, k: usize) -> Value {
     let driver = &scene.drivers[k];
     let (turns, symbol) = match &driver.kind {
@@ -276,7 +281,7 @@ fn driver(scene: &Scene, k: usize) -> Value {
     let symbol = if start.is_some() { symbol } else { format!("\\Delta {symbol}") };
     let back = driver.rate.value < 0.0;
     let mut told = json!({"turns": turns, "symbol": mathml(&Label::math(&symbol)), "plain": crate::paper::phrase::formula(&symbol), "start": start, "factor": factor, "back": back});
-    // A unit of the book, and in how many parts of it the page tells the position.
+    // A unit chosen by the scene, and the resolution in which the page gives the position.
     if book.chosen(what).is_some() {
         told["unit"] = json!(book.text(what, ""));
         told["turn"] = json!(std::f64::consts::TAU * factor);
@@ -285,7 +290,7 @@ fn driver(scene: &Scene, k: usize) -> Value {
     told
 }
 
-/// What is said at each end of the travel, English and Chinese; null where nothing stops the driver.
+/// Texts for each end of the travel, English and Chinese; null where nothing stops the driver.
 fn limits(scene: &Scene, mechanism: &Mechanism, sweep: &Sweep) -> Value {
     let ends = [sweep.poses.first(), sweep.poses.last()];
     let said = ends.into_iter().zip(sweep.limits).map(|(pose, limit)| {
@@ -298,8 +303,8 @@ fn limits(scene: &Scene, mechanism: &Mechanism, sweep: &Sweep) -> Value {
     said.collect()
 }
 
-/// The point by which the driver is dragged, over the frames: two packed columns ([`UNIT`]) in mm of the mechanism's paper, from its
-/// origin, y up.
+/// The point by which the driver is dragged, over the frames: two packed columns ([`UNIT`]) in mm
+/// of the mechanism's paper, from its origin, y up.
 fn handle(frames: &Frames, driver: usize) -> Value {
     let arm = arm(frames, driver);
     let places: Vec<Point> = frames.list.iter().map(|f| grip(f, driver, arm).unwrap_or(Point::ORIGIN) + stray(frames, f)).collect();
@@ -310,8 +315,8 @@ fn handle(frames: &Frames, driver: usize) -> Value {
     json!(packed)
 }
 
-/// How far (m) from its pivot a link without another point is gripped: where a pin of its slot comes at most, where it rolls on another
-/// link, else far enough to be turned.
+/// Distance (m) from its pivot at which a link without another point is gripped: the farthest place
+/// of a pin in its slot or of its rolling contact, else far enough to be turned.
 fn arm(frames: &Frames, driver: usize) -> f64 {
     let Some((link, _)) = frames.list[frames.base].scene.drivers[driver].kind.turned() else { return 0.0 };
     let reaches = frames.list.iter().flat_map(|f| {
@@ -327,8 +332,8 @@ fn arm(frames: &Frames, driver: usize) -> f64 {
     if farthest > 0.0 { farthest } else { least }
 }
 
-/// The driver's grip on the diagram (mm from its origin): the farthest point of a turning link, or a place of it so far from its pivot; the
-/// slider; the rod's joint.
+/// The driver's grip on the diagram (mm from its origin): the farthest point of a turning link, or
+/// a place of the link at the distance `arm` from its pivot; the slider; the rod's joint.
 fn grip(frame: &Frame, driver: usize, arm: f64) -> Option<Point> {
     let (scene, at) = (&frame.scene, &frame.worked.configuration);
     let diagram = &frame.worked.construction.diagram;

@@ -1,4 +1,5 @@
-//! One pose as a fragment for slides: an inline SVG whose parts carry the classes by which reveal.js shows them one by one.
+//! One pose as a fragment for slides: an inline SVG with the classes by which reveal.js shows its
+//! parts one by one.
 
 use crate::diag::{Faults, Warned};
 use crate::figure::fit::{self, Room};
@@ -14,11 +15,12 @@ use crate::worked::Worked;
 
 use crate::render::escaped;
 
-/// Between two drawings.
+/// Gap between two drawings.
 const GAP_MM: f64 = 6.0;
 
-/// The mechanism with its polygons side by side, as an SVG to paste into a slide: `<g class="fragment" data-fragment-index="n">` around
-/// what the n-th step draws, first of the velocities, then of the accelerations, then of the forces, group after group.
+/// Writes the mechanism with its polygons side by side, as an SVG to paste into a slide. A group
+/// `<g class="fragment" data-fragment-index="n">` encloses the items of the n-th step: first of the
+/// velocities, then of the accelerations, then of the forces, group after group.
 ///
 /// # Errors
 /// Those of the SVG writer.
@@ -27,8 +29,8 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
     Ok(Warned { value: drawings.svg(scene, options, None), notes: Vec::new() })
 }
 
-/// [`reveal`] in a width (mm): drawings become smaller, type as far as it can be read, and stand one below the other
-/// where side by side they would be too small.
+/// Writes [`reveal`] in a given width (mm). Drawings become smaller, type as small as is legible;
+/// drawings that would be too small side by side are placed one below the other.
 ///
 /// # Errors
 /// `paper-too-small` where the smallest legible drawings are wider.
@@ -49,7 +51,8 @@ struct Drawings {
     size_mm: [f64; 2],
 }
 
-/// The drawings, those of the motion side by side and those of the forces below them, or one below the other; and their size (mm) together.
+/// The drawings and their common size (mm): those of the motion side by side with those of the
+/// forces below, or all stacked.
 fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: bool) -> Result<(Drawings, [f64; 2]), Faults> {
     let of_motion =
         DiagramKind::ALL.into_iter().filter_map(|on| Some((on > DiagramKind::Plane, sheet::drawing(scene, worked, options, on)?)));
@@ -69,7 +72,7 @@ fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: b
     let mut elements = Elements::new(height);
     let mut done = 0;
     for row in &mut rows {
-        // All stand on one line, their captions at the bottom.
+        // All drawings are aligned at the bottom, with their captions.
         let (mut x, bottom) = ((width - widths(row)) / 2.0, top - tallest(row));
         top = bottom - GAP_MM;
         for (has_steps, figure) in row {
@@ -79,7 +82,8 @@ fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: b
             // An item that several steps draw comes with the first.
             let of: Vec<Option<usize>> = figure.items.iter().map(|i| i.steps().min().filter(|_| *has_steps)).collect();
             let most = of.iter().flatten().max().map_or(0, |n| n + 1);
-            // Items of one step stay together, in the order of the drawing; the index tells the order of steps.
+            // Items of one step stay together, in the order of the drawing; the index gives the
+            // order of steps.
             for (element, of) in list.iter().zip(&of) {
                 match of {
                     Some(n) => {
@@ -97,7 +101,8 @@ fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: b
 }
 
 impl Drawings {
-    /// The fragment, as wide as its slide or of a width (mm) in whose middle the drawings stand.
+    /// The fragment, as wide as its slide, or in a given width (mm) with the drawings in the
+    /// middle.
     fn svg(&self, scene: &Scene, options: &sheet::Options, width_mm: Option<f64>) -> String {
         let [own, height] = self.size_mm;
         let wide = width_mm.unwrap_or(own);

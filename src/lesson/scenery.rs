@@ -1,7 +1,7 @@
-//! The drawings over all frames, each as it is seen through one window or two ([`super::zoom`]).
+//! The drawings over all frames, each seen through one or two windows ([`super::zoom`]).
 //!
-//! Decided here: what fills a window, which poses it holds, and the order in which labels are placed, each where it stood in the
-//! frame before if it can.
+//! This module decides what fills a window, which poses a window holds, and the order in which
+//! labels are placed; a label keeps its place of the frame before if it can.
 
 use crate::budget::here;
 use rayon::prelude::*;
@@ -26,33 +26,34 @@ use super::frames::{Frame, Frames};
 use super::track::Track;
 use super::zoom::{self, GAIN, stage_mm, window_mm, with_names};
 
-/// Free bodies are drawn at most so many times as large as the mechanism, and as small.
+/// Largest magnification of the free bodies relative to the mechanism, and largest reduction.
 const NEAREST: f64 = 3.0;
 const FARTHEST: f64 = 1.5;
-/// Around the ink in a window.
+/// Margin around the drawing in a window.
 const MARGIN_MM: f64 = 1.5;
-/// How often the polygon of the own pose is made smaller for its names.
+/// Number of times that the polygon of the own pose is reduced to make space for its names.
 const PASSES: usize = 3;
-/// A pose is seen through the own window while its ink stays in this much of its margin.
+/// A pose is seen through the own window while its drawing exceeds the window by no more than this.
 const AIR_MM: f64 = 1.0;
 
-/// What a drawing shows.
+/// The content of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shows {
     /// The diagram.
     pub on: DiagramKind,
-    /// The part of a polygon that is split; of forces the group.
+    /// The part of a split polygon; for forces the group.
     pub part: Option<usize>,
 }
 
 impl Shows {
-    /// A word for names in the page.
+    /// The key of the drawing in names on the page.
     pub fn key(self) -> String {
         let word = self.on.word();
         self.part.map_or_else(|| word.to_owned(), |part| format!("{word}-{}", part + 1))
     }
 
-    /// The number of its steps' list in the page: of a polygon its place among the polygons, of a group of forces one after those.
+    /// The index of its list of steps on the page: for a polygon its place among the polygons, for
+    /// a group of forces a place after those.
     pub fn level(self) -> Option<usize> {
         let of_forces = |group| DiagramKind::POLYGONS.len() + group;
         DiagramKind::POLYGONS.iter().position(|on| *on == self.on).or(self.part.map(of_forces))
@@ -61,32 +62,34 @@ impl Shows {
 
 /// A drawing over all frames.
 pub struct Scenery {
-    /// What it shows.
+    /// The content.
     pub shows: Shows,
     /// Width and height of its windows (mm of the window).
     pub size_mm: [f64; 2],
     /// Its scale (SI per mm of paper).
     pub mu: f64,
-    /// What is seen through the window that the scene's own pose fills, in the poses near it; then through the one that holds all
-    /// poses, in all. One alone where that serves both. Of the mechanism then one for the free bodies of each group whose forces are drawn.
+    /// The drawing through the window that the scene's own pose fills, in the poses near it, then
+    /// through the window that holds all poses; a single layout where one window serves both. For
+    /// the mechanism, then one layout for the free bodies of each group with drawn forces.
     pub layouts: Vec<Layout>,
-    /// Whether it is on the paper, in each frame.
+    /// True in each frame in which the drawing is on the paper.
     pub shown: Vec<bool>,
 }
 
-/// A drawing as it is seen through one window.
+/// A drawing seen through one window.
 pub struct Layout {
     /// SI per mm of the window.
     pub mu: f64,
-    /// The diagram's origin or the pole in the window, x to the right and y up from its lower left corner.
+    /// The place in the window of the diagram's origin or of the pole, x to the right and y up from
+    /// the lower left corner.
     pub origin: Point,
     /// Its elements over the frames.
     pub track: Track,
     /// The frames in which it is drawn.
     pub held: Vec<bool>,
-    /// How many times as large the window must be to hold all of it, in each frame.
+    /// The magnification of the window that is needed to hold the whole drawing, in each frame.
     pub back: Vec<f64>,
-    /// The group whose free bodies are seen in the mechanism, if that is so.
+    /// The group with its free bodies shown in the mechanism, if any.
     pub group: Option<usize>,
 }
 
@@ -98,7 +101,7 @@ struct View {
     group: Option<usize>,
 }
 
-/// All drawings that the scene calls for.
+/// Draws all drawings that the scene calls for.
 ///
 /// # Errors
 /// Those of the SVG writer.
@@ -112,22 +115,22 @@ pub fn scenery(frames: &Frames, notation: &Notation, style: &Style) -> Result<Ve
         }
     }
     wanted.extend((0..frames.groups.len()).map(|group| Shows { on: DiagramKind::Force, part: Some(group) }));
-    // The drawings know nothing of one another.
+    // The drawings are independent of one another.
     let here = here();
     wanted.into_par_iter().map(|shows| here.enter(|| Studio::of(frames, notation, style, shows).scenery())).collect()
 }
 
-/// The parts of all frames in which something is drawn.
+/// The parts of all frames; `None` where nothing is drawn.
 type Parts = Vec<Option<Part>>;
 
-/// Where one drawing is made.
+/// The maker of one drawing.
 struct Studio<'a> {
     frames: &'a Frames,
     notation: &'a Notation,
     /// The letters do not depend on the language.
     options: Options,
     shows: Shows,
-    /// Whether the polygon has many vectors in some frame: then its type is small in all.
+    /// True if the polygon has many vectors in some frame: its type is then small in all frames.
     full: bool,
     /// The scale on paper.
     mu: f64,
@@ -135,7 +138,7 @@ struct Studio<'a> {
 
 impl<'a> Studio<'a> {
     fn of(frames: &'a Frames, notation: &'a Notation, style: &Style, shows: Shows) -> Studio<'a> {
-        // Black on white: the page gives it the colours of its light or dark theme.
+        // Black on white: the page applies the colours of its light or dark theme.
         let Style { palette, plate, .. } = Style::default();
         let style = Style { palette, plate, ..style.clone() };
         let share = share_of(frames, shows);
@@ -158,7 +161,8 @@ impl<'a> Studio<'a> {
         }
     }
 
-    /// The mechanism has the size of its figure in the own pose, and is smaller only where it would not be seen as a whole.
+    /// Draws the mechanism in the size of its figure in the own pose, smaller only where it would
+    /// not be seen as a whole.
     fn mechanism(&self) -> Result<Scenery, Faults> {
         let label = self.options.style.label_mm;
         let lines = |k: usize, mu: f64, courses: &[Course]| self.diagram(k, mu, &courses[k]).1;
@@ -170,7 +174,8 @@ impl<'a> Studio<'a> {
             boxes.reduce_with(Rect::union).map_or(alone(mu), |r| with_names(r, label))
         };
         let times = |box_mm: Rect, [w, h]: [f64; 2]| (size(box_mm)[0] / w).max(size(box_mm)[1] / h).max(1.0);
-        // Symbols keep their size, which a first try does not know of.
+        // Symbols keep their size, which the first estimate of the scale does not take into
+        // account.
         let first = self.mu * times(alone(self.mu), stage_mm(label));
         let own_mu = first * times(alone(first), stage_mm(label));
         let (own, all) = (alone(own_mu), together(own_mu));
@@ -186,7 +191,7 @@ impl<'a> Studio<'a> {
         self.told(size(own), self.with_groups(vec![near, whole], own_mu, size(own)))
     }
 
-    /// Adds the free bodies of each group, as large as the window holds them in all frames.
+    /// Adds the free bodies of each group, as large as the window can hold them in all frames.
     fn with_groups(&self, mut views: Vec<View>, own_mu: f64, [w, h]: [f64; 2]) -> Vec<View> {
         let frames = &self.frames.list;
         for group in 0..self.frames.groups.len() {
@@ -196,7 +201,7 @@ impl<'a> Studio<'a> {
                 boxes.reduce_with(Rect::union).map(|r| with_names(r, self.options.style.label_mm))
             };
             let mut mu = own_mu;
-            // Arrows keep their length, so that the box does not grow as the scale does.
+            // Arrows keep their length, so the box grows less than the scale.
             for _ in 0..PASSES {
                 let Some([wide, high]) = around(mu).map(size) else { break };
                 mu = (mu * (wide / w).max(high / h)).max(own_mu / NEAREST).min(own_mu * FARTHEST);
@@ -210,7 +215,8 @@ impl<'a> Studio<'a> {
         views
     }
 
-    /// The free bodies of a group in a frame before their labels are placed, the box around their lines, and how far they are moved to lie over the own pose.
+    /// The free bodies of a group in a frame before their labels are placed, the box around their
+    /// lines, and the displacement that brings them over the own pose.
     fn bodies(&self, k: usize, group: usize, mu: f64) -> Option<(Drawing, Rect, Vec2)> {
         let frame = &self.frames.list[k];
         if !frame.shown.contains(&DiagramKind::Force) {
@@ -247,7 +253,7 @@ impl<'a> Studio<'a> {
         };
         let window = window_mm(self.label_mm());
         let seen = |i: usize, mu: f64| about((zoom.middles[i].to_vec2() * (1.0 / mu)).to_point(), window);
-        // The own pose is drawn a little smaller where its names would not be seen whole.
+        // The own pose is drawn slightly smaller where its names would be cut off.
         let mut own = zoom.view[0];
         for _ in 0..PASSES {
             let Some(part) = self.part(self.frames.base, own, None, seen(0, own), &mut Habits::new()) else { break };
@@ -267,9 +273,10 @@ impl<'a> Studio<'a> {
         if self.full { self.options.style.small_mm } else { self.options.style.label_mm }
     }
 
-    /// Every frame's part at a scale, its labels in the window and where they stood in the frame before if they can: on from the
-    /// scene's own pose and back from it; where the turn is closed the two meet half a turn off. With `held` no farther than
-    /// the window holds it all.
+    /// Every frame's part at a scale, with its labels in the window and, if possible, at their
+    /// places in the frame before. The order runs forward and backward from the scene's own pose;
+    /// in a closed turn the two meet half a turn away. With `held`, each direction ends where the
+    /// window does not hold the whole part.
     fn parts(&self, mu: f64, window: Rect, held: bool) -> Parts {
         let courses = self.courses(mu);
         self.over_frames(window, held, |k, habits| self.part(k, mu, courses.get(k), window, habits))
@@ -325,7 +332,7 @@ impl<'a> Studio<'a> {
             }
             DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
                 let drawing = self.polygon_at(frame, mu)?;
-                // What is too long for the window has room around it.
+                // Lines too long for the window get a margin.
                 let lines = drawing.bounds();
                 let room = if window.union(lines) == window { window } else { with_names(lines, self.label_mm()).union(window) };
                 Some(drawing.finish_within(habits, room))
@@ -349,7 +356,7 @@ impl<'a> Studio<'a> {
         }
     }
 
-    /// The drawing told: its windows have one size, and what each is made for stands in its middle.
+    /// The finished drawing: its windows have one size, and the contents of each are centred.
     fn told(&self, window: [f64; 2], views: Vec<View>) -> Result<Scenery, Faults> {
         let frames = self.frames;
         let size_mm = window.map(|side| side + 2.0 * MARGIN_MM);
@@ -367,7 +374,7 @@ impl<'a> Studio<'a> {
                 let Some(mut part) = part else { continue };
                 part.translate(shift);
                 if let Some(own) = self.shows.part {
-                    // What several parts show has a name of its own in each.
+                    // An item that several parts show has a name of its own in each.
                     let whole = self.shows.on.prefix();
                     part.items.iter_mut().for_each(|i| i.id = i.id.replacen(whole, &format!("{whole}-{}", own + 1), 1));
                 }
@@ -397,7 +404,7 @@ fn ways(frames: &Frames) -> (Vec<usize>, Vec<usize>) {
     }
 }
 
-/// How many times as large a window about a place must be to hold a box; 1 where it does.
+/// The magnification that a window about a place needs to hold a box; 1 where the window holds it.
 fn beyond(held: Rect, at: Point, [w, h]: [f64; 2]) -> f64 {
     let over = |low: f64, high: f64, at: f64, side: f64| (high - at).max(at - low) / (0.5 * side);
     over(held.min.x, held.max.x, at.x, w).max(over(held.min.y, held.max.y, at.y, h)).max(1.0)
@@ -413,7 +420,8 @@ fn about(centre: Point, [w, h]: [f64; 2]) -> Rect {
     Rect::new(centre - half, centre + half)
 }
 
-/// A frame's polygon, where it is on the paper, and who writes its letters (the language does not matter).
+/// A frame's polygon, if it is on the paper, and the writer of its letters (independent of the
+/// language).
 fn polygon_of<'a>(frame: &'a Frame, shows: Shows, notation: &'a Notation) -> Option<(Writer<'a>, &'a Polygon)> {
     let p = frame.worked.construction.polygon(shows.on).filter(|_| frame.shown.contains(&shows.on))?;
     Some((Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En }, p))
@@ -424,8 +432,8 @@ fn share_of(frames: &Frames, shows: Shows) -> Option<Share<'_>> {
     Some(frames.split.of(shows.on.kind())?.share(shows.part?))
 }
 
-/// By how much (mm) a frame's diagram must be moved to lie over that of the scene's own pose: its origin may be a point that
-/// moves.
+/// Displacement (mm) that brings a frame's diagram over that of the scene's own pose: the origin of
+/// the diagram may be a moving point.
 pub fn stray(frames: &Frames, frame: &Frame) -> Vec2 {
     let (here, first) = (&frame.worked.construction.diagram, &frames.list[frames.base].worked.construction.diagram);
     (here.origin - first.origin) * (1.0 / first.mu)

@@ -1,7 +1,7 @@
-//! A polygon of many vectors split over several drawings, so that each can be read from far.
+//! Splits a polygon of many vectors over several drawings, so that each is legible from a distance.
 //!
-//! Decided here: that it is split where in some pose not all its vectors can be named in type of the usual size, and only where all poses
-//! split alike; the parts are those of [`crate::figure::polygon::shares`].
+//! A polygon is split if in some pose its vectors cannot all be named in type of the usual size,
+//! and only if all poses split alike. The parts are those of [`crate::figure::polygon::shares`].
 
 use crate::figure::polygon::{Share, is_full, is_full_share, shares};
 use crate::geom::Point;
@@ -19,12 +19,12 @@ pub struct Split {
 }
 
 impl Split {
-    /// How many parts there are; two at least.
+    /// The number of parts, at least two.
     pub fn parts(&self) -> usize {
         self.parts
     }
 
-    /// The part of an action; of the pole, before all of them, the first.
+    /// The part of an action; the pole, drawn before all actions, belongs to the first.
     pub fn part_of(&self, action: Option<usize>) -> usize {
         action.and_then(|k| self.of.get(k)).copied().unwrap_or(0)
     }
@@ -34,14 +34,16 @@ impl Split {
         Share { of: &self.of, part }
     }
 
-    /// The ends of a part's vectors in a pose, seen from the pole (SI), in an order that all poses share.
+    /// The ends of a part's vectors in a pose, seen from the pole (SI), in the same order in all
+    /// poses.
     pub fn ends(&self, worked: &Worked, on: DiagramKind, part: usize) -> Vec<Option<Point>> {
         let Some(p) = worked.construction.polygon(on) else { return Vec::new() };
         self.share(part).ends(p).into_iter().map(|end| end.map(|q| (q.to_vec2() * p.mu).to_point())).collect()
     }
 }
 
-/// The split of a polygon over all poses, if it is split, and the type of each of its drawings (mm): small where there are many vectors.
+/// The split of a polygon over all poses, if it is split, and the type size of each of its drawings
+/// (mm): small where there are many vectors.
 pub fn split(poses: &[(&Scene, &Worked)], on: DiagramKind, style: &Style, notation: &Notation) -> (Option<Split>, Vec<f64>) {
     let drawn = || {
         poses.iter().filter_map(|(scene, worked)| {

@@ -1,4 +1,4 @@
-//! What is said at each step of the construction, and the answers, in all frames.
+//! The sentences of each step of the construction, and the answers, in all frames.
 
 use crate::budget::here;
 use serde_json::{Value, json};
@@ -25,8 +25,8 @@ use super::scenery::Shows;
 /// Both languages of the page.
 pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
 
-/// The steps after the mechanism's own: the key of the drawing, index of the action in its polygon (−1 for the pole), and what is said,
-/// English and Chinese.
+/// The steps after those of the mechanism: the key of the drawing, the index of the action in its
+/// polygon (−1 for the pole), and the sentences in English and Chinese.
 pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let mut steps = Vec::new();
     let here = here();
@@ -47,7 +47,7 @@ pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
 /// Adds the steps of one list: for each language and frame its sentences.
 fn listed(mut said: [Vec<Vec<String>>; 2], shows: impl Fn(usize) -> Shows, formulas: &mut Formulas, steps: &mut Vec<Value>) {
     let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
-    // A pose in which fewer vectors are drawn has a sentence for the steps of the others, too.
+    // A pose in which fewer vectors are drawn gets a sentence for the steps of the others, too.
     for (lang, frames) in LANGS.into_iter().zip(&mut said) {
         let rest = tr(lang, "In this position nothing more is drawn.", "该位置不再作图。");
         frames.iter_mut().filter(|s| !s.is_empty()).for_each(|s| s.resize(count, rest.to_owned()));
@@ -58,7 +58,7 @@ fn listed(mut said: [Vec<Vec<String>>; 2], shows: impl Fn(usize) -> Shows, formu
     }
 }
 
-/// What is said in English and in Chinese; numbers that are the same in both are told once.
+/// Sentences in English and in Chinese; numbers that are the same in both are stored once.
 fn in_both(said: impl Fn(usize) -> Vec<Option<String>>, formulas: &mut Formulas) -> [Value; 2] {
     let [en, mut zh] = [0, 1].map(|l| bank::told(&said(l), formulas));
     if en[2] == zh[2] {
@@ -104,8 +104,8 @@ pub fn answers(frames: &Frames, swept: Swept, notation: &Notation, formulas: &mu
         .collect()
 }
 
-/// The digits that are certain. A pose given by coordinates is not written anywhere else than in the scene: there nothing
-/// certifies the others.
+/// The certified digits. Where a pose is given by coordinates, only the scene's own pose is written
+/// down; the others are not certified.
 pub(super) fn certified(frame: &Frame, swept: Swept) -> Vec<Certified> {
     if frame.end {
         return Vec::new();
@@ -124,7 +124,7 @@ pub(super) fn certified(frame: &Frame, swept: Swept) -> Vec<Certified> {
 }
 
 pub(super) fn answer(frame: &Frame, certified: &[Certified], i: usize, notation: &Notation, lang: Lang) -> Option<String> {
-    // In a dead centre some questions have no answer.
+    // At a dead centre some questions have no answer.
     let (r, c) = frame.worked.results.iter().zip(certified).find(|(r, _)| r.find == i)?;
     let find = &frame.scene.find[r.find];
     let sense = sense(find, r.value(), c, words(lang), DIGITS).plain();

@@ -1,7 +1,9 @@
-//! One drawing over all frames: which elements there are, in which frames each is seen, and which of its numbers change.
+//! One drawing over all frames: its elements, the frames in which each is seen, and the numbers
+//! that change.
 //!
-//! The markup is the SVG writer's own: this room looks only at the numbers in it, so that whatever the figures learn to
-//! draw can move. Two items of two frames are the same element when name, text and markup but for the numbers agree.
+//! The markup comes from the SVG writer, and this module looks only at the numbers in it. Any
+//! figure can therefore move. Items of two frames are one element if their names, their texts and
+//! their markup without the numbers agree.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -16,30 +18,31 @@ use super::pack;
 
 /// Attributes whose numbers are coordinates.
 const GEOMETRY: [&str; 9] = ["x1", "y1", "x2", "y2", "cx", "cy", "r", "d", "transform"];
-/// What the numbers are told in, as a part of a millimetre: rounding to it is a quarter of the hundredth that the page may be
-/// off, and a smooth column's third differences are one character each.
+/// Resolution of the numbers, in parts of a millimetre. Rounding to it is a quarter of the 0.01 mm
+/// by which the page may be off, and the third differences of a smooth column take one character
+/// each.
 pub const UNIT: f64 = 200.0;
 
 /// An element.
 struct Element {
-    /// Its markup where it is seen first, and in the scene's own pose if it is seen there.
+    /// Its markup in the scene's own pose, or where it is first seen.
     markup: String,
-    /// Whether it is seen in the scene's own pose.
+    /// True if it is seen in the scene's own pose.
     at_base: bool,
     /// Its numbers in each frame; `None` where it is not seen.
     frames: Vec<Option<Vec<i64>>>,
-    /// Of a straight arrow: the page draws shaft and head anew between its ends.
+    /// The head of a straight arrow: the page draws shaft and head anew between the ends.
     head: Option<Head>,
 }
 
 /// The numbers of an arrow's markup: ends of the shaft (x, x, y, y), then the corners of the head, the tip first.
 const ARROW: usize = 12;
-/// Among them those of its two ends: x and y.
+/// Indices of the coordinates of the two ends: x and y.
 const ENDS: [usize; 4] = [0, 2, 4, 5];
 
-/// A drawing in the making.
+/// A drawing under construction.
 pub struct Track {
-    /// What wrote the elements: it knows which letters they use.
+    /// The writer of the elements; it records the letters that they use.
     pub elements_of: Elements,
     base: usize,
     count: usize,
@@ -48,28 +51,30 @@ pub struct Track {
     known: HashMap<(String, String, String, Vec<usize>), usize>,
 }
 
-/// A drawing told to the page.
+/// A drawing as data for the page.
 pub struct Told {
     /// The elements' markup, from back to front; those not seen in the scene's own pose are hidden.
     pub markup: String,
-    /// For each element that changes: its index, where it is seen (runs of frames: seen, not seen, seen …), which numbers of which
-    /// attributes of which part change, and those numbers.
+    /// For each element that changes: its index, the runs of frames in which it is seen (seen, not
+    /// seen, seen …), which numbers of which attributes of which part change, and those numbers.
     pub moving: Vec<serde_json::Value>,
 }
 
 impl Track {
-    /// Of a drawing on a paper so high, over so many frames; `base` is the frame of the scene's own pose.
+    /// A drawing on a paper of this height, over this number of frames; `base` is the frame of the
+    /// scene's own pose.
     pub fn new(height_mm: f64, base: usize, count: usize) -> Track {
         Track { elements_of: Elements::new(height_mm), base, count, order: Vec::new(), elements: Vec::new(), known: HashMap::new() }
     }
 
-    /// Adds the items of a frame; frames may come in any order. `drawn` tells drawings apart: by another plan, or with
-    /// another special point, a polygon is another drawing, and nothing lies between the two.
+    /// Adds the items of a frame, in any order of frames. `drawn` distinguishes drawings: a polygon
+    /// by another plan or with another special point is a different drawing, and the page does not
+    /// interpolate between the two.
     ///
     /// # Errors
     /// Those of the SVG writer.
     pub fn add(&mut self, frame: usize, items: &[Item], drawn: &[usize]) -> Result<(), Faults> {
-        // The outlines of letters are not wanted again and again: blank labels have the same places.
+        // Blank labels have the same places; the outlines of letters are not needed in every frame.
         let blank: Vec<Item> = items.iter().map(blank).collect();
         let mut after = None;
         for (item, text) in items.iter().zip(self.elements_of.of(&blank)?) {
@@ -103,7 +108,8 @@ impl Track {
         Ok(())
     }
 
-    /// What belongs to a link of the mechanism says so: a step lights it up.
+    /// The markup of an item; items of a link carry the link's number, so that a step can highlight
+    /// it.
     fn markup(&mut self, item: &Item) -> Result<String, Faults> {
         let text = self.elements_of.of(std::slice::from_ref(item))?.concat();
         Ok(match item.link {
@@ -112,11 +118,11 @@ impl Track {
         })
     }
 
-    /// The drawing for the page. `at_once`: whether it is seen before the script runs; else the numbers that move are told once, with what
-    /// moves, and not in the markup too.
+    /// The drawing for the page. `at_once`: true if it is seen before the script runs; otherwise
+    /// the moving numbers are given once, with the moving elements, and not in the markup too.
     pub fn told(&self, at_once: bool) -> Told {
         let mut told = Told { markup: String::new(), moving: Vec::new() };
-        // Where one vector ends another begins, and a bar ends in its joint: what moves alike is told once.
+        // Vectors share end points, and bars share joints: columns that move alike are stored once.
         let mut columns_told: HashMap<(Vec<usize>, Vec<i64>), usize> = HashMap::new();
         for (place, element) in self.order.iter().map(|e| &self.elements[*e]).enumerate() {
             let seen: Vec<&Vec<i64>> = element.frames.iter().flatten().collect();
@@ -178,7 +184,7 @@ fn source(item: &Item) -> &str {
 fn blank(item: &Item) -> Item {
     let mut item = item.clone();
     if let Shape::Label { label, anchor, at, size_mm, .. } = &mut item.shape {
-        // The writer places a label by its start.
+        // The writer places a label by its left end.
         let width = crate::paper::text::set(label).width_em;
         at.x -= crate::paper::extent::anchor_shift_em(*anchor, width) * *size_mm;
         *anchor = crate::paper::item::Anchor::Start;
@@ -199,13 +205,14 @@ fn with(markup: &str, attribute: &str) -> String {
 
 /// An attribute of an element, or of one of the elements in it.
 struct Attribute<'a> {
-    /// Which element, in the order of the markup.
+    /// The index of the element, in the order of the markup.
     part: usize,
     name: &'a str,
     value: &'a str,
 }
 
-/// The attributes of markup that the SVG writer made: no text between elements, no quotation marks in values.
+/// The attributes of markup by the SVG writer, which has no text between elements and no quotation
+/// marks in values.
 fn attributes(markup: &str) -> Vec<Attribute<'_>> {
     let mut part = 0;
     let mut begun = false;
@@ -223,7 +230,8 @@ fn attributes(markup: &str) -> Vec<Attribute<'_>> {
     list
 }
 
-/// The numbers of an attribute's value: where each begins and ends. Flags of arcs are no coordinates.
+/// The numbers of an attribute's value: where each begins and ends. Flags of arcs are not
+/// coordinates.
 fn numerals(value: &str) -> Vec<(usize, usize)> {
     let bytes = value.as_bytes();
     let mut list = Vec::new();
@@ -284,7 +292,7 @@ fn without(markup: &str, numbers: &[usize]) -> String {
         for (start, end) in numerals(a.value) {
             if numbers.contains(&n) {
                 out.push_str(&markup[done..from + start]);
-                // A sign alone may have parted two numbers.
+                // A single sign may have separated two numbers.
                 out.push_str(if out.ends_with(|c: char| c.is_ascii_digit()) { " 0" } else { "0" });
                 done = from + end;
             }
@@ -295,7 +303,7 @@ fn without(markup: &str, numbers: &[usize]) -> String {
     out
 }
 
-/// Where the changing numbers stand: `part attribute numeral …`, one string for each attribute.
+/// The places of the changing numbers: `part attribute numeral …`, one string for each attribute.
 fn places(markup: &str, changing: &[usize]) -> Vec<String> {
     let mut list: Vec<String> = Vec::new();
     let mut n = 0;

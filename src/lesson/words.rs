@@ -1,8 +1,8 @@
-//! What the page says around the drawings, in both languages: one table.
+//! The words around the drawings of a page, in both languages, as one table.
 
 use crate::scene::Lang;
 
-/// Key, English, Chinese. `{}` is filled in by the page.
+/// Key, English, Chinese. The page fills in `{}`.
 const WORDS: [(&str, &str, &str); 88] = [
     ("lesson", "Lesson", "教学演示"),
     ("first", "First step", "第一步"),
@@ -146,10 +146,10 @@ const WORDS: [(&str, &str, &str); 88] = [
     ),
 ];
 
-/// A word.
+/// Returns a word.
 ///
 /// # Panics
-/// On a key that the table does not have: a test asks for every key that the page uses.
+/// If the table lacks the key; a test asks for every key that the page uses.
 pub fn word(key: &str, lang: Lang) -> &'static str {
     let (_, en, zh) = WORDS.iter().find(|w| w.0 == key).unwrap_or_else(|| panic!("no word {key}"));
     match lang {
@@ -158,7 +158,7 @@ pub fn word(key: &str, lang: Lang) -> &'static str {
     }
 }
 
-/// All words of a language, for the page.
+/// Returns all words of a language, for the page.
 pub fn table(lang: Lang) -> serde_json::Map<String, serde_json::Value> {
     WORDS.iter().map(|(key, ..)| ((*key).to_owned(), word(key, lang).into())).collect()
 }

@@ -1,11 +1,12 @@
-//! The one scale of a polygon, and the two windows through which the page looks at it.
+//! The scale of a polygon, and the two windows through which the page shows it.
 //!
-//! Decided here: that a polygon has the scale of the scene's own figure in all positions, so that vectors can be compared and every
-//! sentence names the lengths of the worksheet; and that the page looks at it through a window that the polygon of the scene's own
-//! pose fills, and, once a vector would leave that, through one that holds the polygons of all poses; each part of a split one
-//! ([`super::split`]) through windows of its own. A window is told in
-//! millimetres of its own, in which type, weights and arrowheads have the sizes of the style: through either the type is as
-//! large on the screen.
+//! A polygon has the scale of the scene's own figure in all positions, so that vectors can be
+//! compared and every sentence gives the lengths of the worksheet. The page shows it through a
+//! window that the polygon of the scene's own pose fills. Once a vector would leave that window,
+//! the page shows it through one that holds the polygons of all poses. Each part of a split polygon
+//! ([`super::split`]) has windows of its own. A window is measured in millimetres of its own, in
+//! which type, weights and arrowheads have the sizes of the style: type is equally large on the
+//! screen through either.
 
 use crate::construct::scale::{self, Boxes, extent};
 use crate::equilibrium::Equilibrium;
@@ -15,23 +16,25 @@ use crate::paper::extent::Rect;
 use crate::scene::{DiagramKind, Paper};
 use crate::worked::Worked;
 
-/// The usual polygon is that of the scene's own pose; for the scale it is not taken for smaller than this part of what half of all poses
-/// have, for its window than the other.
+/// The usual polygon is that of the scene's own pose, but at least this part of the median size
+/// over all poses; this is the limit for the scale, the next one for the window.
 const OF_HALF: f64 = 0.5;
 const WINDOW_OF_HALF: f64 = 0.1;
-/// How much larger the polygon of the scene's own pose must be seen through a window of its own to be worth one.
+/// The least magnification at which the polygon of the scene's own pose gets a window of its own.
 pub const GAIN: f64 = 1.25;
-/// The stage of a polygon on a projector of 1280 × 720 pixels: width and height (px).
+/// The area of a polygon on a projector of 1280 × 720 pixels: width and height (px).
 const STAGE_PX: [f64; 2] = [700.0, 430.0];
-/// The type there: letters without ascenders, 0.44 of it, are 14.5 px high, and digits of indices as high.
+/// The type size there: letters without ascenders (0.44 of it) and digits of indices are 14.5 px
+/// high.
 const TYPE_PX: f64 = 33.0;
-/// The stage of the mechanism there, and its type.
+/// The area of the mechanism there.
 const DIAGRAM_PX: [f64; 2] = [505.0, 435.0];
 const DIAGRAM_TYPE_PX: f64 = 24.0;
-/// Room for names around the vectors, at each side (em of the type).
+/// Space for names around the vectors, on each side (em of the type).
 const NAMES_EM: [f64; 2] = [1.7, 1.1];
-/// The window of all poses holds polygons up to so many times those of the own pose, or of half of all poses: what is longer still,
-/// next to a limit or a dead centre, leaves it, and the page steps back from it.
+/// Largest polygon in the window of all poses, as a multiple of the larger of the own and the
+/// median polygon. Longer vectors, next to a limit or a dead centre, leave the window, and the page
+/// enlarges it.
 const LONGEST: f64 = 2.5;
 
 /// Width and height of a polygon's window (mm of the window), for type of this size.
@@ -39,27 +42,29 @@ pub fn window_mm(label_mm: f64) -> [f64; 2] {
     STAGE_PX.map(|px| px * label_mm / TYPE_PX)
 }
 
-/// The same for the mechanism: its figure is not seen through a larger window, so that its letters can be read from far too.
+/// Width and height of the mechanism's window (mm of the window). The figure is shown through no
+/// larger window, so that its letters are legible from a distance.
 pub fn stage_mm(label_mm: f64) -> [f64; 2] {
     DIAGRAM_PX.map(|px| px * label_mm / DIAGRAM_TYPE_PX)
 }
 
-/// Width and height of the room that it has for vectors.
+/// Width and height of the window's space for vectors.
 fn inner_mm(label_mm: f64) -> [f64; 2] {
     let window = window_mm(label_mm);
     [0, 1].map(|i| window[i] - 2.0 * NAMES_EM[i] * label_mm)
 }
 
-/// The room for names around what is drawn.
+/// A box with the space for names around it.
 pub fn with_names(lines: Rect, label_mm: f64) -> Rect {
     let room = Vec2::new(NAMES_EM[0] * label_mm, NAMES_EM[1] * label_mm);
     Rect::new(lines.min - room, lines.max + room)
 }
 
-/// The scale of a polygon, and the windows of its drawings: of the whole, or of each part where it is split.
+/// The scale of a polygon, and the windows of its drawings: of the whole polygon, or of each part
+/// where it is split.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Zoom {
-    /// The scale, of all poses (SI per mm of paper).
+    /// The scale of all poses (SI per mm of paper).
     pub mu: f64,
     /// The windows of each drawing.
     pub windows: Vec<Windows>,
@@ -70,30 +75,31 @@ pub struct Zoom {
 pub struct Windows {
     /// SI per mm of the window, for the scene's own pose and for all of them; equal where one window serves both.
     pub view: [f64; 2],
-    /// What the two windows look at (SI): the middles of the vectors that they are made for.
+    /// Centres of the two windows (SI): the middles of the vectors that they are made for.
     pub middles: [Point; 2],
-    /// How far the own window holds vectors to either side (SI).
+    /// Half of width and height that the own window can show (SI).
     half: [f64; 2],
 }
 
 /// The ends of the vectors in a part of a pose's polygon (SI).
 pub type Ends<'a> = &'a dyn Fn(&Worked, usize) -> Vec<Point>;
 
-/// What a drawing of a pose's polygon holds.
+/// A pose's polygon, or a part of it, as one drawing shows it.
 struct Sight {
-    /// How far what moves has gone.
+    /// Travel of the driver.
     travel: f64,
-    /// Whether the paper holds the polygon.
+    /// True if the paper holds the polygon.
     held: bool,
-    /// How large it is (SI per mm of the box for polygons).
+    /// Its size (SI per mm of the box for polygons).
     size: f64,
     /// The ends of its vectors seen from the pole (SI).
     ends: Vec<Point>,
 }
 
 impl Zoom {
-    /// That of a polygon that `common` has a scale for; `None` where there is no such polygon. Poses come with the driver's travel.
-    /// `parts` gives the ends of the vectors of each part, where there are parts; `label_mm` is the type of each drawing.
+    /// Returns the zoom of a polygon for which `common` has a scale; `None` if there is no such
+    /// polygon. Poses come with the driver's travel. `parts` gives the ends of the vectors of each
+    /// part of a split polygon; `label_mm` is the type size of each drawing.
     pub fn of(
         paper: &Paper,
         poses: &[(f64, &Worked)],
@@ -144,7 +150,7 @@ impl Sight {
         poses.iter().map(of).collect()
     }
 
-    /// That of the scene's own pose, and the size that half of all poses have.
+    /// The sight of the scene's own pose, and the median size over all poses.
     fn usual(list: &[Sight]) -> Option<(&Sight, f64)> {
         let own = list.iter().min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs()))?;
         let mut sizes: Vec<f64> = list.iter().filter(|s| s.held).map(|s| s.size).collect();
@@ -152,7 +158,8 @@ impl Sight {
         Some((own, sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)))
     }
 
-    /// The ends of all that the paper holds, of what is larger than `longest` brought nearer to the pole.
+    /// The ends of all vectors that the paper holds; a polygon larger than `longest` is reduced to
+    /// it about the pole.
     fn around(list: &[Sight], longest: f64) -> Vec<Point> {
         let held = list.iter().filter(|s| s.held).flat_map(|s| {
             let part = if longest.is_finite() { (longest / s.size).min(1.0) } else { 1.0 };
@@ -163,7 +170,7 @@ impl Sight {
 }
 
 impl Windows {
-    /// Those of a drawing; `one` is what a window without vectors has (SI/mm).
+    /// The windows of a drawing; `one` is the scale of a window without vectors (SI/mm).
     fn of(list: &[Sight], label_mm: f64, one: f64) -> Option<Windows> {
         let (base, middling) = Sight::usual(list)?;
         let (own, least) = (base.size, WINDOW_OF_HALF * middling);
@@ -187,7 +194,8 @@ impl Windows {
         Some(Windows { view, middles, half: inner.map(|side| 0.5 * side * view[0]) })
     }
 
-    /// Through which window a pose's drawing is first seen: the own one where its vectors lie in that. Ends from the pole (SI).
+    /// Index of the window that shows a pose's drawing first: the own one if its vectors lie in
+    /// that. Ends from the pole (SI).
     pub fn place(&self, mut ends: impl Iterator<Item = Point>) -> usize {
         let at = self.middles[0];
         let inside = |p: Point| (p.x - at.x).abs() <= self.half[0] && (p.y - at.y).abs() <= self.half[1];
@@ -204,7 +212,7 @@ fn middle(points: &[Point]) -> Point {
     Point::new(axis(|p| p.x), axis(|p| p.y))
 }
 
-/// The pose with its diagram drawn so many times as large, about the diagram's origin.
+/// The pose with its diagram enlarged by a factor about the diagram's origin.
 pub fn diagram(worked: &Worked, k: f64) -> Worked {
     let mut worked = worked.clone();
     let diagram = &mut worked.construction.diagram;

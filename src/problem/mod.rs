@@ -1,10 +1,12 @@
 //! Every kind of file through one call: a scene, a design task, motions without a mechanism.
 //!
-//! [`read`] makes a [`Problem`] of a file's text, [`solve()`] answers it, and the methods of [`Solved`] write what is made of the answers: text, JSON,
-//! figures, worksheets, lessons. The program, a page and bindings call these and nothing else; none of them asks what kind of file it is, except by
+//! [`read`] makes a [`Problem`] from a file's text, [`solve()`] solves it, and the methods of
+//! [`Solved`] write the answers as text, JSON, figures, worksheets and lessons. The program, a page
+//! and bindings call only these. No caller depends on the kind of file, except through
 //! [`Kind::grants`].
 //!
-//! A new kind of file is one file here that implements [`Answered`], its variant of [`Problem`] and [`Kind`], and its row in [`Kind::grants`].
+//! A new kind of file needs one file here that implements [`Answered`], a variant of [`Problem`]
+//! and [`Kind`], and a row in [`Kind::grants`].
 
 mod motion;
 mod scene;
@@ -42,19 +44,21 @@ pub enum Problem {
     Motion(Box<particle::Problem>),
 }
 
-/// The part of a scene that has to be given.
+/// The part of a scene that must be given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Extent {
-    /// Everything on which its questions depend.
+    /// All data on which the questions depend.
     #[default]
     Motion,
-    /// The pose: a rate that is not told is zero, and where no driver is named the first link that can be driven is.
+    /// The pose: a missing rate counts as zero; where no driver is named, it is the first link that
+    /// can be driven.
     Pose,
 }
 
 /// Reads a file of any kind: JSON in UTF-8.
 ///
-/// A scene at a joint of two pieces of a cam's profile goes on with the piece that follows; a note tells both accelerations.
+/// At a joint of two pieces of a cam's profile, the scene uses the piece that follows; a note gives
+/// both accelerations.
 ///
 /// # Errors
 /// All faults of the file, each with its place as byte offsets into `source`.
@@ -62,7 +66,7 @@ pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Problem>, Faults> {
     read_as(source, Extent::Motion)
 }
 
-/// Reads a file of any kind; of a scene as much as is wanted.
+/// Reads a file of any kind; of a scene only the given extent.
 ///
 /// # Errors
 /// As [`read`].
@@ -71,10 +75,10 @@ pub fn read_as(source: impl AsRef<[u8]>, extent: Extent) -> Result<Warned<Proble
     read_kind(source, Kind::of(source), extent)
 }
 
-/// Reads a file that is to be of a kind.
+/// Reads a file that must be of a given kind.
 ///
 /// # Errors
-/// As [`read`]; of another kind of file what it lacks.
+/// As [`read`]; a fault for another kind of file.
 pub fn read_of(source: impl AsRef<[u8]>, kind: Kind) -> Result<Warned<Problem>, Faults> {
     read_kind(source.as_ref(), kind, Extent::Motion)
 }
@@ -103,7 +107,8 @@ fn read_kind(source: &[u8], kind: Kind, extent: Extent) -> Result<Warned<Problem
 }
 
 impl Problem {
-    /// The problem of a scene that was built, not read; at a joint of two pieces of a cam's profile it goes on with the piece that follows.
+    /// Returns the problem of a scene that was built, not read. At a joint of two pieces of a cam's
+    /// profile, it uses the piece that follows.
     ///
     /// ```
     /// use hodograph::{problem::{Look, Options, Problem, solve}, scene::build::*};
@@ -128,10 +133,10 @@ impl Problem {
         }
     }
 
-    /// The scene.
+    /// Returns the scene.
     ///
     /// # Errors
-    /// `not-a-scene` for other kinds of file.
+    /// `not-a-scene` if the file is of another kind.
     pub fn into_scene(self) -> Result<Scene, Diagnostic> {
         match self {
             Problem::Scene(scene) => Ok(*scene),
@@ -140,29 +145,29 @@ impl Problem {
     }
 }
 
-/// Results that are wanted beside the answers.
+/// Results that are computed in addition to the answers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
     /// Positions of all links, for figures and documents.
     pub figures: bool,
     /// Tolerances of drawing by hand.
     pub drafting: bool,
-    /// Pencil error (mm); that of the scene, or the usual one, if `None`.
+    /// Pencil error (mm); if `None`, that of the scene or the default.
     pub pencil_mm: Option<f64>,
-    /// A cam leads its follower over the whole turn, not only at the instant.
+    /// True if cams guide their followers over the whole turn, not only at the instant.
     pub whole_motion: bool,
-    /// The candidate that is meant, counted from 0 in the order of the table.
+    /// Index of the chosen candidate, from 0 in the order of the table.
     pub candidate: usize,
 }
 
 impl Options {
-    /// For figures and documents.
+    /// Options for figures and documents.
     pub fn with_figures() -> Options {
         Options { figures: true, ..Options::default() }
     }
 }
 
-/// The version of the document that [`Solved::json`] makes; keys are only added within one.
+/// The version of the document that [`Solved::json`] makes; within a version, keys are only added.
 const SCHEMA: &str = "hodograph/solved/1";
 
 /// Solves a problem.
@@ -176,7 +181,7 @@ const SCHEMA: &str = "hodograph/solved/1";
 /// ```
 ///
 /// # Errors
-/// The faults of the first stage that has any; `no-candidate` for a candidate that is not there.
+/// The faults of the first stage that has any; `no-candidate` if the candidate does not exist.
 pub fn solve(problem: &Problem, options: &Options) -> Result<Solved, Faults> {
     match problem {
         Problem::Scene(given) => scene::solve(given, options),
@@ -193,12 +198,12 @@ pub struct Solved {
     answered: Box<dyn Answered>,
 }
 
-/// Language, marks, digits and style of what is written.
+/// Language, notation, digits and style of the output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
-    /// The language; that of the file, or English, if `None`.
+    /// The language; if `None`, that of the file or English.
     pub lang: Option<Lang>,
-    /// Marks; those of the file, or of the language, if `None`.
+    /// The notation; if `None`, that of the file or of the language.
     pub notation: Option<Notation>,
     /// Weights, colours and fonts of figures.
     pub style: Style,
@@ -213,7 +218,7 @@ impl Default for Look {
 }
 
 impl Look {
-    /// Language and marks for a file that may name its own.
+    /// Language and notation for a file that may name its own.
     pub fn of(&self, language: Option<Lang>, notation: Option<&str>) -> (Lang, Notation) {
         let lang = self.lang.or(language).unwrap_or_default();
         let named = || notation.and_then(Notation::named);
@@ -225,14 +230,14 @@ impl Look {
     }
 }
 
-/// Figures that are asked for.
+/// The requested figures.
 #[derive(Clone, Debug)]
 pub struct Pictures<'a> {
-    /// The figures by name; those of a scene only.
+    /// The figures by name, for scenes only.
     pub figures: &'a [&'static Entry],
     /// Vectors, dimensions, positions and paths drawn with the mechanism.
     pub extras: Extras,
-    /// A picture for each step of the construction instead.
+    /// True for one picture per step of the construction instead.
     pub steps: bool,
     /// Width of a page (mm).
     pub width_mm: Option<f64>,
@@ -244,14 +249,14 @@ impl Default for Pictures<'_> {
     }
 }
 
-/// The lesson that is asked for.
+/// The requested lesson.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lesson {
     /// Positions through a full turn, or through the travel of a slider.
     pub positions: usize,
-    /// The driver that moves; of motions without a mechanism, `Driver(k)` is the k-th motion.
+    /// The driver that moves; for motions without a mechanism, `Driver(k)` is the k-th motion.
     pub swept: Swept,
-    /// A fragment for slides instead of a page.
+    /// True for a fragment for slides instead of a page.
     pub reveal: bool,
     /// Width of a fragment (mm).
     pub width_mm: Option<f64>,
@@ -263,7 +268,7 @@ impl Default for Lesson {
     }
 }
 
-/// JSON Schema of a kind of file.
+/// Returns the JSON Schema of a kind of file.
 pub fn schema(kind: Kind) -> &'static str {
     match kind {
         Kind::Scene => crate::scene::schema::schema(),
@@ -278,7 +283,7 @@ pub fn schema(kind: Kind) -> &'static str {
 pub enum Verdict {
     /// Every question is answered, and drawing and analysis agree.
     Answered,
-    /// Drawing and analysis disagree, which is an error of ours.
+    /// Drawing and analysis disagree, which is an error of this program.
     Disagree,
     /// Some questions have no answer.
     Unanswered,
@@ -287,39 +292,42 @@ pub enum Verdict {
 /// The answer to one question.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
-    /// The question, as the file writes it.
+    /// The question as the file writes it.
     pub find: String,
     /// The SI unit.
     pub unit: &'static str,
-    /// The value (SI); `None` where the question has none.
+    /// The value (SI); `None` if the question has no answer.
     pub value: Option<Value>,
-    /// Certified digits: text of the value in the unit of the file, with sense or direction.
+    /// Text of the value with its certified digits, in the unit of the file, with sense or
+    /// direction.
     pub text: String,
-    /// The value read off the paper (SI), where it was drawn.
+    /// The value read off the drawing (SI), if it was drawn.
     pub drawn: Option<Value>,
     /// Relative difference between drawing and analysis.
     pub difference: Option<f64>,
 }
 
 impl Solved {
-    /// The answers to the questions of the file, in their order; of a design task there are none.
+    /// Returns the answers to the questions of the file, in their order; a design task has none.
     pub fn answers(&self, look: &Look) -> Vec<Answer> {
         self.answered.answers(look)
     }
 
-    /// The answer to a question, such as `v_B`.
+    /// Returns the answer to a question, such as `v_B`.
     pub fn answer(&self, find: &str, look: &Look) -> Option<Answer> {
         self.answers(look).into_iter().find(|a| a.find == find)
     }
 
-    /// The answers as text for people; with `steps` the construction too.
+    /// Returns the answers as text for people; with `steps` the construction, too.
     pub fn text(&self, look: &Look, steps: bool) -> String {
         self.answered.text(look, steps)
     }
 
-    /// The answers for programs, in SI, with remarks of reading and solving; of a design task with `steps` the construction too.
+    /// Returns the answers for programs, in SI, with the remarks of reading and solving; for a
+    /// design task with `steps` the construction, too.
     ///
-    /// One document for all kinds of file, `hodograph/solved/1`; `hodograph schema --solved` describes it.
+    /// All kinds of file give one document, `hodograph/solved/1`; `hodograph schema --solved`
+    /// describes it.
     pub fn json(&self, look: &Look, steps: bool, notes: &[Diagnostic]) -> Json {
         let mut all = json!({"schema": SCHEMA, "kind": self.answered.kind().word()});
         if let (Json::Object(all), Json::Object(told)) = (&mut all, self.answered.json(look, steps, notes)) {
@@ -328,41 +336,42 @@ impl Solved {
         all
     }
 
-    /// Figures, each with the word that its file is named after.
+    /// Draws figures; each comes with the word after which its file is named.
     ///
     /// # Errors
-    /// `no-figure` where the questions call for no such figure; those of the drawings.
+    /// `no-figure` if the questions do not call for a figure; those of the drawings.
     pub fn figures(&self, pictures: &Pictures, look: &Look) -> Result<Warned<Pages>, Faults> {
         self.answered.figures(pictures, look)
     }
 
-    /// Problem and solution as a document; with a `mistake` a wrong solution is the problem, the first that can be made if it has no name.
+    /// Returns problem and solution as a document. With a `mistake`, a wrong solution is the
+    /// problem: the first possible one if the mistake has no name.
     ///
     /// # Errors
-    /// `attempt` for a mistake that cannot be made; those of the drawings.
+    /// `attempt` for a mistake that cannot be made in this scene; those of the drawings.
     pub fn worksheet(&self, sides: Sides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults> {
         self.answered.worksheet(sides, mistake, look)
     }
 
-    /// A page with the construction step by step.
+    /// Writes a page with the construction step by step.
     ///
     /// # Errors
-    /// Something to be moved that the file does not have; those of the drawings.
+    /// The file does not have the driver or motion to be moved; those of the drawings.
     pub fn lesson(&self, lesson: &Lesson, look: &Look) -> Result<Warned<String>, Faults> {
         self.answered.lesson(lesson, look)
     }
 
-    /// The outcome as a whole: exit codes tell it.
+    /// Returns the overall outcome, which decides the exit code.
     pub fn verdict(&self) -> Verdict {
         self.answered.verdict()
     }
 
-    /// The scene with all stages of its solution, where the file is one.
+    /// Returns the scene with all stages of its solution, if the file is one.
     pub fn mechanism(&self) -> Option<(&Scene, &Worked)> {
         self.answered.mechanism()
     }
 
-    /// The candidates of a design task.
+    /// Returns the candidates of a design task.
     pub fn design(&self) -> Option<&synthesis::Design> {
         self.answered.design()
     }

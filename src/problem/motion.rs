@@ -35,7 +35,7 @@ impl Moved {
         look.lang.or(self.problem.language).unwrap_or_default()
     }
 
-    /// The style with the marks of the notation that is asked for beside its own.
+    /// The style, with the marks of the requested notation in addition to its own.
     fn style(&self, look: &Look) -> Style {
         let marks = look.notation.as_ref().map(|notation| Marks::of(look.style.marks.over(notation)));
         Style { marks: marks.unwrap_or_else(|| look.style.marks.clone()), ..look.style.clone() }
@@ -52,7 +52,7 @@ impl Moved {
 /// Largest relative difference between drawing and analysis that counts as agreement.
 const AGREES: f64 = 1e-9;
 
-/// A value in the plane; `None` of one in space.
+/// A value in the plane; `None` for a value in space.
 fn in_plane(parts: &[f64]) -> Option<Told> {
     match parts {
         [value] => Some(Told::Scalar(*value)),

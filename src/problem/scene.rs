@@ -41,8 +41,9 @@ pub(super) fn solve(given: &Scene, options: &Options) -> Result<Solved, Faults> 
     Ok(Solved { notes, answered: Box::new(Mechanism { scene, worked }) })
 }
 
-/// A scene for its whole motion: cams whose equivalent linkage is right at the instant only move their followers by what their profiles make. A warning
-/// for each cam that is taken to keep the piece of its profile.
+/// Returns a scene for its whole motion: cams with an equivalent linkage that holds only at the
+/// instant move their followers by their profiles instead. Adds a warning for each cam that is
+/// assumed to keep the current piece of its profile.
 pub fn whole_motion(scene: Scene) -> Warned<Scene> {
     let value = course::over_a_turn(&scene);
     let kept = |c: &crate::scene::Cam| {
@@ -73,7 +74,7 @@ impl Mechanism {
         certify(&self.scene, &self.worked, look.digits)
     }
 
-    /// The figures that are asked for, each once.
+    /// The requested figures, each once.
     fn asked<'a>(&self, pictures: &Pictures<'a>) -> Vec<&'a Entry> {
         let there = pictures.figures.iter().any(|e| e.name == list::MECHANISM.name);
         let alone: [&'static Entry; 1] = [list::MECHANISM];
@@ -195,7 +196,7 @@ impl Answered for Mechanism {
 }
 
 impl Verdict {
-    /// The verdict on a scene; a radius that is infinite is an answer.
+    /// The verdict on a scene; an infinite radius counts as an answer.
     pub fn of(worked: &Worked) -> Verdict {
         let infinite = |u: &Unanswered| matches!(u.why, NoAnswer::Infinite(_));
         let agrees = worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds()));

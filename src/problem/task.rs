@@ -25,7 +25,7 @@ struct Designed {
     task: Task,
     design: Design,
     picked: usize,
-    /// The construction; `None` where it does not close on paper.
+    /// The construction; `None` if it does not close on paper.
     construction: Option<Construction>,
 }
 
@@ -45,8 +45,8 @@ pub(super) fn solve(task: &Task, options: &Options) -> Result<Solved, Faults> {
     Ok(Solved { notes, answered: Box::new(Designed { task: task.clone(), design, picked, construction }) })
 }
 
-/// The text of a task with the scene file that it names (`"scene": "linkage.json"`) put in its place; any other text as it is. `file` reads a file by
-/// its name.
+/// Replaces the name of a scene file in a task (`"scene": "linkage.json"`) by the file's text;
+/// returns any other text unchanged. `file` reads a file by its name.
 ///
 /// # Errors
 /// Those of `file`, at the place of the name.
@@ -67,7 +67,7 @@ pub fn included(source: Vec<u8>, mut file: impl FnMut(&str) -> Result<Vec<u8>, D
     Ok(out.into_bytes())
 }
 
-/// The message where the construction does not close on paper.
+/// The message for a construction that does not close on paper.
 fn no_construction() -> Both {
     both!(
         "This design does not close on paper: its construction with ruler and compasses cannot be drawn.",

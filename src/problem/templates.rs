@@ -1,11 +1,11 @@
-//! The files of all kinds that the library brings.
+//! The templates of all kinds of file in the library.
 
 use super::Kind;
 use crate::diag::{Both, Faults};
 use crate::scene::{self, edit};
 use crate::{particle, synthesis};
 
-/// A file of the library, whose parameters can be set.
+/// A template: a file with parameters that can be set.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Template {
     /// Its name.
@@ -18,7 +18,7 @@ pub struct Template {
     pub parameters: Vec<(String, String)>,
 }
 
-/// All templates: scenes, tasks of design, motions.
+/// Returns all templates: scenes, tasks of design, motions.
 pub fn all() -> Vec<Template> {
     let scenes = scene::templates::list().into_iter();
     let of = |name, kind, title| Template { name, kind, title, parameters: Vec::new() };
@@ -29,10 +29,11 @@ pub fn all() -> Vec<Template> {
         .collect()
 }
 
-/// The text of a template with other values of its parameters, each given as `NAME`, `VALUE`.
+/// Returns the text of a template with other values of its parameters, each given as `NAME`,
+/// `VALUE`.
 ///
 /// # Errors
-/// A template or parameters that are not there; values that are none.
+/// A template or parameter that does not exist; values that cannot be read.
 pub fn text(name: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
     match synthesis::templates::get(name).or_else(|| particle::templates::get(name)) {
         Some(text) => edit::with_parameters(text, values),

@@ -1,4 +1,4 @@
-//! Kinds of file, and what each of them grants.
+//! Kinds of file, and the features that each offers.
 
 use crate::diag::{Both, Diagnostic, both};
 use crate::{particle, synthesis};
@@ -26,7 +26,7 @@ impl Kind {
     }
 }
 
-/// Something that only some kinds of file grant.
+/// A feature that only some kinds of file offer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Wish {
@@ -46,14 +46,14 @@ pub enum Wish {
     Paths,
     /// A fragment for slides.
     Reveal,
-    /// A wrong solution to be found out.
+    /// A wrong solution in which to find the mistake.
     Mistake,
     /// Degree of freedom and groups.
     Mobility,
 }
 
 impl Wish {
-    /// The option of the command line that asks for it; empty for what a command asks for by itself.
+    /// The command-line option that requests it; empty if the command itself does.
     pub fn option(self) -> &'static str {
         match self {
             Wish::Mechanism | Wish::Answers => "",
@@ -70,7 +70,8 @@ impl Wish {
 }
 
 impl Kind {
-    /// The kind of a file, told from its keys; what cannot be read counts as a scene.
+    /// Returns the kind of a file, judged by its keys; a file that cannot be read counts as a
+    /// scene.
     pub fn of(source: &[u8]) -> Kind {
         match (synthesis::is_task(source), particle::is_problem(source)) {
             (true, _) => Kind::Task,
@@ -79,7 +80,7 @@ impl Kind {
         }
     }
 
-    /// Checks that files of this kind grant a wish.
+    /// Checks that files of this kind offer a feature.
     ///
     /// # Errors
     /// `not-a-scene`, or `no-candidate`, with what to do instead.
@@ -120,7 +121,7 @@ fn no_candidates() -> Diagnostic {
     Diagnostic::error("no-candidate", message).help(both!("leave --pick out", "请去掉 --pick"))
 }
 
-/// The refusal of a file without links by what needs them.
+/// The refusal of a file without links by a command that needs them.
 pub(super) fn no_mechanism(kind: Kind) -> Diagnostic {
     let (message, help): (Both, Both) = match kind {
         Kind::Task => (

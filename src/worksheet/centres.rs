@@ -1,7 +1,7 @@
-//! The solution of a task that asks for instantaneous centres: where the pairs give them, the theorem of three centres for the others, angular
-//! velocities and speeds by them.
+//! The solution of a task that asks for instantaneous centres: the centres given by pairs,
+//! Kennedy's theorem for the others, and the angular velocities and speeds that follow from them.
 //!
-//! What is asked besides and centres do not tell (accelerations, relative velocities) is solved by polygons behind them.
+//! Other questions (accelerations, relative velocities) are solved by polygons after this.
 
 use super::results::COMPARED;
 use super::speak::Speak;
@@ -15,7 +15,7 @@ use crate::report::centres::Words;
 use crate::scene::Lang;
 
 impl Maker<'_> {
-    /// The centres, and what they tell.
+    /// Writes the centres and the values that follow from them.
     pub(super) fn centres(&self, blocks: &mut Vec<Block>, task: &Task) {
         let words = Words::marked(&task.found, self.lang());
         blocks.push(self.heading(2, "Instantaneous centres", "速度瞬心"));
@@ -45,7 +45,7 @@ impl Maker<'_> {
         blocks.extend(pages.into_iter().map(|(_, figure)| Block::Figure { name: "centres", figure: Box::new(figure) }));
     }
 
-    /// The values by centres beside those of the loop equations.
+    /// The values by centres compared with those of the loop equations.
     pub(super) fn compared_centres(&self, blocks: &mut Vec<Block>, task: &Task) {
         let head = [self.tr("quantity", "量"), self.tr("by centres", "瞬心法"), self.tr("loop equations", "解析")];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
@@ -53,7 +53,7 @@ impl Maker<'_> {
             let find = &self.scene.find[r.find];
             let Some(own) = task.found.value(self.scene, find) else { continue };
             let computed = r.computed.magnitude().copysign(if matches!(r.computed, Value::Scalar(s) if s < 0.0) { -1.0 } else { 1.0 });
-            // What is left of rounding is nothing.
+            // A value that is only a rounding residue is printed as zero.
             let told = |si: f64| {
                 if si.abs() <= r.noise { "$0$".to_owned() } else { format!("${}$", self.size(find, Value::Scalar(si), COMPARED)) }
             };

@@ -1,7 +1,9 @@
-//! The worksheet of a synthesis: what a linkage is to do as the problem; the construction, the numbers measured on paper, the closed
-//! formula as their proof, the finished linkage in its wanted positions and all candidates as the solution.
+//! The worksheet of a synthesis. The problem states the task of the linkage. The solution shows the
+//! construction, the numbers measured on paper, the closed formula as their proof, the finished
+//! linkage in its prescribed positions, and all candidates.
 //!
-//! What is given and wanted and the formulas come from the kind of task ([`crate::synthesis::told`]), the numbers from its candidates.
+//! Given and wanted quantities and formulas come from the kind of task
+//! ([`crate::synthesis::told`]), the numbers from its candidates.
 
 use super::speak::Speak;
 use super::{Block, Document, Options, Sides, Table, TableKind, one_line};
@@ -22,9 +24,9 @@ use crate::synthesis::by_hand::{pencil_mm, tolerances};
 use crate::synthesis::candidate::{letters, symbol};
 use crate::synthesis::{Candidate, Compared, Design, Proof, Task};
 
-/// Rows of the table of a function; its ends are among them.
+/// Rows of a function's table, both ends included.
 const ROWS: usize = 25;
-/// Lengths of a candidate in the table of all.
+/// Number of lengths of a candidate in the table of all.
 const LENGTHS: usize = 5;
 
 /// Makes the worksheet of a synthesis task, with the construction of one of its candidates, counted from 0.
@@ -113,7 +115,7 @@ impl Maker<'_> {
         self.candidates(blocks);
     }
 
-    /// The drawing, its steps, and what is measured on it.
+    /// The drawing, its steps, and the measured values.
     fn construction(&self, board: &Board, blocks: &mut Vec<Block>) {
         blocks.push(self.heading(2, "Construction", "作图"));
         blocks.push(picture("construction", figure::construction(self.task, self.candidate, board, self.set)));
@@ -172,7 +174,7 @@ impl Maker<'_> {
         }
     }
 
-    /// The finished linkage, and what its scene, swept, does.
+    /// The finished linkage, and the results of sweeping its scene.
     fn linkage(&self, blocks: &mut Vec<Block>) {
         blocks.push(self.heading(2, "The linkage in its positions", "机构的各位置"));
         blocks.push(picture("positions", figure::linkage(self.task, self.candidate, self.set)));
@@ -189,7 +191,7 @@ impl Maker<'_> {
         }
     }
 
-    /// Wanted against real over the range of a function.
+    /// Wanted and actual values over the range of a function.
     fn course(&self, blocks: &mut Vec<Block>) {
         let Some(figure) = figure::deviation(self.task, self.candidate, self.set) else { return };
         let course = &self.candidate.draft.course;
@@ -278,7 +280,7 @@ fn degrees(value_rad: f64, digits: usize) -> String {
     format!("${}\\degree$", inked(&significant(value_rad.to_degrees(), digits)))
 }
 
-/// A formula with fractions and roots on its top level, in the pieces that are set.
+/// A formula with fractions and roots on its top level, split into pieces for typesetting.
 fn parts(source: &str) -> Vec<Math> {
     let row = |text: &str| Math::Row(Label::math(text.trim()));
     let mut out = Vec::new();
@@ -306,7 +308,7 @@ fn parts(source: &str) -> Vec<Math> {
     out
 }
 
-/// What stands in the braces at the beginning, and what follows.
+/// The text in the braces at the beginning, and the rest.
 fn braced(text: &str) -> (&str, &str) {
     let mut level = 0;
     for (k, c) in text.char_indices() {
@@ -322,7 +324,7 @@ fn braced(text: &str) -> (&str, &str) {
     (text, "")
 }
 
-/// A number's name as books print it: `P12_x` is the x of P₁₂, `alpha1` is α₁.
+/// A number's name as books print it: `P12_x` is the x-coordinate of P₁₂, `alpha1` is α₁.
 fn printed(name: &str) -> String {
     let (of, axis) = match name.rsplit_once('_') {
         Some((of, axis @ ("x" | "y"))) => (of, Some(axis)),

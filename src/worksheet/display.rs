@@ -1,4 +1,4 @@
-//! A formula on a line of its own, set in type: fractions about the axis, roots that grow with what stands under them.
+//! A formula on a line of its own: fractions about the axis, roots that grow with their contents.
 
 use crate::geom::Point;
 use crate::paper::extent::bounds;
@@ -13,17 +13,18 @@ use super::pages::line;
 /// The line of a fraction, as in the MATH table of STIX Two Math: height over the baseline and thickness, in em.
 const AXIS_EM: f64 = 0.258;
 const RULE_EM: f64 = 0.068;
-/// From a fraction's line to what stands over and under it, and from a root's bar to what stands below.
+/// Gap between a fraction's line and its numerator and denominator, and between a root's bar and
+/// its contents.
 const GAP_EM: f64 = 0.16;
 
-/// A display formula: items about its baseline, with what it needs above and below.
+/// A display formula: items about its baseline, and the space above and below.
 pub(super) struct Built {
     pub items: Vec<Item>,
     pub above: f64,
     pub below: f64,
 }
 
-/// Sets a formula whose em is `em` mm.
+/// Sets a formula with an em of `em` mm.
 pub(super) fn built(parts: &[Math], em: f64, fonts: &Fonts) -> Built {
     let mut out = Built { items: Vec::new(), above: em, below: 0.3 * em };
     let mut x = 0.0;
@@ -57,7 +58,7 @@ pub(super) fn built(parts: &[Math], em: f64, fonts: &Fonts) -> Built {
             Math::Root(label) => {
                 let (label, sign) = (&set(label), Label::math("√"));
                 let (set, inner) = (text::set(&sign), text::set(label));
-                // The sign grows with what stands under it; its bar begins where it ends.
+                // The root sign grows with its contents; its bar begins at its end.
                 let top = inner.ascent_em + GAP_EM;
                 let size = (top + inner.descent_em.max(0.0)) / (set.ascent_em + set.descent_em) * em;
                 let foot = -inner.descent_em.max(0.0) * em + set.descent_em * size;

@@ -1,5 +1,5 @@
-//! A worksheet as one HTML file: formulas in MathML, drawings as SVG inside it, a style for screen and print. It fetches
-//! nothing. The file is well-formed XML too.
+//! A worksheet as one HTML file: formulas in MathML, drawings as SVG inside it, a style for screen
+//! and print. The file fetches nothing and is also well-formed XML.
 
 use super::{Block, Document, Table, TableKind};
 use crate::diag::Faults;
@@ -10,8 +10,9 @@ use crate::report::html::sentence;
 use crate::report::math::mathml_display;
 use crate::webfont;
 
-/// The style: a page of text on the screen, A4 in print; drawings keep their millimetres there, for their scales are true.
-/// Letters of quantities come from the text's italic: in many mathematical fonts an italic v reads as υ.
+/// The style: a page of text on the screen, A4 in print, where drawings keep their millimetres so
+/// that their scales stay true. Letters of quantities use the italic of the text: in many
+/// mathematical fonts an italic v looks like υ.
 const STYLE: &str = "
 @page { size: A4; margin: 20mm }
 body { font: 12pt/1.5 Hodograph, 'Tinos', 'Times New Roman', 'Liberation Serif', 'Noto Serif CJK SC', 'SimSun', serif; max-width: 174mm;
@@ -55,7 +56,7 @@ pub fn html(document: &Document) -> Result<String, Faults> {
         match block {
             Block::Heading(level, text) => {
                 sides += usize::from(*level == 1);
-                // The title is the first level; the second side begins a page.
+                // The title has the first level; the second side begins a new page.
                 let class = if *level == 1 && sides > 1 { " class=\"solution\"" } else { "" };
                 let h = level + 1;
                 out += &format!("<h{h}{class}>{}</h{h}>\n", escaped(text));
@@ -74,7 +75,7 @@ pub fn html(document: &Document) -> Result<String, Faults> {
             Block::Figure { figure, .. } => out += &format!("<figure>\n{}</figure>\n", drawing(figure, &mut drawn)?),
         }
     }
-    // The letters of all drawings, each once: names may not come twice in a page.
+    // The letters of all drawings, each once: ids must be unique in a page.
     if !drawn.is_empty() {
         let letters = svg::Elements::letters(&drawn);
         out.insert_str(
@@ -86,7 +87,7 @@ pub fn html(document: &Document) -> Result<String, Faults> {
     Ok(out)
 }
 
-/// A drawing inside the page. Its parts have no names: several drawings may not share them.
+/// A drawing inside the page. Its parts have no ids, because several drawings must not share them.
 fn drawing(figure: &Figure, drawn: &mut Vec<svg::Elements>) -> Result<String, Faults> {
     let nameless = |item: &Item| Item { id: String::new(), class: String::new(), ..item.clone() };
     let items: Vec<Item> = figure.items.iter().map(nameless).collect();

@@ -1,5 +1,5 @@
-//! A worksheet as Markdown: formulas in TeX between dollar signs, tables with pipes, drawings as SVG files beside it (what
-//! shows Markdown seldom shows drawings inside it).
+//! A worksheet as Markdown: formulas in TeX between dollar signs, tables with pipes, drawings as
+//! SVG files in the same folder (programs that show Markdown seldom show embedded drawings).
 
 use super::{Beside, Block, Document, Table, backslashed, guarded, one_line, picture_names};
 use crate::diag::Faults;
@@ -8,7 +8,7 @@ use crate::paper::phrase::{Phrase, Piece};
 use crate::render::svg;
 use crate::report::math::{tex, tex_display};
 
-/// Writes the document, and its drawings under names that begin with `stem`.
+/// Writes the document; the names of its drawings begin with `stem`.
 ///
 /// # Errors
 /// Those of [`svg::write`] for a drawing.
@@ -60,15 +60,16 @@ fn inline(phrase: &Phrase) -> String {
     phrase.pieces().iter().map(piece).collect()
 }
 
-/// Words in which nothing means anything: emphasis, code, entities (`&copy;`), strikethrough and fences (`~~~`), formulas, links. Two
-/// hyphens would become a dash in some programs.
+/// Escapes words so that Markdown takes them literally: emphasis, code, entities (`&copy;`),
+/// strikethrough and fences (`~~~`), formulas, links. Two hyphens would become a dash in some
+/// programs.
 fn escaped(text: &str) -> String {
     let sign = |c| matches!(c, '\\' | '`' | '*' | '_' | '<' | '>' | '[' | ']' | '$' | '#' | '&' | '~' | '^');
     backslashed(text, |before, c, _| sign(c) || c == '-' && before == Some('-'))
 }
 
-/// A file's name as the target of a link: what is no letter, digit or one of `-._~/` in percent, for spaces, brackets and backslashes mean
-/// something there.
+/// A file's name as the target of a link. Characters other than letters, digits and `-._~/` are
+/// percent-encoded, because spaces, brackets and backslashes have a meaning there.
 fn target(name: &str) -> String {
     let mut out = String::new();
     for c in name.chars() {

@@ -1,7 +1,8 @@
-//! A wrong solution set as a problem: find the mistake.
+//! A wrong solution as a problem: find the mistake.
 //!
-//! The problem's side shows the wrong equations, their polygon and their values as an author would print them; the solution's side the mistake,
-//! drawn over the right solution, why it is one, and then the right solution as in any worksheet.
+//! The problem shows the wrong equations, their polygon and their values as an author would print
+//! them. The solution shows the mistake, drawn over the right solution, explains it, and then gives
+//! the right solution as in any worksheet.
 
 use super::speak::Speak;
 use super::{Block, Document, Maker, Options, Sides, document};
@@ -36,7 +37,7 @@ pub fn find_the_mistake(scene: &Scene, worked: &Worked, attempt: &Attempt, optio
 }
 
 impl Maker<'_> {
-    /// The wrong solution, with nothing that tells it from a right one.
+    /// The wrong solution, without any sign that it is wrong.
     fn examined(&self, blocks: &mut Vec<Block>, attempt: &Attempt, words: &Words) {
         blocks.push(self.heading(2, "A solution to be examined", "待检查的解法"));
         blocks.push(self.paragraph(

@@ -1,8 +1,9 @@
-//! A worksheet on mobility: the freedoms of a mechanism to be counted, and the mechanism to be split into groups.
+//! A worksheet on mobility: count the degree of freedom of a mechanism and split it into groups.
 //!
-//! The problem shows the mechanism with its dimensions, nothing of it dashed and no count told; what the author says of the scene asks for its motion
-//! and may give away what repeats what, and is left out. The solution counts in a table with every special case in words,
-//! and draws the groups apart. Of a scene that tells links and pairs alone these are listed, and nothing is drawn.
+//! The problem shows the mechanism with its dimensions; nothing is dashed and no count is given.
+//! The author's text about the scene is left out: it asks for the motion and may reveal redundant
+//! constraints. The solution counts in a table, with every special case in words, and draws the
+//! groups apart. For a scene with links and pairs only, these are listed and nothing is drawn.
 
 use super::speak::Speak;
 use super::{Block, Document, Maker, Options, Sides, Table, TableKind, document, pairs};
@@ -18,14 +19,15 @@ use crate::report::plan::group_set;
 use crate::scene::{Driver, Guide, Lang, LinkId, PointId, Scene};
 use crate::worked::Worked;
 
-/// Makes the worksheet of a scene that has been worked through for [`crate::worked::Scope::Figure`].
+/// Makes the worksheet of a scene that is solved for [`crate::worked::Scope::Figure`].
 pub fn mobility(scene: &Scene, worked: &Worked, options: &Options) -> Document {
     let told = steps(scene, worked, None);
     let drawn = Maker { scene, worked, options: &options.sheet, certified: &[], told: &told };
     Sheet { scene, options: &options.sheet, drawn: Some(drawn) }.document(options)
 }
 
-/// Makes the worksheet of links and pairs ([`crate::scene::read_topology`]): listed, not drawn.
+/// Makes the worksheet of links and pairs ([`crate::scene::read_topology`]), which are listed, not
+/// drawn.
 ///
 /// ```
 /// use hodograph::{scene, worksheet};
@@ -38,11 +40,11 @@ pub fn mobility_of_pairs(scene: &Scene, options: &Options) -> Document {
     Sheet { scene, options: &options.sheet, drawn: None }.document(options)
 }
 
-/// What the sheet is made from.
+/// The input of the sheet.
 struct Sheet<'a> {
     scene: &'a Scene,
     options: &'a sheet::Options,
-    /// Where the pose is told.
+    /// The maker of drawings, if the pose is given.
     drawn: Option<Maker<'a>>,
 }
 
@@ -152,7 +154,7 @@ impl Sheet<'_> {
         blocks.push(Block::Paragraph(Phrase::new(&verdict)));
     }
 
-    /// How many drivers a mechanism without any needs.
+    /// Sentence: the number of drivers that a mechanism without drivers needs.
     fn needed(&self, f: i64) -> String {
         match (f, self.lang()) {
             (..=0, Lang::En) => "It cannot move.".to_owned(),
@@ -163,7 +165,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// Whether so many drivers determine the motion.
+    /// Sentence: whether this number of drivers determines the motion.
     fn determined(&self, f: i64, drivers: i64) -> String {
         match (f == drivers, self.lang()) {
             (true, Lang::En) => format!("As many freedoms as drivers ({drivers}): the motion is determined."),
@@ -223,7 +225,7 @@ impl Sheet<'_> {
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
     }
 
-    /// What drivers move: `link 2`, `the slider at C`.
+    /// The driven part: `link 2`, `the slider at C`.
     fn driven(&self, choice: &ForDrivers) -> String {
         let scene = &choice.scene;
         let link = |l: LinkId| format!("{} {}", self.tr("link", "构件"), scene.link_name(l));
@@ -248,7 +250,7 @@ impl Sheet<'_> {
     }
 }
 
-/// The mechanism, what repeats others drawn as everything else.
+/// The mechanism with redundant parts drawn like all others.
 fn whole(maker: &Maker) -> Block {
     let mut bare = maker.worked.clone();
     bare.mechanism.redundant.clear();

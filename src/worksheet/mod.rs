@@ -1,12 +1,12 @@
-//! A worksheet: the problem as it is set, and its solution as a teacher writes it at the board.
+//! A worksheet: the problem as it is set, and its solution as a teacher writes it on the board.
 //!
-//! [`worksheet`] makes a [`Document`] of blocks from a worked scene; four writers turn it into files: [`html`] with MathML,
-//! [`markdown`] with TeX formulas, [`typst`], and [`pages`] of A4 that `render::pdf` writes. Decided here: what is
-//! said, in which order. Not decided here: a single number (they come from the certified answers and the drawing board),
-//! and how a figure looks.
+//! [`worksheet`] makes a [`Document`] of blocks from a solved scene; four writers turn it into
+//! files: [`html`] with MathML, [`markdown`] with TeX formulas, [`typst`], and [`pages`] of A4 for
+//! `render::pdf`. This module decides the contents and their order. All numbers come from the
+//! certified answers and the drawing board, and figures have their style from elsewhere.
 //!
-//! The problem's side holds the given things alone: no answer, no polygon, no special point, not even in the words that
-//! describe its figure to a screen reader.
+//! The problem side holds only the given data: no answer, no polygon, no special point, not even in
+//! the description of its figure for a screen reader.
 
 mod centres;
 mod design;
@@ -42,49 +42,50 @@ pub use mistake::find_the_mistake;
 pub use mobility::{mobility, mobility_of_pairs};
 pub use particle::particle;
 
-/// Which sides of a worksheet are written.
+/// The sides of a worksheet that are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sides {
     /// The problem, then the solution.
     #[default]
     Both,
-    /// What a pupil gets.
+    /// The problem only, for pupils.
     Problem,
-    /// What a teacher keeps.
+    /// The solution only, for teachers.
     Solution,
 }
 
-/// How a worksheet is written.
+/// Options of a worksheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// Language, marks, digits, and how the figures look.
+    /// Language, notation, digits, and the style of figures.
     pub sheet: sheet::Options,
-    /// Which sides.
+    /// The sides that are written.
     pub sides: Sides,
 }
 
 impl Options {
-    /// Both sides in the usual look of a language's textbooks.
+    /// Both sides in the default style of a language.
     pub fn of_language(lang: Lang) -> Options {
         Options { sheet: sheet::Options::of_language(lang), sides: Sides::Both }
     }
 }
 
-/// A document, for any of the writers.
+/// A document for any of the writers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
     /// Its title.
     pub title: String,
     /// Its language.
     pub lang: Lang,
-    /// The author's fonts that its pages are set in; the other formats leave that to their readers.
+    /// The author's fonts for its pages; the other formats leave the choice to their readers.
     pub fonts: Fonts,
-    /// What stands in it.
+    /// Its contents.
     pub blocks: Vec<Block>,
 }
 
 impl Document {
-    /// What its reader should know of how its drawings were made, each thing once: of the drawing with the most labels.
+    /// Returns remarks on how the drawings were made, each once: those of the drawing with the most
+    /// labels.
     pub fn remarks(&self) -> Vec<Diagnostic> {
         let figures = self.blocks.iter().filter_map(|block| match block {
             Block::Figure { figure, .. } => Some(figure),
@@ -94,7 +95,7 @@ impl Document {
     }
 }
 
-/// A piece of a document.
+/// A block of a document.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Block {
     /// A heading: 1 for the sides, 2 within them, 3 within those.
@@ -103,20 +104,20 @@ pub enum Block {
     Paragraph(Phrase),
     /// A list.
     List {
-        /// Whether its members are counted, from 1.
+        /// True if its members are numbered, from 1.
         numbered: bool,
         /// Its members.
         members: Vec<Phrase>,
     },
-    /// Rows of cells.
+    /// A table.
     Table(Table),
     /// A formula on a line of its own.
     Formula(Vec<Math>),
     /// A drawing, in true millimetres, with its caption in it.
     Figure {
-        /// A word for its file.
+        /// The word in its file name.
         name: &'static str,
-        /// What is drawn.
+        /// The drawing.
         figure: Box<Figure>,
     },
 }
@@ -124,19 +125,19 @@ pub enum Block {
 /// A table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// What it is.
+    /// Its kind.
     pub kind: TableKind,
     /// Its rows, equally long; the first one heads the columns.
     pub rows: Vec<Vec<Phrase>>,
 }
 
-/// What a table is.
+/// The kind of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TableKind {
-    /// A vector equation over what is known of its terms: cells centred, no lines.
+    /// A vector equation with the known data of its terms below: cells centred, no lines.
     Equation,
-    /// Values: cells from the left, a line below the head.
+    /// Values: cells left-aligned, a line below the head.
     Values,
 }
 
@@ -145,11 +146,11 @@ pub enum TableKind {
 pub struct Beside {
     /// Its name, in the folder of the document.
     pub name: String,
-    /// What it holds.
+    /// Its contents.
     pub text: String,
 }
 
-/// Makes the worksheet of a scene that has been worked through for [`crate::worked::Scope::Figure`].
+/// Makes the worksheet of a scene that is solved for [`crate::worked::Scope::Figure`].
 ///
 /// ```
 /// use hodograph::{scene, worksheet, worked::{work, Scope}};
@@ -172,7 +173,7 @@ pub fn worksheet(scene: &Scene, worked: &Worked, options: &Options) -> Document 
     document(scene, options, blocks)
 }
 
-/// The blocks under the scene's title.
+/// Makes the document from the blocks under the scene's title.
 fn document(scene: &Scene, options: &Options, blocks: Vec<Block>) -> Document {
     let lang = options.sheet.lang;
     let title = scene.title.get(lang);
@@ -180,7 +181,7 @@ fn document(scene: &Scene, options: &Options, blocks: Vec<Block>) -> Document {
     Document { title: one_line(title), lang, fonts: options.sheet.style.fonts.clone(), blocks }
 }
 
-/// What all parts of a worksheet are made from.
+/// Shared input of all parts of a worksheet.
 #[derive(Clone, Copy)]
 struct Maker<'a> {
     scene: &'a Scene,
@@ -211,20 +212,22 @@ impl Maker<'_> {
     }
 }
 
-/// A text on one line, its words apart by one space: a line break would end a heading or a link.
+/// A text on one line, with single spaces between its words: a line break would end a heading or a
+/// link.
 fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A paragraph whose beginning Markdown and Typst would take for a list or a heading, so that they do not.
+/// Protects the beginning of a paragraph that Markdown and Typst would take for a list or a
+/// heading.
 fn guarded(line: String) -> String {
     let digits = line.bytes().take_while(u8::is_ascii_digit).count();
     let mark = if digits > 0 { &[".", ")"][..] } else { &["-", "+", "="][..] };
     if mark.iter().any(|m| line[digits..].starts_with(m)) { format!("{}\\{}", &line[..digits], &line[digits..]) } else { line }
 }
 
-/// A text in which the characters of a language that mean something are behind backslashes; `means` is asked with the character
-/// before it and the one behind it.
+/// Puts a backslash before each character that has a meaning in a language; `means` gets the
+/// character, the one before it and the one after it.
 fn backslashed(text: &str, means: impl Fn(Option<char>, char, Option<char>) -> bool) -> String {
     let mut out = String::with_capacity(text.len());
     let mut before = None;
@@ -239,7 +242,8 @@ fn backslashed(text: &str, means: impl Fn(Option<char>, char, Option<char>) -> b
     out
 }
 
-/// The pictures of a document under one stem: `shaper-mechanism.svg`; the second of a word gets a number.
+/// The file names of a document's pictures under one stem: `shaper-mechanism.svg`; repeated words
+/// get a number.
 fn picture_names<'a>(document: &'a Document, stem: &str) -> Vec<(String, &'a Figure)> {
     let mut all: Vec<(String, &Figure)> = Vec::new();
     for block in &document.blocks {

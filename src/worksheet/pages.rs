@@ -1,9 +1,10 @@
-//! A worksheet as pages of A4 in our own display list, for a writer of PDF (`render::pdf::document`).
+//! A worksheet as A4 pages of the display list, for the PDF writer (`render::pdf::document`).
 //!
-//! Decided here: where pages break (a heading stays with what follows, a table or drawing is never cut, a drawing that
-//! does not fit goes to the top of the next page while the text flows on), and page numbers. Drawings keep their
-//! millimetres, because their scales are true; one that is larger than the page's text has a page as large as itself.
-//! [`blocks`] makes the boxes that are put on them.
+//! This module breaks pages: a heading stays with the block after it, a table or drawing is never
+//! cut, and a drawing that does not fit moves to the top of the next page while the text continues
+//! before it. It also numbers the pages. Drawings keep their millimetres, because their scales are
+//! true; a drawing larger than the text area gets a page of its own size. [`blocks`] makes the
+//! boxes that are placed on the pages.
 
 mod blocks;
 
@@ -19,43 +20,45 @@ use crate::render::pages::{Kind, Page, Part};
 
 /// A4.
 const PAPER_MM: [f64; 2] = [210.0, 297.0];
-/// Left and right: lines of 174 mm hold some 85 letters.
+/// Margins left and right: lines of 174 mm hold some 85 letters.
 const SIDE_MM: f64 = 18.0;
-/// Above and below; the page number stands in the lower one.
+/// Margins above and below; the page number is in the lower one.
 const TOP_MM: f64 = 18.0;
 const BOTTOM_MM: f64 = 18.0;
 /// The page number's baseline.
 const FOOT_MM: f64 = 10.0;
 /// Width of the text.
 const FULL_MM: f64 = PAPER_MM[0] - 2.0 * SIDE_MM;
-/// A drawing up to this part of the text's width stands at the right, with text beside it.
+/// A drawing up to this part of the text's width is placed at the right, with text beside it.
 const BESIDE_PART: f64 = 0.42;
-/// The same for a side that else runs over its page: the text keeps 45 mm, some twenty letters.
+/// The limit for a side that would otherwise overflow its page: the text keeps 45 mm, some twenty
+/// letters.
 const WIDE_BESIDE_PART: f64 = 0.69;
-/// Between such a drawing and the text.
+/// Gap between such a drawing and the text.
 const BESIDE_GAP_MM: f64 = 8.0;
 /// Size of the type: 11 point.
 const TEXT_MM: f64 = 3.9;
-/// Distance of baselines, in em: formulas in the line have scripts above and below.
+/// Distance of baselines, in em: formulas in a line have superscripts and subscripts.
 const LINE_EM: f64 = 1.6;
-/// The same where the text is set closer: less, and the scripts of two lines touch.
+/// Distance of baselines in close setting: with less, the scripts of two lines touch.
 const CLOSE_LINE_EM: f64 = 1.4;
 
-/// How a side is set.
+/// Parameters by which a side is set.
 #[derive(Clone, Copy)]
 struct Setting {
     /// Distance of baselines.
     line_em: f64,
-    /// Drawings up to this part of the text's width stand at the right.
+    /// Drawings up to this part of the text's width are placed at the right.
     beside_part: f64,
-    /// Whether lists of short members stand in two columns.
+    /// True if lists of short members have two columns.
     columns: bool,
-    /// Whether pages are filled to the end: a table of values goes on, under its head again, on the next page, and text stands
-    /// before a drawing that does not fit wherever a few lines of it do.
+    /// True if pages are filled to the end: a table of values continues on the next page with its
+    /// head repeated, and text precedes a drawing that does not fit wherever a few lines of it do.
     filled: bool,
 }
 
-/// As a side is set where nothing is gained by another setting, and what is tried to save a page: the least change first.
+/// The default setting, and the settings that are tried to save a page, with the smallest change
+/// first.
 const USUAL: Setting = Setting { line_em: LINE_EM, beside_part: BESIDE_PART, columns: false, filled: false };
 const CLOSER: [Setting; 5] = [
     Setting { line_em: CLOSE_LINE_EM, ..USUAL },
@@ -65,11 +68,13 @@ const CLOSER: [Setting; 5] = [
     Setting { line_em: CLOSE_LINE_EM, columns: true, filled: true, ..USUAL },
 ];
 
-/// A side of more pages is not set closer: one page less of so many is not noticed, and each setting costs as much as the first.
+/// Limit of pages: a side of more pages is not set closer. One page less is hardly noticed there,
+/// and each setting takes as long as the first.
 const LONG: usize = 8;
 
-/// Sets a document on pages. Each of its sides begins on a new one, and is set closer where that saves a page; a side of a page
-/// and some lines has its short lists in columns, or else its drawing beside the text.
+/// Sets a document on pages. Each side begins a new page and is set closer where that saves a page.
+/// A side of one page and a few lines gets its short lists in columns, or else its drawing beside
+/// the text.
 pub fn pages(document: &Document) -> Vec<Page> {
     let begins = |b: &Block| matches!(b, Block::Heading(1, _));
     let mut pages = Vec::new();
@@ -77,7 +82,8 @@ pub fn pages(document: &Document) -> Vec<Page> {
         let title = (k == 0).then_some(document.title.as_str());
         let mut best = set(document, title, side, USUAL);
         for setting in CLOSER {
-            // A narrow column beside a wide drawing is worth it only where all then stands on one page.
+            // A narrow column beside a wide drawing is used only if everything then fits on one
+            // page.
             let most = if setting.beside_part > BESIDE_PART { 2 } else { best.len() };
             if (2..=LONG).contains(&best.len()) {
                 let other = set(document, title, side, setting);
@@ -114,12 +120,12 @@ fn set(document: &Document, title: Option<&str>, blocks: &[Block], setting: Sett
     setter.pages
 }
 
-/// A box that stands on a page as a whole: its items hang below the origin.
+/// A box that is placed on a page as a whole; its items hang below the origin.
 struct Chunk {
     kind: Kind,
     items: Vec<Item>,
     height_mm: f64,
-    /// Air above, unless it is first on its page.
+    /// Space above, except at the top of a page.
     air_mm: f64,
 }
 
@@ -128,18 +134,18 @@ struct Setter {
     fonts: Fonts,
     pages: Vec<Page>,
     parts: Vec<Part>,
-    /// The upper edge of what is still free.
+    /// The upper edge of the free space.
     y: f64,
-    /// Headings that wait for what follows them.
+    /// Headings that wait for their next block.
     waiting: Vec<Chunk>,
     /// Drawings that wait for the next page.
     drawings: VecDeque<Chunk>,
-    /// Drawings with pages of their own, after this one.
+    /// Drawings with pages of their own after this one.
     large: Vec<Page>,
-    /// A narrow drawing at the right, beside which the text stands: its width and its lower edge.
+    /// A narrow drawing at the right with text beside it: its width and its lower edge.
     beside: Option<[f64; 2]>,
-    /// The equation's table that was put last, if nothing has been put since: the width of the text it stands in, its right edge and the
-    /// baseline of its middle row.
+    /// The equation's table that was placed last, if nothing follows it yet: the width of its text
+    /// column, its right edge and the baseline of its middle row.
     table: Option<[f64; 3]>,
 }
 
@@ -159,14 +165,14 @@ impl Setter {
         }
     }
 
-    /// An em of air: less where the lines stand closer.
+    /// One em of vertical space, reduced in close setting.
     fn air(&self) -> f64 {
         TEXT_MM * self.setting.line_em / LINE_EM
     }
 
-    /// Width of the lines that begin here.
+    /// Width of the lines that begin at this height.
     fn width(&self) -> f64 {
-        // What waits stands above the line that begins next.
+        // Waiting headings come above the next line.
         let waiting: f64 = self.waiting.iter().map(|c| c.air_mm + c.height_mm).sum();
         match self.beside {
             Some([wide, bottom]) if self.y - waiting > bottom => FULL_MM - wide - BESIDE_GAP_MM,
@@ -174,7 +180,7 @@ impl Setter {
         }
     }
 
-    /// Goes below a drawing at the right.
+    /// Moves below a drawing at the right.
     fn clear(&mut self) {
         if let Some([_, bottom]) = self.beside.take() {
             self.y = self.y.min(bottom);
@@ -194,7 +200,7 @@ impl Setter {
         self.y - BOTTOM_MM
     }
 
-    /// Puts a chunk, with the headings that wait for it.
+    /// Places a chunk, with the headings that wait for it.
     fn put(&mut self, chunk: Chunk) {
         let mut together: Vec<&Chunk> = self.waiting.iter().collect();
         together.push(&chunk);
@@ -216,13 +222,13 @@ impl Setter {
         translate(&mut items, Vec2::new(SIDE_MM, self.y));
         self.y -= chunk.height_mm;
         match self.parts.last_mut() {
-            // The lines of a paragraph are one paragraph.
+            // Consecutive lines of a paragraph form one paragraph.
             Some(last) if chunk.kind == Kind::Paragraph && chunk.air_mm == 0.0 && last.kind == Kind::Paragraph => last.items.extend(items),
             _ => self.parts.push(Part { kind: chunk.kind, items }),
         }
     }
 
-    /// Ends the page; drawings that wait come first on the next.
+    /// Ends the page; waiting drawings come first on the next.
     fn break_page(&mut self) {
         let parts = std::mem::take(&mut self.parts);
         self.pages.push(Page { width_mm: PAPER_MM[0], height_mm: PAPER_MM[1], parts });
@@ -239,7 +245,7 @@ impl Setter {
         }
     }
 
-    /// Ends the page and puts all that waits.
+    /// Ends the page and places everything that waits.
     fn finish_page(&mut self) {
         for c in std::mem::take(&mut self.waiting) {
             self.place(c);

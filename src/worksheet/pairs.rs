@@ -1,4 +1,5 @@
-//! Links and pairs of a mechanism in words, where nothing tells its pose: all that counting freedoms needs.
+//! Links and pairs of a mechanism in words, for a scene without a pose: all that counting the
+//! degree of freedom needs.
 
 use crate::diag::{Both, both};
 use crate::mechanism::told_words;
@@ -75,7 +76,7 @@ impl Words<'_> {
         }
     }
 
-    /// A roller is a link of its own where one hangs on its pin.
+    /// A roller is a link of its own if a link hangs on its pin.
     fn roller(&self, cam: &str, follower: &str, pin: PointId, link: LinkId) -> Both {
         let own = self.scene.carriers(pin).find(|l| *l != link && self.scene.links[l.0].points.len() == 1);
         let point = self.point(pin);

@@ -1,4 +1,5 @@
-//! The worksheet of a motion without a mechanism: the problem as it is set; the drawing with its sentences, the formulas, the answers by both ways.
+//! The worksheet of a motion without a mechanism: the problem; the drawing with its sentences, the
+//! formulas, the answers by both methods.
 
 mod given;
 
@@ -18,7 +19,7 @@ use crate::scene::Lang;
 /// Makes the worksheet.
 ///
 /// # Errors
-/// Laws without a value on the way.
+/// Laws without a value during the motion.
 pub fn particle(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Options) -> Result<Document, Diagnostic> {
     let lang = options.sheet.lang;
     let notation = &notation(&options.sheet.style, lang);
@@ -55,7 +56,7 @@ pub fn particle(problem: &Problem, solved: &Solved, board: &[Drawn], options: &O
     Ok(Document { title: one_line(lang.of(&problem.title)), lang, fonts: options.sheet.style.fonts.clone(), blocks })
 }
 
-/// The equations that are drawn.
+/// The drawn equations.
 fn equations(problem: &Problem, d: &Drawn, lang: Lang, notation: &Notation) -> Vec<Block> {
     let motion = &problem.motions[d.motion];
     let say = |en: &'static str, zh: &'static str| Block::Paragraph(Phrase::new(tr(lang, en, zh)));
@@ -108,7 +109,7 @@ fn answers(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Option
     Table { kind: TableKind::Values, rows }
 }
 
-/// Numbers as they are printed: a minus as long as a plus.
+/// Numbers in print: the minus sign is as long as the plus sign.
 fn printed(text: &str) -> String {
     text.replace('-', "−")
 }

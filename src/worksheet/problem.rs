@@ -1,4 +1,4 @@
-//! The problem's side: statement, given, wanted, the mechanism to scale.
+//! The problem side: statement, given, wanted, the mechanism to scale.
 
 use super::speak::Speak;
 use super::{Block, Maker};
@@ -16,10 +16,11 @@ use crate::scene::quantity::{Frame, Meaning, Of};
 use crate::scene::{Asked, DiagramKind, Find, Kind, Lang, LinkId, OnLink, PointId};
 use crate::worked::Worked;
 
-/// A drawing wider than this stands in the text, not beside it; one that is higher, too, leaves no room for the rest of the problem.
+/// A wider drawing is placed in the text, not beside it; one that is also higher leaves no space
+/// for the rest of the problem.
 const HALF_MM: f64 = 118.0;
 const HIGH_MM: f64 = 150.0;
-/// Then it is drawn at most so large.
+/// Such a drawing is reduced to at most this part of its size.
 const SMALLER: f64 = 0.85;
 
 impl Maker<'_> {
@@ -40,7 +41,7 @@ impl Maker<'_> {
         blocks.push(Block::List { numbered: false, members: self.wanted() });
     }
 
-    /// What is asked for, in the order of the scene; quantities of one kind share a line.
+    /// The wanted quantities, in the order of the scene; quantities of one kind share a line.
     fn wanted(&self) -> Vec<Phrase> {
         let colon = self.tr(": ", "：");
         let mut lines: Vec<Vec<&Find>> = Vec::new();
@@ -62,7 +63,7 @@ impl Maker<'_> {
         lines.iter().map(member).collect()
     }
 
-    /// The name of several quantities whose symbols say of what they are.
+    /// The common name of several quantities with symbols that say what they belong to.
     fn kind(&self, what: &Asked) -> Option<&'static str> {
         match what.of() {
             Of::Point(OnLink { link: None, .. }) | Of::Link(_) => what.entry().several(self.lang()),
@@ -70,14 +71,15 @@ impl Maker<'_> {
         }
     }
 
-    /// The mechanism as it is given, with the given lengths as dimensions: without what the solution finds on it, and described without answers.
+    /// The given mechanism with its given lengths as dimensions, without points that the solution
+    /// constructs, and with a description that gives no answers.
     pub(super) fn given_mechanism(&self) -> Block {
         let mut figure = self.given_drawing().0;
         figure.desc = DiagramKind::Plane.caption(self.lang()).into();
         Block::Figure { name: "mechanism", figure: Box::new(figure) }
     }
 
-    /// Its drawing, and μ_l of it (m/mm).
+    /// Its drawing, and its μ_l (m/mm).
     pub(super) fn given_drawing(&self) -> (Figure, f64) {
         let bare = |worked: &Worked| {
             let mut bare = worked.clone();
@@ -86,7 +88,8 @@ impl Maker<'_> {
         };
         let dimensioned = Overlay { dimensions: true, ..Overlay::default() };
         let figure = problem_diagram(self.scene, &bare(self.worked), self.options, &dimensioned);
-        // Dimensions need room; where the page would not hold it beside the text or above it, the mechanism is drawn to a smaller scale.
+        // Dimensions need space; a mechanism that fits neither beside the text nor above it is
+        // drawn to a smaller scale.
         let large = figure.width_mm > HALF_MM && figure.height_mm > HIGH_MM;
         match large.then(|| to_part(self.scene, self.worked, self.options, SMALLER)).flatten() {
             Some((scene, worked)) => (problem_diagram(&scene, &bare(&worked), self.options, &dimensioned), worked.construction.diagram.mu),
@@ -110,7 +113,7 @@ impl Maker<'_> {
             (Some(l), Lang::En) => format!("the point of link {} at {}", self.link(l), self.point(p.point)),
             (Some(l), Lang::Zh) => format!("构件 {} 上与 {} 重合的点", self.link(l), self.point(p.point)),
         };
-        // Coincident points are told by their place and the two links.
+        // Coincident points are identified by their place and the two links.
         let of_link = |p: &OnLink| p.link.map_or(spot(p), |l| format!("{} {}", self.tr("link", "构件"), self.link(l)));
         let name = what.entry().name(self.lang());
         if let Some(Meaning::Ratio([a, b], arm)) = what.meaning(self.scene) {
@@ -164,7 +167,7 @@ impl Maker<'_> {
                     (false, Lang::Zh) => format!("构件 {} 与构件 {} 的相对瞬心", self.link(a), self.link(b)),
                 }
             }
-            // The table's names say of what they are.
+            // The names of the table say what they belong to.
             (Of::Mechanism, _) => name.to_string(),
             (Of::Links(a, b), Lang::En) if what.kind() == Kind::Force => {
                 format!("{name} of link {} on link {}", self.link(a), self.link(b))

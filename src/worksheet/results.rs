@@ -1,4 +1,4 @@
-//! The results with their senses, and how the drawing compares with the loop equations.
+//! The results with their senses, and the comparison of the drawing with the loop equations.
 
 use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
@@ -17,11 +17,11 @@ use crate::report::math::Math;
 use crate::scene::{Find, Lang};
 use crate::worked::Outcome;
 
-/// Digits at which drawing and analysis stand side by side: more than are printed as results.
+/// Digits at which drawing and analysis are compared: more than are printed as results.
 pub(super) const COMPARED: usize = 8;
 
 impl Maker<'_> {
-    /// `task`: one that asks for centres.
+    /// Writes the results; `task` is one that asks for centres.
     pub(super) fn results(&self, blocks: &mut Vec<Block>, task: Option<&Task>) {
         let (scene, words, digits) = (self.scene, self.words(), self.options.digits);
         blocks.push(Block::Heading(2, words.results.into()));
@@ -50,7 +50,7 @@ impl Maker<'_> {
             let find = &scene.find[r.find];
             let value = r.value();
             let name = symbol(find, self.notation());
-            // A singular pose is told once for all, among the remarks.
+            // A singular pose is reported once for all, among the remarks.
             if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
                 said.push(Phrase::new(&fill(words.uncertain, &[("", &format!("${name}$")), ("why", &why.words(self.lang()))])));
             }
@@ -81,7 +81,7 @@ impl Maker<'_> {
         }
     }
 
-    /// What the loop equations are.
+    /// Describes the loop equations.
     fn loop_equations(&self, blocks: &mut Vec<Block>) {
         blocks.push(self.heading(2, "Comparison with the loop equations", "与解析法比较"));
         let [v, a] = self.worked.solution.size;
@@ -118,7 +118,8 @@ impl Maker<'_> {
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
     }
 
-    /// A vector by its magnitude, a number as it is, a place by its coordinates, with the unit in which it is printed.
+    /// A vector by its magnitude, a number as it is, a place by its coordinates, with the printed
+    /// unit.
     pub(super) fn size(&self, find: &Find, value: Value, digits: usize) -> String {
         let (book, kind) = (&self.scene.book, find.what.kind());
         let told = |si: f64| number(book.value(kind, si), digits);
@@ -130,7 +131,7 @@ impl Maker<'_> {
         book.label(kind, &plain)
     }
 
-    /// How the magnitude of the first vector follows from the components that the equations give.
+    /// Derives the magnitude of the first vector from the components that the equations give.
     fn components(&self, blocks: &mut Vec<Block>) {
         let first = self.worked.results.iter().find_map(|r| match r.computed {
             Value::Vector(v) if r.agreement.is_some() && v.norm() > r.noise => Some((r, v)),
@@ -142,7 +143,7 @@ impl Maker<'_> {
         let printed = |si: f64| self.scene.book.value(find.what.kind(), si);
         let digits = trusted(r).min(self.options.digits + 1);
         let part = |x: f64| if x.abs() <= r.noise { "0".to_owned() } else { number(printed(x), digits) };
-        // A sign or a power of ten is not squared by itself.
+        // A number with a sign or a power of ten gets brackets before it is squared.
         let squared = |x: f64| match part(x) {
             text if text.starts_with('−') || text.contains('^') => format!("({text})^2"),
             text => format!("{text}^2"),
@@ -156,13 +157,13 @@ impl Maker<'_> {
     }
 }
 
-/// Digits on which drawing and analysis agree, at most those that are compared.
+/// Digits on which drawing and analysis agree, at most the number that is compared.
 fn trusted(r: &Outcome) -> usize {
     let difference = r.agreement.map_or(1.0, |a| a.difference).max(f64::EPSILON);
     ((-libm::log10(difference)).floor().max(1.0) as usize).min(COMPARED)
 }
 
-/// What a figure writes in a cell: words, where it is one piece, else a formula.
+/// A cell's label from a figure: words if it is one piece, else a formula.
 fn of_label(label: &Label) -> Phrase {
     if label.row().len() > 1 { math(label.source()) } else { Phrase::new(label.source()) }
 }

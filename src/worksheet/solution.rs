@@ -1,4 +1,5 @@
-//! The solution's side: freedom and groups, scales, then for each polygon equations, angular rates, polygon and steps.
+//! The solution side: degree of freedom and groups, scales, then for each polygon equations,
+//! angular velocities or accelerations, polygon and steps.
 
 use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
@@ -25,14 +26,15 @@ use crate::scene::{DiagramKind, Lang};
 
 /// Digits of a length on paper in the choice of scales: a ruler gives no more.
 const RULER_DIGITS: usize = 4;
-/// Angular rates of a group in one line of formulas: more do not fit beside one another.
+/// Angular velocities or accelerations of a group in one line of formulas: more do not fit.
 const RATES_IN_A_LINE: usize = 4;
 
-/// Words for the files of groups' forces; further groups are in words alone.
+/// Words for the files of groups' forces; further groups are described in words only.
 const FORCES: [&str; 9] = ["forces-1", "forces-2", "forces-3", "forces-4", "forces-5", "forces-6", "forces-7", "forces-8", "forces-9"];
 
 impl Maker<'_> {
-    /// `alone`: there is no problem side before it, so that the mechanism is shown here.
+    /// Writes the solution. `alone`: true if no problem side precedes it, so that the mechanism is
+    /// shown here.
     pub(super) fn solution(&self, blocks: &mut Vec<Block>, alone: bool) {
         blocks.push(self.heading(1, "Solution", "解"));
         let task = Task::of(self.scene);
@@ -91,7 +93,7 @@ impl Maker<'_> {
         }
     }
 
-    /// The rates that laws of time give at the instant.
+    /// The angular velocities and accelerations that laws of time give at the instant.
     fn laws(&self, blocks: &mut Vec<Block>) {
         let members = self.givens().laws();
         if !members.is_empty() {
@@ -118,7 +120,7 @@ impl Maker<'_> {
         blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
     }
 
-    /// The groups in the order in which polygons are drawn for them.
+    /// The groups in the order of their polygons.
     fn groups(&self, blocks: &mut Vec<Block>) {
         let m = &self.worked.mechanism;
         let drivers = self.scene.own_drivers();
@@ -133,7 +135,8 @@ impl Maker<'_> {
         blocks.push(Block::List { numbered: true, members });
     }
 
-    /// The scales, and what the first length becomes on paper: on the solution's own drawing of the mechanism where that is `shown`, else on the problem's.
+    /// The scales, and the first length on paper: on the solution's own drawing of the mechanism if
+    /// that is `shown`, else on the problem's.
     fn scales(&self, blocks: &mut Vec<Block>, shown: bool) {
         let paper = &self.worked.construction;
         let mu_of_figure = if shown { paper.diagram.mu } else { self.given_drawing().1 };
@@ -245,7 +248,8 @@ impl Maker<'_> {
         blocks.push(Block::Table(Table { kind: TableKind::Equation, rows: vec![symbols, second, third] }));
     }
 
-    /// How the turning of each link of the group follows from the vectors: `ω₃ = v_C / l_CD`.
+    /// Derives the angular velocity or acceleration of each link of the group from the vectors:
+    /// `ω₃ = v_C / l_CD`.
     fn rates(&self, blocks: &mut Vec<Block>, on: DiagramKind, group: &GroupSteps) {
         let w = self.writer();
         let formula = |(body, rate): &(Body, Rate)| {

@@ -1,4 +1,4 @@
-//! What is written in the reader's language.
+//! Text in the reader's language.
 
 use super::Block;
 use crate::paper::phrase::{Phrase, tr};

@@ -1,4 +1,5 @@
-//! A worksheet as Typst source: native formulas and tables, drawings as SVG files beside it.
+//! A worksheet as Typst source: native formulas and tables, drawings as SVG files in the same
+//! folder.
 
 use super::{Beside, Block, Document, Table, TableKind, backslashed, guarded, picture_names};
 use crate::diag::Faults;
@@ -8,11 +9,11 @@ use crate::paper::words::words;
 use crate::render::{number::mm, svg};
 use crate::report::math::{typst as formula, typst_display};
 
-/// Widest drawing on a page: A4 less its margins. A wider one would be cut; it is made as wide as the page, and its scales
-/// then hold no more.
+/// Widest drawing on a page: A4 without its margins. A wider one would be cut; it is reduced to the
+/// width of the page, and its scales are then not true.
 const WIDEST_MM: f64 = 174.0;
 
-/// Writes the document, and its drawings under names that begin with `stem`.
+/// Writes the document; the names of its drawings begin with `stem`.
 ///
 /// # Errors
 /// Those of [`svg::write`] for a drawing.
@@ -82,7 +83,7 @@ fn inline(phrase: &Phrase) -> String {
     phrase.pieces().iter().map(piece).collect()
 }
 
-/// A string of Typst's code.
+/// A string literal of Typst.
 fn string(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
@@ -96,8 +97,9 @@ fn string(text: &str) -> String {
     out
 }
 
-/// Words in which nothing means anything; hyphens and full stops do only in a row, where they would become dashes, a hint where to break
-/// (`-?`), a minus sign (`-1`) or an ellipsis.
+/// Escapes words so that Typst takes them literally. Hyphens and full stops are escaped only in a
+/// row, where they would become dashes, a hyphenation hint (`-?`), a minus sign (`-1`) or an
+/// ellipsis.
 fn escaped(text: &str) -> String {
     let sign = |c| matches!(c, '\\' | '#' | '*' | '_' | '`' | '$' | '<' | '>' | '@' | '[' | ']' | '~' | '=' | '/' | '"' | '\'');
     backslashed(text, |before, c, next| match c {

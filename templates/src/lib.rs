@@ -1,12 +1,12 @@
-//! The texts of the templates: files that are read by the rooms of their kind, with nothing but their names.
+//! The texts of the templates: files for the reader of their kind, with their names.
 //!
-//! The crate stands where its files are, so that each package holds what it includes.
+//! The crate is in the folder of its files, so that each package holds the files that it includes.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-/// Scenes, in the order in which they are listed to the reader.
+/// Scenes, in the order of the printed list.
 pub const SCENES: &[(&str, &str)] = &[
     // name, text
     ("crank-rocker", include_str!("../crank-rocker.json")),

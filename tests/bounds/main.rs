@@ -1,8 +1,9 @@
-//! Bounds: what grows with a scene grows no faster than about in proportion, what cannot be bounded is refused with its limit, and a
-//! signal is heeded in the middle of a computation.
+//! Bounds: work grows no faster than about in proportion to the scene, input that cannot be bounded
+//! is refused with its limit, and a signal is handled in the middle of a computation.
 //!
-//! Times are not measured here. What once took minutes has a deadline that only a return of the old growth can miss; the growth itself
-//! is counted where it arises (`paper::place::coarse`, `sweep::changes`, `certified::apart`).
+//! Times are not measured here. Each test has a deadline that only faster growth can miss; the
+//! growth itself is counted in its module (`paper::place::coarse`, `sweep::changes`,
+//! `certified::apart`).
 
 mod scenes;
 #[cfg(target_os = "linux")]
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use wide::every;
 
-/// Longer than anything here takes on a busy machine in a debug build, shorter than what it took before.
+/// More time than any test takes on a busy machine in a debug build, less than with faster growth.
 const DEADLINE: Duration = Duration::from_secs(240);
 
 fn hodograph() -> Command {
@@ -38,13 +39,13 @@ fn template(folder: &Path, name: &str, set: &[&str]) -> PathBuf {
     path
 }
 
-/// The exit code and what is said on standard error.
+/// Returns the exit code and the text on standard error.
 fn run(arguments: &[&str], scene: &Path, output: &Path) -> (Option<i32>, String) {
     let out = hodograph().arg(arguments[0]).arg(scene).args(&arguments[1..]).arg("-o").arg(output).output().unwrap();
     (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
 }
 
-/// Its scenes stay in `target/tmp`, for who measures the largest sizes of `docs/reliability.md`.
+/// Its scenes stay in `target/tmp`, to measure the largest sizes of `docs/reliability.md`.
 #[test]
 fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
@@ -69,7 +70,8 @@ fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
     }
 }
 
-/// The dimensions of a problem's figure are placed coarsely where they are many, which is told; all documents hold them.
+/// A problem's figure with many dimensions places them coarsely, which a note reports; all
+/// documents contain them.
 #[test]
 fn worksheets_over_many_points_are_written_and_told() {
     let folder = tempfile::tempdir().unwrap();
@@ -83,7 +85,8 @@ fn worksheets_over_many_points_are_written_and_told() {
     }
 }
 
-/// A lesson places the labels of every position: what would take minutes is refused at once, what is accepted is made.
+/// A lesson places the labels of every position: one that would take minutes is refused at once,
+/// all others are written.
 #[test]
 fn lessons_have_a_limit() {
     let folder = tempfile::tempdir().unwrap();
@@ -172,7 +175,7 @@ fn long_texts_and_names_are_refused_and_not_echoed() {
             assert!(said.len() < 20_000, "edit {k}, {arguments:?}: {} bytes are said", said.len());
         }
     }
-    // The longest that are allowed are drawn.
+    // The longest permitted texts are drawn.
     let scene = with(&|s| (s["title"], s["statement"]) = (json!("速".repeat(500)), json!("wide word ".repeat(1000))));
     for (arguments, output) in [(&["draw"][..], "o.svg"), (&["worksheet"], "o.pdf")] {
         assert_eq!(run(arguments, &scene, &folder.path().join(output)).0, Some(0), "{arguments:?}");

@@ -1,7 +1,8 @@
-//! Whatever a command computes, a signal ends it: within half a second, as far as the processor is its own. Every command is tried, at sizes
-//! that take it seconds.
+//! A signal ends every command during any computation, within half a second if the processor is
+//! free. Every command is tried, at sizes that take it seconds.
 //!
-//! Measured is the time of the processor that the program takes after the signal, which does not depend on what else the machine does.
+//! The tests measure the processor time of the program after the signal, which does not depend on
+//! other load.
 
 use crate::scenes::{chain, points_on_a_link};
 use crate::wide::every;
@@ -10,14 +11,15 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Half a second on each of two cores, and what a busy machine needs until the signal is seen.
+/// Half a second on each of two cores, plus the delay until a busy machine delivers the signal.
 const MOST_S: f64 = 1.5;
-/// However busy the machine is.
+/// Deadline on a machine under any load.
 const DEADLINE: Duration = Duration::from_secs(60);
-/// Commands that take a second at most, whatever they are given.
+/// Commands that take at most a second with any input.
 const AT_ONCE: [&str; 5] = ["new", "templates", "schema", "explain", "diff"];
 
-/// Every command at a size that takes it seconds (or as long as it ever takes): its arguments, and the scene.
+/// Every command at a size that takes it seconds (or its longest possible time): its arguments, and
+/// the scene.
 const LONG: [(&str, &str); 24] = [
     ("draw SCENE -o a.svg", "points-1900"),
     ("draw SCENE --figure mechanism --dimensions -o b.svg", "points-1900"),
@@ -45,7 +47,7 @@ const LONG: [(&str, &str); 24] = [
     ("solve SCENE --digits 30", "pursuit"),
 ];
 
-/// A search of a path through sixty places of a noisy ellipse.
+/// A search for a path through sixty places of a noisy ellipse.
 fn wish() -> String {
     let place = |k: usize| {
         let turn = std::f64::consts::TAU * k as f64 / 60.0;
@@ -74,25 +76,26 @@ fn scene(folder: &Path, name: &str) -> std::path::PathBuf {
     }
 }
 
-/// After a faster target on a circle: without an end.
+/// Pursuit of a faster target on a circle: it has no end.
 const PURSUIT: &str = r#"{"points": {"A": [0, 0]}, "motions": [
     {"point": "B", "centre": [0, 0], "radius": "100 m", "s": "9 m/s*t"}, {"point": "A", "toward": "B", "speed": "5 m/s"}], "find": ["T_AB"]}"#;
 
-/// The time of the processor that a running program has taken (s): the 14th and 15th field of its `stat`, in hundredths.
+/// The processor time of a running program (s): the 14th and 15th field of its `stat`, in
+/// hundredths.
 fn taken(child: &Child) -> Option<f64> {
     let stat = std::fs::read_to_string(format!("/proc/{}/stat", child.id())).ok()?;
     let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
     Some((fields.get(11)?.parse::<f64>().ok()? + fields.get(12)?.parse::<f64>().ok()?) / 100.0)
 }
 
-/// Whether SIGINT is ignored here, as shells have it for what they run in the background: what is started inherits that.
+/// True if SIGINT is ignored here, as in background jobs of a shell: child processes inherit that.
 fn interrupts_are_ignored() -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|l| l.strip_prefix("SigIgn:")).and_then(|m| u64::from_str_radix(m.trim(), 16).ok());
     mask.is_some_and(|m| m & 0b10 != 0)
 }
 
-/// Whether it was still there, and what it took after the signal.
+/// Returns the processor time after the signal; `None` if the program had already ended.
 fn interrupted(folder: &Path, arguments: &[String], signal: &str, after: Duration) -> Option<f64> {
     let mut run = Command::new(env!("CARGO_BIN_EXE_hodograph"));
     let mut child = run.current_dir(folder).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
@@ -131,7 +134,7 @@ fn a_signal_ends_every_command() {
         let Some(after) = interrupted(folder.path(), &arguments, signal, Duration::from_millis(800)) else { continue };
         ended += 1;
         assert!(after < MOST_S, "{line} of {name}: {after} s of the processor after {signal}");
-        // Nothing half-written has its name.
+        // No half-written file has its final name.
         let left: Vec<_> = std::fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
         let named = |n: &&String| !n.ends_with(".json") && !n.starts_with('.') && !n.contains(".part") && n.contains('.');
         assert!(!left.iter().any(|n| named(&n)), "{line} of {name} leaves {left:?}");

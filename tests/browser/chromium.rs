@@ -1,5 +1,5 @@
-//! A Chromium driven over the DevTools protocol: messages of JSON ended by a zero byte, on two named pipes that the browser has as
-//! its descriptors 3 and 4.
+//! A Chromium controlled over the DevTools protocol: JSON messages, each ended by a zero byte, on
+//! two named pipes that the browser has as its descriptors 3 and 4.
 
 use serde_json::{Value, json};
 use std::collections::VecDeque;
@@ -10,7 +10,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
-/// How long the browser may take to answer: a machine with other work to do starts it in seconds.
+/// Longest response time of the browser: a busy machine starts it in seconds.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A browser with one page.
@@ -20,7 +20,7 @@ pub struct Browser {
     from: Receiver<Value>,
     next: u64,
     session: String,
-    /// What happened since it was last looked at.
+    /// Events since the last look.
     events: VecDeque<Value>,
     /// Pipes and profile; removed at the end.
     _folder: tempfile::TempDir,
@@ -126,7 +126,7 @@ impl Browser {
             let event = self.until(loaded).expect("the page loads");
             self.events.push_back(event);
         }
-        // A lesson opens its data and says when it is ready.
+        // A lesson opens its data and reports when it is ready.
         let ready = "new Promise((done) => { const look = () => document.documentElement.dataset.ready === '' ? done() : setTimeout(look, 10); look(); })";
         self.eval(ready);
     }
@@ -144,7 +144,7 @@ impl Browser {
         self.key_with(key, 0);
     }
 
-    /// The same with modifiers (1 Alt, 2 Ctrl, 8 Shift).
+    /// Presses and releases a key with modifiers (1 Alt, 2 Ctrl, 8 Shift).
     pub fn key_with(&mut self, key: &str, modifiers: u32) {
         let code = match key {
             "ArrowLeft" => 37,
@@ -173,14 +173,14 @@ impl Browser {
         self.call("Input.dispatchKeyEvent", json!({"type": "keyUp", "key": key, "windowsVirtualKeyCode": code, "modifiers": modifiers}));
     }
 
-    /// The mouse at a place of the window.
+    /// Sends a mouse event at a place of the window.
     pub fn mouse(&mut self, kind: &str, [x, y]: [f64; 2]) {
         let buttons = u32::from(kind != "mouseReleased");
         let params = json!({"type": kind, "x": x, "y": y, "button": "left", "buttons": buttons, "clickCount": 1});
         self.call("Input.dispatchMouseEvent", params);
     }
 
-    /// Addresses asked for since the page was opened, and what the console said.
+    /// Returns the addresses requested since the page was opened, and the messages of the console.
     pub fn asked_and_said(&self) -> (Vec<String>, Vec<String>) {
         let text = |v: &Value| v.as_str().unwrap_or_default().to_owned();
         let of = |method: &'static str| self.events.iter().filter(move |m| m["method"] == method);
@@ -194,7 +194,7 @@ impl Browser {
 
 impl Drop for Browser {
     fn drop(&mut self) {
-        // It closes its own children; if it does not listen any more, it is ended.
+        // The browser closes its own children; if it does not respond, it is killed.
         let _ = self.to.write_all(b"{\"id\":0,\"method\":\"Browser.close\"}\0");
         let end = Instant::now() + Duration::from_secs(5);
         while Instant::now() < end && matches!(self.child.try_wait(), Ok(None)) {

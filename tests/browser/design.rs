@@ -1,5 +1,5 @@
-//! The lesson of a design: every step brings what it says, names are read from the last row, nothing is cut off, the linkage stops where
-//! the library says.
+//! The lesson of a design: every step shows its items, names are legible from the last row, nothing
+//! is cut off, and the linkage stops where the library says.
 
 use super::*;
 use hodograph::figure::synthesis::to_scale;
@@ -9,7 +9,8 @@ use serde_json::json;
 
 const SMALL_PROJECTOR: [u32; 2] = [1280, 720];
 
-/// Of both drawings: the least height of a name's first letter (px, ink), and what is cut by the drawing or by the window's sides.
+/// For both drawings: the least height of a name's first letter (px), and the items that are cut by
+/// the drawing or by the window's sides.
 pub const DRAWINGS: &str = r##"(() => {
     let least = Infinity, count = 0;
     const cut = [];
@@ -26,7 +27,7 @@ pub const DRAWINGS: &str = r##"(() => {
     return { least, count, cut };
 })()"##;
 
-/// Of the words of a step: what is wider than its room, or lies below the window where it stays in place.
+/// For the words of a step: words wider than their space, or below a window that does not scroll.
 pub const WORDS: &str = r##"(() => {
     const s = document.getElementById("sentence"), r = s.getBoundingClientRect(), cut = [];
     if (r.right > innerWidth + 1 || s.scrollWidth > s.clientWidth + 1) cut.push("the sentence is too wide");
@@ -37,7 +38,7 @@ pub const WORDS: &str = r##"(() => {
     return cut;
 })()"##;
 
-/// Parts of the construction that stand in the page in this step.
+/// Parts of the construction that the page shows in this step.
 pub const SEEN: &str = "[...document.querySelectorAll('[data-step]')].filter((g) => !g.classList.contains('later')).length";
 
 fn of_kind(name: &str) -> (Task, Candidate, usize, PathBuf) {
@@ -71,7 +72,7 @@ fn designs_are_read_from_the_last_row_and_go_through_their_steps() {
     }
 }
 
-/// All steps in both languages: what a step brings stays, and its sentence has room.
+/// Goes through all steps in both languages: items of a step stay, and its sentence fits.
 fn stepped(b: &mut Browser, told: &str, steps: usize) {
     if steps == 0 {
         assert_eq!(b.eval("document.getElementById('count') === null"), json!(true), "{told}");
@@ -94,7 +95,7 @@ fn stepped(b: &mut Browser, told: &str, steps: usize) {
     }
 }
 
-/// A button for each wanted position, at which the driver stands as the library says.
+/// Checks the button for each prescribed position, at which the driver has the library's value.
 fn stopped(b: &mut Browser, told: &str, candidate: &Candidate) {
     let stops = b.eval("document.querySelectorAll('#stops button').length").as_f64().unwrap() as usize;
     assert!(stops > 0 && stops <= candidate.draft.wanted.len(), "{told}: {stops} stops");

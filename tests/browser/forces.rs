@@ -1,4 +1,5 @@
-//! Forces in a lesson: polygons that move with the crank, steps that reveal what they name, vectors that are predicted.
+//! Forces in a lesson: polygons that move with the crank, steps that show the items they name,
+//! vectors to predict.
 
 use super::*;
 use hodograph::equilibrium::{Act, GroupForces};
@@ -6,7 +7,7 @@ use hodograph::figure::{forces, sheet};
 use hodograph::paper::item::Item;
 use hodograph::report::forces::ForceWriter;
 
-/// The items of a group's force polygon at the scale of the page, with the names that they have there.
+/// The items of a group's force polygon at the scale of the page, with their ids in the page.
 fn items(b: &mut Browser, (scene, worked): (&Scene, &Worked), k: usize) -> Vec<Item> {
     let options = sheet::Options::of_language(Lang::En);
     let key = format!("force-{}", k + 1);
@@ -81,7 +82,7 @@ fn force_polygons_move_with_the_crank() {
                     assert!(worst < 2e-2, "{name} at {turned}: {id} is off by {worst} mm: {:?} instead of {want:?}", shown[id]);
                     compared += 1;
                 }
-                // With its group the mechanism shows the free bodies, and no other.
+                // With a group, the mechanism shows the group's free bodies and no others.
                 b.eval(&format!("document.getElementById('tab-force-{}').click()", k + 1));
                 let bodies = r##"[...document.querySelectorAll("#mechanism .ink:not([display]) [data-id^=group-]")].map((e) => e.dataset.id.split("-")[1])"##;
                 let seen: BTreeSet<String> = serde_json::from_value(b.eval(bodies)).unwrap();
@@ -130,7 +131,7 @@ fn every_step_of_forces_reveals_what_it_names() {
     assert_quiet(&b, "steps of forces");
 }
 
-/// The vectors that the groups lay off, in order, and the number of vertices in which lines cross.
+/// The vectors that the groups lay off, in order, and the number of vertices found by intersection.
 fn laid(worked: &Worked) -> (Vec<[f64; 2]>, usize) {
     let of = worked.equilibrium.as_ref().unwrap();
     let acts = |group: &GroupForces| of.acts(group);
@@ -152,7 +153,7 @@ fn force_polygons_are_predicted() {
     b.key("q");
     let mut asked = 0;
     for [degrees, mm] in vectors {
-        // Crossings are shown, vectors laid off.
+        // Crossings are shown, vectors are laid off.
         while predict::text(&mut b, "sentence").contains("intersect") {
             b.key("PageDown");
             b.key("Enter");

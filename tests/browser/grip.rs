@@ -1,14 +1,15 @@
-//! A driver without another point than its pivot (a wheel, a cam, a lever known by its slot) is gripped away from it, and turns with the hand.
+//! A driver without a point other than its pivot (a wheel, a cam, a lever with only a slot) is
+//! gripped away from its pivot and turns with the pointer.
 
 use super::*;
 
-/// Lets go of the grip and waits until it has come to rest.
+/// Releases the grip and waits until it is at rest.
 pub fn let_go(b: &mut Browser, at: [f64; 2]) {
     b.mouse("mouseReleased", at);
     b.eval("new Promise((done) => setTimeout(done, 400))");
 }
 
-/// The grip's middle and the pivot's, in the window.
+/// The centres of grip and pivot in the window.
 const GRIP: &str = "(() => { const r = document.querySelector('.grip .ring').getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()";
 
 #[test]
@@ -22,7 +23,7 @@ fn a_wheel_and_a_slotted_lever_turn_with_the_hand() {
         let pivot = in_window(&mut b, centre);
         let at = b.eval(GRIP);
         let grip = [at[0].as_f64().unwrap(), at[1].as_f64().unwrap()];
-        // In metres of the mechanism, y up: the window may change its scale under the hand.
+        // In metres of the mechanism, y up: the window may change its scale during the drag.
         let metre = in_window(&mut b, [centre[0] + 1.0, centre[1]])[0] - pivot[0];
         let arm = [(grip[0] - pivot[0]) / metre, (pivot[1] - grip[1]) / metre];
         assert!(arm[0].hypot(arm[1]) * metre > 20.0, "{name}: the grip is at the pivot");

@@ -1,5 +1,5 @@
-//! Whether a real browser puts the ink where the checks of `tests/ink` take it to be: boxes of letters and lines of sheets, as Chromium
-//! lays them out, against those that `usvg` reads from the same file.
+//! Compares the layout of a real browser with the one assumed by the checks of `tests/ink`: boxes
+//! of letters and lines of sheets in Chromium, against those that `usvg` reads from the same file.
 
 #[path = "../ink/read.rs"]
 mod read;
@@ -15,13 +15,14 @@ use read::P;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// Coordinates of the file are rounded to a thousandth of a millimetre, the browser's to a part of its pixel.
+/// Coordinates of the file are rounded to a thousandth of a millimetre, those of the browser to a
+/// fraction of its pixel.
 const OFF_MM: f64 = 0.05;
 
 /// Left, top, right, bottom in mm, by id.
 type Boxes = BTreeMap<String, [f64; 4]>;
 
-/// What the browser shows: each label, and each line that has a name and no rotation of its own.
+/// The boxes in the browser: each label, and each line that has an id and no rotation of its own.
 const MEASURE: &str = r#"(() => {
     const svg = document.querySelector("svg"), o = svg.getBoundingClientRect(), mm = svg.viewBox.baseVal.width / o.width;
     const out = {};
@@ -48,7 +49,7 @@ fn in_browser(b: &mut Browser, name: &str, markup: &str) -> Boxes {
     serde_json::from_str(told.as_str().unwrap()).unwrap()
 }
 
-/// The same by `usvg`; of a name that several lines share nothing.
+/// The boxes by `usvg`; an id of several lines is left out.
 fn by_usvg(markup: &str) -> Boxes {
     let ink = read::read(markup);
     let turned = |class: &str| class.split_whitespace().any(|w| w == "turned");

@@ -1,8 +1,8 @@
-//! Lessons and sheets in a real Chromium: what is dragged and stepped through must show what the library computes, ink must stand where the
-//! checks of sheets take it to be ([`ink`]).
+//! Lessons and sheets in a real Chromium: drags and steps must show the values of the library, and
+//! items must be placed where the checks of sheets assume them ([`ink`]).
 //!
-//! The browser is `$CHROMIUM`, `chromium`, `chromium-browser` or `google-chrome`; without one these tests say that they were
-//! skipped. (Debian and Ubuntu: `apt-get install chromium`.)
+//! The browser is `$CHROMIUM`, `chromium`, `chromium-browser` or `google-chrome`; without one these
+//! tests report that they were skipped. (Debian and Ubuntu: `apt-get install chromium`.)
 
 mod chromium;
 mod design;
@@ -49,7 +49,7 @@ fn template(name: &str) -> Scene {
     scene::read(templates::get(name).unwrap()).unwrap().value
 }
 
-/// The lesson of a scene in a file.
+/// Writes the lesson of a scene to a file.
 fn page(name: &str, scene: &Scene) -> PathBuf {
     let page = lesson(scene, &Options::of_language(Lang::En)).unwrap_or_else(|f| panic!("{name}: {f}")).value;
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-{name}.html"));
@@ -57,7 +57,7 @@ fn page(name: &str, scene: &Scene) -> PathBuf {
     path
 }
 
-/// The page asked for nothing but itself, and said nothing.
+/// Asserts that the page requested nothing but itself and wrote no message.
 fn assert_quiet(b: &Browser, name: &str) {
     let (asked, said) = b.asked_and_said();
     let foreign: Vec<&String> = asked.iter().filter(|u| !u.starts_with("file://") && !u.starts_with("data:")).collect();
@@ -65,7 +65,7 @@ fn assert_quiet(b: &Browser, name: &str) {
     assert!(said.is_empty(), "{name}: the console says {said:?}");
 }
 
-/// The scene with its driver `travel` farther on, to the scales of the page.
+/// The scene with its driver moved on by `travel`, solved to the scales of the page.
 fn worked_at(b: &mut Browser, scene: &Scene, travel: f64) -> (Scene, Worked) {
     let start = driver_position(scene, 0).unwrap();
     let mut there = with_driver_at(scene, 0, start + travel);
@@ -80,8 +80,8 @@ fn worked_at(b: &mut Browser, scene: &Scene, travel: f64) -> (Scene, Worked) {
 
 type Ends = BTreeMap<String, [f64; 4]>;
 
-/// Every arrow of a polygon and every pin of the mechanism that the page shows: tail and tip, or centre twice, in mm from the pole
-/// or the diagram's origin, y up.
+/// Every arrow of a polygon and every pin of the mechanism on the page: tail and tip, or the centre
+/// twice, in mm from the pole or the diagram's origin, y up.
 fn shown(b: &mut Browser) -> Ends {
     let script = r#"(() => {
         const out = {};
@@ -108,7 +108,7 @@ fn shown(b: &mut Browser) -> Ends {
     value.as_object().unwrap().iter().map(|(id, v)| (id.clone(), ends(v))).collect()
 }
 
-/// The same from the library's own drawings.
+/// Every arrow and pin in the library's own drawings.
 fn drawn(scene: &Scene, worked: &Worked) -> Ends {
     let notation = Notation::of_language(Lang::En);
     let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
@@ -132,7 +132,7 @@ fn drawn(scene: &Scene, worked: &Worked) -> Ends {
     ends.collect()
 }
 
-/// Where a point of the mechanism (m from the diagram's origin, y up) is in the window.
+/// The place in the window of a point of the mechanism (m from the diagram's origin, y up).
 fn in_window(b: &mut Browser, [x, y]: [f64; 2]) -> [f64; 2] {
     let script = format!(
         "(() => {{ const svg = document.querySelector('#mechanism svg'); const [x, y] = svg.dataset.origin.split(' ').map(Number); \
@@ -147,7 +147,7 @@ fn travel(b: &mut Browser) -> f64 {
     b.eval("document.querySelector('.grip').dataset.travel").as_str().unwrap().parse().unwrap()
 }
 
-/// The crank's joint, in m from the diagram's origin, and its length.
+/// The crank's joint (m from the diagram's origin), and the crank's length.
 fn crank(scene: &Scene, worked: &Worked) -> ([f64; 2], f64) {
     let DriverKind::Turn { link, against, .. } = scene.drivers[0].kind else { panic!("the driver turns") };
     let at = |p: scene::PointId| worked.configuration.points[p.0].unwrap();
@@ -171,9 +171,9 @@ fn a_dragged_crank_shows_what_the_library_computes() {
         let (_, first) = worked_at(&mut b, &scene, 0.0);
         let (centre, radius) = crank(&scene, &first);
         let mut from = start.to_degrees();
-        // The triad lets its crank rock only.
+        // With the triad, the crank can only rock.
         for degrees in if name == "class-iii-six-bar" { [17.0_f64, 101.5, 60.0, -33.0] } else { [17.0, 143.0, 260.0, 331.5] } {
-            // Along the circle, as a hand would: the way of the crank is closed.
+            // Along the circle, as by hand: the crank's path is closed.
             let on = |d: f64| [centre[0] + radius * d.to_radians().cos(), centre[1] + radius * d.to_radians().sin()];
             let grip = in_window(&mut b, on(from));
             b.mouse("mousePressed", grip);
@@ -187,19 +187,21 @@ fn a_dragged_crank_shows_what_the_library_computes() {
             assert!(off.abs() < 0.05, "{name}: dragged to {degrees}°, the page says {angle}°");
             let (there, worked) = worked_at(&mut b, &scene, travelled);
             let (shown, drawn) = (shown(&mut b), drawn(&there, &worked));
-            // Between two frames the page shows the arrows of the nearer one; next to where two vectors fall together, or where
-            // another special point becomes the better one, those are not all of them.
+            // Between two frames the page shows the arrows of the nearer one. Where two vectors
+            // nearly coincide, or where another special point becomes the better one, these are not
+            // all arrows.
             let apart: Vec<&String> =
                 shown.keys().filter(|id| !drawn.contains_key(*id)).chain(drawn.keys().filter(|id| !shown.contains_key(*id))).collect();
             assert!(apart.len() * 4 <= drawn.len(), "{name} at {degrees}°: {apart:?} of {:?}", drawn.keys());
             if !apart.is_empty() {
                 eprintln!("{name} at {degrees}°: only on one side {apart:?}");
             }
-            // What belongs to the special point changes with it at once, somewhere between two frames.
+            // Arrows of the special point change with it at once, between two frames.
             let special = |id: &str| name == "class-iii-six-bar" && id.contains('S');
             for (id, want) in drawn.iter().filter(|(id, _)| shown.contains_key(*id) && !special(id)) {
                 let worst = shown[id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                // A vector about to vanish (below 0.05 mm it is a dot) is not followed between its last frame and none.
+                // A vector close to zero (below 0.05 mm it is a dot) is not followed between its
+                // last frame and none.
                 let length = (want[2] - want[0]).hypot(want[3] - want[1]);
                 let most = [(0.2, 0.1), (1.0, 2e-2)].iter().find(|m| length > 0.0 && length < m.0).map_or(1e-2, |m| m.1);
                 assert!(worst < most, "{name} at {degrees}°: {id} is off by {worst} mm: {:?} instead of {want:?}", shown[id]);
@@ -207,7 +209,7 @@ fn a_dragged_crank_shows_what_the_library_computes() {
             }
             let place = in_window(&mut b, on(degrees));
             let_go(&mut b, place);
-            // At rest the driver stands where the numbers are known.
+            // At rest the driver is where the numbers are known.
             from = (start + travel(&mut b)).to_degrees();
         }
         assert_quiet(&b, name);
@@ -215,10 +217,10 @@ fn a_dragged_crank_shows_what_the_library_computes() {
     assert!(compared > 500, "{compared}");
 }
 
-/// Text without what only looks: spaces, and marks that formulas set in another way.
+/// Text without spaces and without marks that formulas set in another way.
 fn bare(text: &str) -> String {
     let text = text.replace('²', "2"); // A page raises the digit itself.
-    // And keeps a formula and its punctuation together by a joiner.
+    // The page joins a formula and its punctuation by a word joiner.
     text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '_' | '^' | '{' | '}' | '′' | '\u{2060}')).collect()
 }
 
@@ -241,14 +243,14 @@ fn every_step_reveals_what_it_names() {
             let Some(p) = worked.construction.polygon(on) else { continue };
             let w = Writer { scene: &there, plan: &worked.plan, notation: &notation, lang: Lang::En };
             let items = polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items;
-            // The lengths of the sentences are those of the figure.
+            // The lengths in the sentences are those of the figure.
             let own = work(&scene, Scope::Figure).unwrap().value;
             let writer = Writer { scene: &scene, plan: &own.plan, notation: &notation, lang: Lang::En };
             let told = hodograph::certified::steps(&scene, &own, None);
             let said = sentences(&writer, &own.construction, own.construction.polygon(on).unwrap(), &told);
             let step =
                 |class: &str| class.split(' ').filter_map(|w| w.strip_prefix("step-")?.parse::<usize>().ok()).min().map_or(0, |n| n + 1);
-            // Which vectors are named depends on the room that a window has.
+            // The space of a window decides which vectors are named.
             let all = r##"[...document.querySelectorAll(".ink:not([display]) > :not([display])")].map((e) => e.id || e.dataset.id)"##;
             let page: BTreeSet<String> = serde_json::from_value(b.eval(all)).unwrap();
             let both = |id: &str| !id.contains("-label-") || page.contains(id) && items.iter().any(|i| i.id == id);
@@ -256,7 +258,8 @@ fn every_step_reveals_what_it_names() {
                 b.key(if n % 2 == 0 { "ArrowRight" } else { "PageDown" });
                 let now: BTreeSet<String> = serde_json::from_value(b.eval(visible)).unwrap();
                 let new: BTreeSet<&str> = now.difference(&before).map(String::as_str).filter(|id| both(id)).collect();
-                // Without a step of its own a part belongs to the pole, and comes with the first sentence.
+                // A part without a step of its own belongs to the pole and appears with the first
+                // sentence.
                 let want: BTreeSet<&str> = items
                     .iter()
                     .filter(|i| step(&i.class) == n && !i.id.ends_with("-leader"))
@@ -281,7 +284,7 @@ fn the_keyboard_alone_does_everything() {
     let Some(mut b) = browser() else { return };
     let scene = template("crank-rocker");
     b.open(&page("keyboard", &scene), PROJECTOR);
-    // By Tab to the grip; there the arrows turn the crank by a frame.
+    // By Tab to the grip; the arrow keys turn the crank by one frame.
     for _ in 0..20 {
         b.key("Tab");
         if b.eval("document.activeElement.classList.contains('grip')") == true {
@@ -310,7 +313,7 @@ fn the_keyboard_alone_does_everything() {
     let turned = travel(&mut b);
     b.key(" ");
     assert!(turned > 0.05, "it turns by itself: {turned}");
-    // Languages, and all words in them.
+    // Switches languages, with all their words.
     let words = |b: &mut Browser| b.eval("document.body.innerText").as_str().unwrap().to_owned();
     assert!(!words(&mut b).contains("clockwise"), "the answers are hidden until they are asked for");
     b.key("r");
@@ -368,7 +371,7 @@ fn pages_fit_phones_and_projectors_and_print() {
             assert!(over <= 0.0, "{name} at {window:?} is {over} pixels too wide");
             assert_quiet(&b, name);
         }
-        // On paper: every sentence, though only some steps were shown.
+        // In print: every sentence, although only some steps were shown.
         b.key("Home");
         let steps: u64 = serde_json::from_value(b.eval("Number(document.getElementById('count').textContent.match(/\\d+/g)[1])")).unwrap();
         b.eval("dispatchEvent(new Event('beforeprint'))");
@@ -379,7 +382,7 @@ fn pages_fit_phones_and_projectors_and_print() {
     }
 }
 
-/// A slider is dragged along its line; across it the hand does not matter.
+/// A slider is dragged along its line; motion of the pointer across the line has no effect.
 #[test]
 fn a_dragged_slider_follows_along_its_line() {
     let Some(mut b) = browser() else { return };
@@ -412,7 +415,7 @@ fn a_dragged_slider_follows_along_its_line() {
     assert_quiet(&b, "slider");
 }
 
-/// A frame must be moved in a small part of the 16 ms between two pictures.
+/// Moving to a frame must take a small part of the 16 ms between two pictures.
 #[test]
 fn a_frame_takes_little_time() {
     let Some(mut b) = browser() else { return };

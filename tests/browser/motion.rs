@@ -1,5 +1,5 @@
-//! The lesson of a motion without a mechanism: names are read from the last row, nothing is cut off, every step brings what it says, and the
-//! instant that is moved is told with the answers of the library.
+//! The lesson of a motion without a mechanism: names are legible from the last row, nothing is cut
+//! off, every step shows its items, and a moved instant shows the answers of the library.
 
 use super::*;
 use hodograph::lesson::motion;
@@ -33,7 +33,7 @@ fn motions_go_through_their_steps_and_their_instants() {
     }
 }
 
-/// All steps in both languages.
+/// Goes through all steps in both languages.
 fn stepped(b: &mut Browser, told: &str) {
     for language in 0..2 {
         b.key("Home");
@@ -54,7 +54,7 @@ fn stepped(b: &mut Browser, told: &str) {
     }
 }
 
-/// At another instant the page says what the library answers there; and it finds back.
+/// At another instant the page shows the library's answers; then it returns to the given one.
 fn moved(b: &mut Browser, name: &str, problem: &particle::Problem) {
     b.key("0");
     let home = b.eval("document.getElementById('travel').textContent");
@@ -71,7 +71,7 @@ fn moved(b: &mut Browser, name: &str, problem: &particle::Problem) {
     {
         let number = |text: &str| first(text).replace(['−', '('], "-").trim().parse::<f64>().unwrap_or(f64::NAN);
         let (a, b) = (number(&line.plain()), number(said.as_str().unwrap()));
-        // The instant is told to five digits.
+        // The instant is given to five digits.
         assert!(a.is_nan() && b.is_nan() || (a - b).abs() <= 2e-2 * a.abs() + 1e-9, "{name} at {t}: {} | {said}", line.plain());
     }
     b.key("0");

@@ -1,4 +1,4 @@
-//! A whole construction predicted: by keys with right and wrong answers, and by the pointer.
+//! Prediction of a whole construction: by keys with right and wrong answers, and by the pointer.
 
 use super::*;
 
@@ -10,7 +10,8 @@ pub fn asking(b: &mut Browser) -> bool {
     b.eval("document.body.classList.contains('asking')") == true
 }
 
-/// The directions (degrees) and lengths (mm) that the library lays off or draws, in order; of a crossing the mark's place.
+/// The directions (degrees) and lengths (mm) that the library lays off or draws, in order; for a
+/// crossing the place of the point.
 fn answers(scene: &Scene) -> Vec<Answer> {
     use hodograph::construct::Action;
     let worked = work(scene, Scope::Figure).unwrap().value;
@@ -99,7 +100,8 @@ fn a_construction_is_predicted_by_keys() {
         match answer {
             Answer::Vector { degrees, mm } => {
                 if k == 0 {
-                    // What is wrong is told: the sense of the crank, square and along, too long and too short.
+                    // Errors are named: the sense of the crank, perpendicular and parallel, too
+                    // long and too short.
                     turn_to(&mut b, degrees + 180.0);
                     b.key("Enter");
                     assert!(
@@ -125,7 +127,7 @@ fn a_construction_is_predicted_by_keys() {
                 lengthen_to(&mut b, *mm);
             }
             Answer::Line { degrees } => turn_to(&mut b, *degrees),
-            // By keys a mark is laid with small steps; the pointer's test does that.
+            // By keys a point is placed in small steps; the pointer's test covers that.
             Answer::Mark(_) => {
                 b.key("PageDown");
                 assert!(text(&mut b, "verdict").starts_with("This is the answer."));
@@ -164,7 +166,7 @@ fn a_construction_is_predicted_by_the_pointer_on_a_phone() {
             Answer::Vector { degrees, mm } => {
                 tail = from;
                 let (sin, cos) = degrees.to_radians().sin_cos();
-                // The hand is two degrees off; the set square is not.
+                // The pointer is two degrees off; the set square corrects that.
                 let (s2, c2) = (degrees + 2.0).to_radians().sin_cos();
                 drag_to(&mut b, [tail[0] + 0.5 * mm * c2, tail[1] + 0.5 * mm * s2]);
                 click(&mut b, "check");
@@ -183,7 +185,7 @@ fn a_construction_is_predicted_by_the_pointer_on_a_phone() {
             }
         }
         click(&mut b, "check");
-        // The mark is laid right at the second try only.
+        // The point is placed right only at the second try.
         let said = text(&mut b, "verdict");
         let due = if matches!(answer, Answer::Mark(_)) { "Correct." } else { "Right." };
         assert!(said.starts_with(due), "{answer:?} from {tail:?}: {said}");

@@ -1,4 +1,5 @@
-//! What is seen from the last row and on a phone, measured in the browser: sizes of letters, filled windows, nothing cut.
+//! Legibility from the last row and on a phone, measured in the browser: sizes of letters, filled
+//! windows, nothing cut off.
 
 use super::*;
 use serde_json::Value;
@@ -7,8 +8,8 @@ const SMALL_PROJECTOR: [u32; 2] = [1280, 720];
 const TEMPLATES: [&str; 7] =
     ["crank-rocker", "shaper", "excavator", "stephenson-six-bar", "class-iii-six-bar", "planetary-gear", "cam-offset-roller"];
 
-/// Of the polygon that is seen: the least height of a name's first letter (px, ink), the part of its window's width or height that
-/// the ink takes, and names cut by the window.
+/// For the visible polygon: the least height of a name's first letter (px), the part of its
+/// window's width or height that the drawing fills, and names cut by the window.
 const POLYGON: &str = r##"(() => {
     const svg = [...document.querySelectorAll("#polygons .drawing")].find((f) => !f.classList.contains("aside")).querySelector("svg");
     const ink = svg.querySelector(".ink:not([display])"), box = svg.getBoundingClientRect();
@@ -24,7 +25,7 @@ const POLYGON: &str = r##"(() => {
     return { least, count: labels.length, fill: Math.max((right - left) / (view.width * m.a), (bottom - top) / (view.height * m.d)), cut };
 })()"##;
 
-/// Of the words: what of sentence and equation is cut off or must be scrolled.
+/// For the words: sentences and equations that are cut off or must be scrolled.
 const WORDS: &str = r##"(() => {
     const told = document.getElementById("told"), room = told.getBoundingClientRect(), cut = [];
     const boxed = getComputedStyle(told).overflow === "hidden";
@@ -81,7 +82,7 @@ fn letters_are_read_from_the_last_row_and_nothing_is_cut() {
         for (window, least) in [(SMALL_PROJECTOR, 14.0), (PROJECTOR, 20.0), (PHONE, 6.5)] {
             measured(&mut b, name, &path, window, least);
         }
-        // On a phone the polygon stands above the words while they are read to their end.
+        // On a phone the polygon stays above the words while the reader scrolls them.
         b.open(&path, PHONE);
         b.key("Home");
         b.key("ArrowRight");
@@ -102,7 +103,7 @@ fn letters_are_read_from_the_last_row_and_nothing_is_cut() {
     }
 }
 
-/// Paths, hodographs and vectors are drawn where they belong, and grow while the driver turns.
+/// Paths, hodographs and vectors are drawn at their places, and grow while the driver turns.
 #[test]
 fn what_is_drawn_over_the_drawings_is_true() {
     let Some(mut b) = browser() else { return };
@@ -119,7 +120,7 @@ fn what_is_drawn_over_the_drawings_is_true() {
         b.key(key);
         assert!(count(&mut b, what) > 0, "{what}");
     }
-    // The velocity of C on the mechanism has the direction that the library computes, and stands at C.
+    // The velocity of C on the mechanism has the library's direction and begins at C.
     let (_, worked) = worked_at(&mut b, &scene, 0.0);
     let c = scene.points.iter().position(|p| p.name == "C").unwrap();
     let at = worked.configuration.points[c].unwrap() - worked.construction.diagram.origin;
@@ -133,7 +134,7 @@ fn what_is_drawn_over_the_drawings_is_true() {
     let v = p.images[of_c].unwrap();
     let off = ((own[3] - own[1]) * v.x + (own[2] - own[0]) * v.y).abs() / v.to_vec2().norm() / (own[2] - own[0]).hypot(own[3] - own[1]);
     assert!(off < 1e-2 && (own[2] - own[0]) * v.x > 0.0, "{own:?} {v:?}");
-    // Played, a hodograph grows from where the motion began; back as well, and faster.
+    // During playback a hodograph grows from the start of the motion; also backwards and faster.
     b.key(">");
     b.key("b");
     b.eval("new Promise((done) => setTimeout(done, 300))");
@@ -146,8 +147,8 @@ fn what_is_drawn_over_the_drawings_is_true() {
     assert_quiet(&b, "over");
 }
 
-/// Every position has one scale; where a vector would leave the paper the window becomes larger, once in a turn, and what is drawn
-/// stays true.
+/// All positions have one scale; where a vector would leave the paper the window becomes larger,
+/// once in a turn, and the drawing stays true.
 #[test]
 fn one_scale_and_at_most_one_larger_window() {
     let Some(mut b) = browser() else { return };
@@ -179,7 +180,7 @@ fn one_scale_and_at_most_one_larger_window() {
     assert_quiet(&b, "scales");
 }
 
-/// The names of a polygon have one size in all frames, however many of its vectors vanish in some.
+/// The names of a polygon have one size in all frames, even if many of its vectors vanish in some.
 #[test]
 fn names_keep_their_size() {
     for name in ["double-butterfly", "jansen-leg"] {
@@ -195,8 +196,9 @@ fn names_keep_their_size() {
     }
 }
 
-/// A polygon of many vectors is split by group: each step is drawn where it is seen, no part has more names than can be read, and in
-/// every position its vectors are those of the library's whole polygon.
+/// A polygon of many vectors is split by group: each step is drawn in its part, no part has more
+/// names than are legible, and in every position the vectors are those of the library's whole
+/// polygon.
 #[test]
 fn a_polygon_of_many_vectors_is_split() {
     let Some(mut b) = browser() else { return };
@@ -204,13 +206,13 @@ fn a_polygon_of_many_vectors_is_split() {
     b.open(&page("split", &scene), PROJECTOR);
     let parts: Vec<String> = serde_json::from_value(b.eval("[...document.querySelectorAll('#polygons figure')].map((f) => f.id)")).unwrap();
     assert!(parts.len() > 4 && parts.iter().all(|p| p.ends_with(|c: char| c.is_ascii_digit())), "{parts:?}");
-    // Names of one document are one each.
+    // Ids are unique in the document.
     let twice = "(() => { const ids = [...document.querySelectorAll('[id]')].map((e) => e.id); return ids.length - new Set(ids).size; })()";
     assert_eq!(b.eval(twice), 0);
     let names = "[...document.querySelectorAll('#polygons figure')].map((f) => f.querySelectorAll('.ink:not([display]) > .label:not([display])').length)";
     let names: Vec<usize> = serde_json::from_value(b.eval(names)).unwrap();
     assert!(names.iter().all(|n| *n <= 24), "{names:?}");
-    // What a step draws is marked in the part that is seen, and in no other.
+    // Items of a step are highlighted in the visible part only.
     b.key("Home");
     let now = "[...document.querySelectorAll('#polygons figure')].filter((f) => f.querySelector('.ink:not([display]) > .now:not([display])')).map((f) => [f.id, f.classList.contains('aside')])";
     let mut seen = std::collections::BTreeSet::new();
@@ -247,7 +249,8 @@ fn a_polygon_of_many_vectors_is_split() {
             compared += 1;
         }
         assert!(compared > 40, "{compared}");
-        // Not far: alone, a far position is assembled as the scene's coordinates are nearest to.
+        // Not far: a distant position, solved alone, takes the assembly nearest to the scene's
+        // coordinates.
         for _ in 0..3 {
             b.key("+");
         }

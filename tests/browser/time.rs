@@ -1,4 +1,5 @@
-//! A lesson through time: places, rates and polygons are those of the time that is shown, and it begins anew where it ends.
+//! A lesson through time: places, velocities and polygons are those of the time shown, and it
+//! restarts at its end.
 
 use super::{PROJECTOR, assert_quiet, browser, drawn, shown, travel};
 use hodograph::lesson::{Options, lesson};
@@ -40,7 +41,7 @@ fn a_lesson_through_time_shows_what_holds_at_each_time() {
         assert!(compared > 7, "at t = {instant} s only {compared} of {:?} are shown", drawn.keys());
     }
     assert_eq!(said(&mut b), "t = 2 s");
-    // Time does not run back.
+    // Time does not run backwards.
     b.key(" ");
     b.eval("new Promise((done) => setTimeout(done, 300))");
     b.key(" ");

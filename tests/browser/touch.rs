@@ -1,4 +1,4 @@
-//! Lessons on a screen that is touched, and for readers who want less motion.
+//! Lessons on a touch screen, and for readers who prefer less motion.
 
 use crate::chromium::Browser;
 use crate::{PHONE, assert_quiet, browser, crank, in_window, page, template, travel, worked_at};
@@ -26,14 +26,14 @@ fn a_finger_turns_the_crank_and_the_page_stays_where_it_is() {
         let finger = in_window(&mut b, on(start + turned));
         touch(&mut b, "touchMove", Some(finger));
     }
-    // Moves of a finger are handed on with the next frame.
+    // Moves of a finger are passed on with the next frame.
     b.eval("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
     let turned = travel(&mut b).to_degrees();
     assert!((turned - 70.0).abs() < 0.5, "the finger went 70°, the crank {turned}°");
     touch(&mut b, "touchEnd", None);
     assert_eq!(b.eval("scrollY"), 0, "the page has scrolled under the finger");
 
-    // Beside the grip the same finger scrolls: the drawing is no trap.
+    // Beside the grip, the same finger scrolls the page.
     let acts = |what: &str| format!("getComputedStyle(document.querySelector('{what}')).touchAction");
     assert_eq!(b.eval(&acts("#mechanism svg")), "pan-y");
     assert_eq!(b.eval(&acts(".grip")), "none");
@@ -52,7 +52,7 @@ fn with_less_motion_the_driver_goes_from_position_to_position() {
                  document.getElementById('play').click(); look(90); })";
     let seen: Vec<f64> = serde_json::from_value(b.eval(moved)).unwrap();
     b.eval("document.getElementById('play').click()");
-    // A second and a half at 60 frames a second: hops of 0.7 s, not a place for each frame.
+    // A second and a half at 60 frames a second: jumps every 0.7 s, not a new place in each frame.
     assert!((2..=6).contains(&seen.len()), "{} places in 90 frames", seen.len());
     let step = seen[1] - seen[0];
     assert!(step.abs() > 1f64.to_radians(), "the driver hops by {step}");

@@ -1,9 +1,9 @@
-//! Which scenes have a lesson, and how large its page is.
+//! The scenes that have a lesson, and the size of its page.
 
 use super::*;
 
-/// Every template gets a lesson, no larger than a photograph on a page (280 KiB, of which the letters take 25, 100 more where a polygon is split, and 40 for each
-/// group of forces); what is no mechanism gets none.
+/// Every template gets a lesson of at most 280 KiB, of which the letters take 25; 100 more where a
+/// polygon is split, and 40 for each group of forces. A file without a mechanism gets none.
 #[test]
 fn every_template_has_a_lesson_of_some_size() {
     let mut sizes = Vec::new();
@@ -21,7 +21,7 @@ fn every_template_has_a_lesson_of_some_size() {
         let path = file.unwrap().path();
         if path.extension().is_some_and(|e| e == "json") {
             let hodograph = || assert_cmd::Command::cargo_bin("hodograph").unwrap();
-            // A scene with answers beside a dead centre has a lesson too.
+            // A scene with answers next to a dead centre has a lesson too.
             if hodograph().arg("solve").arg(&path).output().unwrap().status.code() != Some(2) {
                 continue;
             }

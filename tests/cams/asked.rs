@@ -1,4 +1,5 @@
-//! What is asked of cams at places where double precision has no digits: next to the start of a law, next to an inflection, at a reversal, on a straight flank, at rest.
+//! Questions about cams where double precision has no digits: next to the start of a law, next to
+//! an inflection, at a reversal, on a straight flank, at rest.
 
 use crate::OMEGA;
 use hodograph::certified::ladder::{Part, certify};
@@ -11,7 +12,7 @@ use hodograph::sweep::{Placed, Steps};
 use hodograph::worked::{NoAnswer, Scope, Worked, work};
 use serde_json::Value as Json;
 
-/// A follower on a vertical guide, cam 2 at an angle.
+/// A follower on a vertical guide, with cam 2 at an angle.
 fn translating(offset: &str, cam: &str, profile: &str, angle: &str, find: &str) -> Scene {
     let guide = match cam {
         r#""face": {}"# => r#"{"slider": "3", "on": "1", "angle": "90 deg", "through": "O"}"#.to_owned(),
@@ -74,7 +75,7 @@ fn a_straight_flank_has_an_infinite_radius() {
     assert_eq!(answer["why"]["code"], "infinite");
 }
 
-/// In a sweep as in a single pose: no row is missing, and a note says from where to where the radius is infinite.
+/// In a sweep no row is missing, as in a single pose; a note gives the range of infinite radius.
 #[test]
 fn a_sweep_has_rows_on_a_straight_flank() {
     let at =
@@ -103,7 +104,7 @@ fn a_sweep_has_rows_on_a_straight_flank() {
     assert!(table.notes.iter().all(|d| d.code != "no-position"), "{:?}", table.notes);
 }
 
-/// Where ρ changes sign the least radius is less than zero, and a warning says where.
+/// If ρ changes sign, the least radius is negative, and a warning gives the place.
 #[test]
 fn an_undercut_profile_is_said_to_be_one() {
     for (base, undercut) in [("20", true), ("30", false)] {
@@ -118,7 +119,7 @@ fn an_undercut_profile_is_said_to_be_one() {
     }
 }
 
-/// A follower at rest has a lift and a velocity of zero, in every way of telling it.
+/// A follower at rest has a lift and a velocity of zero, in every form of the input.
 #[test]
 fn what_is_zero_is_printed_as_zero() {
     for kind in ["law harmonic", "law 3-4-5", "tangent", "rocker", "hollow"] {
@@ -134,7 +135,8 @@ fn what_is_zero_is_printed_as_zero() {
             }
         }
     }
-    // The pose of a press at its limit, its lengths rounded: the velocity is rounding, and so it is said.
+    // A press at its limit, with rounded lengths: the velocity is a rounding residue and is
+    // reported as such.
     let scene = read(include_str!("press-at-its-limit.json")).unwrap().value;
     let (worked, _) = worked(&scene);
     let certified = certify(&scene, &worked, 6);

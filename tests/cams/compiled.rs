@@ -1,4 +1,5 @@
-//! Cams compiled into a sweep: the numbers of each position solved by itself, in every stretch and at every joint, in both senses and after many turns.
+//! Cams compiled into a sweep give the numbers of each position solved alone, in every stretch and
+//! at every joint, in both senses and after many turns.
 
 use crate::{PROFILES, scene};
 use hodograph::analytic;
@@ -16,7 +17,7 @@ fn kinds() -> Vec<String> {
     PROFILES.into_iter().map(str::to_owned).chain(laws).collect()
 }
 
-/// The same with the cam turning the other way.
+/// The scene with the cam turning in the opposite sense.
 fn reversed(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.drivers[0].rate.value = -scene.drivers[0].rate.value;

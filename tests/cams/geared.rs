@@ -1,5 +1,5 @@
-//! Cams behind gears, belts and chains: the same numbers as of the cam that is driven by itself with the rates that the train gives it, in every pose and
-//! in sweeps over several turns.
+//! Cams behind gears, belts and chains: the same numbers as for the cam driven directly with the
+//! train's angular velocity and acceleration, in every pose and in sweeps over several turns.
 
 use crate::{ALPHA, OMEGA, PROFILES, component, text};
 use hodograph::mechanism::Mechanism;
@@ -8,7 +8,7 @@ use hodograph::sweep::{self, Placed, Stations, Width};
 use hodograph::worked::{Scope, work};
 use serde_json::{Value as Json, json};
 
-/// Where the driver stands (deg).
+/// The angle of the driver (deg).
 const DRIVER: f64 = 50.0;
 
 /// Trains from wheel 8 about A to the cam 2 about O, with the wheels between the two, and the ratio ω₂/ω₈.
@@ -45,7 +45,7 @@ fn trains() -> Vec<(&'static str, Json, f64)> {
     ]
 }
 
-/// The scene of a kind of cam, driven by a wheel; the cam stands at an angle.
+/// The scene of a kind of cam, driven by a wheel, with the cam at an angle.
 fn geared(kind: &str, train: &Json, angle: f64) -> Scene {
     let mut scene: Json = serde_json::from_str(&text(kind, "0 deg")).unwrap();
     scene.as_object_mut().unwrap().extend(train.as_object().unwrap().clone());
@@ -69,7 +69,7 @@ fn geared(kind: &str, train: &Json, angle: f64) -> Scene {
     scene::read(scene.to_string()).unwrap_or_else(|f| panic!("{kind}: {f}\n{scene}")).value
 }
 
-/// The same cam driven by itself, with the rates that the train gives it.
+/// The cam of [`geared`] driven directly, with the train's angular velocity and acceleration.
 fn direct(kind: &str, ratio: f64, angle: f64) -> Scene {
     let mut scene: Json = serde_json::from_str(&text(kind, &format!("{angle:?} deg"))).unwrap();
     scene["driver"]["omega"] = json!(format!("{:?} rad/s", OMEGA * ratio));
@@ -130,7 +130,7 @@ fn sweeps_take_a_cam_behind_wheels_through_all_turns() {
     }
 }
 
-/// What says twice, or not at all, how a cam stands.
+/// Input that gives the angle of a cam twice, or not at all.
 #[test]
 fn an_angle_of_a_cam_is_for_wheels() {
     let refused = |scene: &Json, code: &str, word: &str| {
@@ -153,7 +153,7 @@ fn an_angle_of_a_cam_is_for_wheels() {
     refused(&wheels, "cam-pose", "angle");
 }
 
-/// Coordinates of two points of a cam tell its angle as its driver does, in all quadrants.
+/// Coordinates of two points of a cam give its angle as its driver does, in all quadrants.
 #[test]
 fn coordinates_tell_the_angle_of_a_cam() {
     for kind in ["law cycloidal", "swing 3-4-5", "tangent"] {

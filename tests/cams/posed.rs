@@ -11,7 +11,8 @@ use hodograph::worked::{self, Scope, Worked, work, work_placed, work_pose};
 /// Poses of a turn.
 const POSES: usize = 24;
 
-/// The scenes whose cams are replaced for an instant: templates, and one of the cases of each kind of cam.
+/// The scenes with cams that are replaced for an instant: templates, and one case of each kind of
+/// cam.
 fn scenes() -> Vec<(String, Scene)> {
     let read = |name: &str, text: &str| (name.to_owned(), scene::read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value);
     let templates = templates::list().into_iter().map(|t| read(t.name, templates::get(t.name).unwrap()));
@@ -42,7 +43,7 @@ fn a_pose_of_a_motion_is_moved_by_its_cam() {
             moved += usize::from(own.own_drivers() == own.drivers.len());
             let by_cam = answers(&own, &worked);
             for (text, value) in answers(&there, &led.value) {
-                // A question about the contact has no answer where a driver stands for it.
+                // A question about the contact has no answer where a driver replaces it.
                 let Some((_, other)) = by_cam.iter().find(|(of, _)| *of == text) else { panic!("{name}: no {text}") };
                 let pairs = || value.columns().into_iter().zip(other.columns());
                 let size = pairs().map(|(a, b)| a.abs().max(b.abs())).fold(1e-3, f64::max);
@@ -57,7 +58,8 @@ fn a_pose_of_a_motion_is_moved_by_its_cam() {
     assert!(told > 1000, "{told}");
 }
 
-/// A table over a parameter of a cam, a row for each value: the scene read with that value, for the instant and for the motion.
+/// A table over a parameter of a cam has a row for each value: the scene read with that value, for
+/// the instant and for the motion.
 #[test]
 fn parameters_of_a_cam_vary_as_the_scene_is_read() {
     for (name, parameter, from, to) in [

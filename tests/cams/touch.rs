@@ -1,4 +1,5 @@
-//! Where cams touch their followers: on both faces of a yoke, by whatever the follower ends in, against what the mechanism does there.
+//! The contact of cams with their followers: on both faces of a yoke, with every end of a follower,
+//! compared with the motion of the mechanism there.
 
 use crate::{PROFILES, scene as of_kind};
 use hodograph::composite::{Place, Staged};
@@ -8,7 +9,8 @@ use hodograph::scene::quantity::composite::Part;
 use hodograph::scene::{self, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
-/// An eccentric between two faces of a yoke: the cam lies to the left of the lower one and to the right of the other, or as the faces are turned.
+/// An eccentric between two faces of a yoke: the cam is to the left of the lower one and to the
+/// right of the other, or in the order given by `turned`.
 fn yoke(angle: f64, turned: bool) -> Scene {
     let (lower, upper) = if turned { ("180 deg", "180 deg") } else { ("0 deg", "0 deg") };
     let [below, above] = if turned { ["right", "left"] } else { ["left", "right"] };
@@ -27,7 +29,8 @@ fn worked(scene: &Scene) -> Worked {
     work(scene, Scope::Figure).unwrap_or_else(|f| panic!("{f}")).value
 }
 
-/// The two go along with one another square to the contour, and the normal points from the cam to the follower.
+/// Both bodies have the same velocity along the normal, and the normal points from the cam to the
+/// follower.
 fn check(what: &str, scene: &Scene, index: usize, outward: Vec2) {
     let w = worked(scene);
     let cam = &scene.cams[index];
@@ -48,7 +51,8 @@ fn both_faces_of_a_yoke_touch_where_they_are() {
             let scene = yoke(angle, turned);
             check(&format!("lower face at {angle}, {turned}"), &scene, 0, Vec2::new(0.0, -1.0));
             check(&format!("upper face at {angle}, {turned}"), &scene, 1, Vec2::new(0.0, 1.0));
-            // A point of the yoke seen from the cam bends as the contours say, on either face.
+            // A point of the yoke seen from the cam has the curvature given by the contours, on
+            // either face.
             let staged = Staged::new(&scene);
             assert_eq!(staged.contacts.len(), 2);
             let choices: Vec<_> = staged.choices(&scene).into_iter().filter(|c| matches!(c.place, Place::Cam(_))).collect();
@@ -72,7 +76,7 @@ fn every_end_touches_square_to_the_contour() {
             let w = worked(&scene);
             let cam = &scene.cams[0];
             let t = cam.disc.as_ref().unwrap();
-            // What the geometry of the cam says, in the plane.
+            // The geometry of the cam, in the plane.
             let station = t.disc.station(t.phi, t.side).unwrap();
             let outward = station.normal.rotate_by(Vec2::from_angle(t.disc.sense * t.phi));
             let touch = w.configuration.touch(&scene, cam).unwrap();

@@ -1,4 +1,5 @@
-//! What commands print can be asked, in the words in which they print it; what figures draw stands in the JSON.
+//! Printed results can be asked for in the words in which they are printed; drawn results are in
+//! the JSON.
 
 use super::{hodograph, text};
 use serde_json::Value;
@@ -52,7 +53,8 @@ fn sums_differences_and_ratios_are_those_of_their_operands() {
         let of = |k: usize| sum[k]["value"][axis].as_f64().unwrap();
         near(of(0), of(1) + of(2), axis);
     }
-    // What has no common unit is told, and a frame behind a stroke is a frame as before.
+    // Quantities without a common unit are reported, and a frame after a stroke is read like any
+    // frame.
     let scene = hodograph::scene::edit::with_find(hodograph::scene::templates::get("crank-rocker").unwrap(), &["omega_2 + v_C"]).unwrap();
     let run = hodograph().args(["solve", "-"]).write_stdin(scene).assert().code(2);
     assert!(text(&run.get_output().stderr).contains("combines rad/s with m/s"), "{}", text(&run.get_output().stderr));
@@ -104,11 +106,11 @@ fn a_cam_answers_what_its_report_prints() {
     for (k, path) in paths.iter().enumerate() {
         near(number(&found[k]), of(path), find[k]);
     }
-    // The follower slides in a guide, and its lift is that of the cam all the same.
+    // The follower slides in a guide, and its lift is still that of the cam.
     near(number(&answers("cam-offset-roller", &["s_3"])[0]), of("/now/s"), "s_3");
     // tan α = e/(s₀) at rest: the offset over √((r₀ + r_r)² − e²).
     near(number(&found[6]).abs().tan(), 10.0 / (40f64 * 40.0 - 100.0).sqrt(), find[6]);
-    // A cam with this base circle is not undercut, one with a smaller is.
+    // A cam with this base circle is not undercut, one with a smaller one is.
     let least = number(&found[7]) * 1e3;
     let undercut = |base: f64| {
         let run = hodograph().args(["cam", "templates/cam-offset-roller.json", "--set", &format!("r0={base}")]).output().unwrap();
@@ -117,7 +119,8 @@ fn a_cam_answers_what_its_report_prints() {
     assert!(undercut(least * 0.999) && !undercut(least * 1.001), "{least}");
 }
 
-/// The contact lies from the axis of the follower as far as s′ is, over a turn at most h/(2·Φ/π) for a harmonic law.
+/// The distance of the contact from the follower's axis is s′, over a turn at most h/(2·Φ/π) for a
+/// harmonic law.
 #[test]
 fn the_half_length_of_a_face_is_the_greatest_rate() {
     let scene = r#"{"units": {"length": "mm"}, "links": {"1": ["O"], "2": ["O"], "3": ["B"]}, "ground": "1", "points": {"O": [0, 0]},
@@ -128,7 +131,7 @@ fn the_half_length_of_a_face_is_the_greatest_rate() {
     near(number(&asked(scene)[0]), 0.02, "face_half_3");
 }
 
-/// `centres` and `solve` give a centre at infinity one direction.
+/// `centres` and `solve` give a centre at infinity the same direction.
 #[test]
 fn a_centre_at_infinity_has_one_direction() {
     let mut compared = 0;
@@ -147,7 +150,7 @@ fn a_centre_at_infinity_has_one_direction() {
     assert!(compared > 5, "only {compared}");
 }
 
-/// What belongs to a pole is drawn by the ruler, and stands in the JSON.
+/// Results at a pole are drawn by the ruler and are in the JSON.
 #[test]
 fn what_a_figure_draws_is_a_drawing_in_the_json() {
     let find = ["P_24", "J_2", "d_2", "K_2", "u_2", "rho_E", "O_E"];
@@ -162,7 +165,7 @@ fn what_a_figure_draws_is_a_drawing_in_the_json() {
     }
 }
 
-/// The parts of a relative acceleration are drawn along and square to the drawn v_r.
+/// The parts of a relative acceleration are drawn along and perpendicular to the drawn v_r.
 #[test]
 fn parts_along_a_path_that_no_pair_gives_are_drawn() {
     for (template, frame) in [("lathe", "T/2"), ("cam-offset-roller", "B3/2"), ("cam-eccentric", "E3/2")] {
@@ -179,7 +182,7 @@ fn parts_along_a_path_that_no_pair_gives_are_drawn() {
     }
 }
 
-/// The construction of a design as JSON: each mark with its place.
+/// The construction of a design as JSON: each point with its place.
 #[test]
 fn the_construction_of_a_design_for_programs() {
     let folder = tempfile::tempdir().unwrap();
@@ -203,7 +206,7 @@ fn a_function_beside_pairs_is_told_as_what_it_is() {
     assert!(said.contains("`function` and `pairs` are both given") && !said.contains("missing-key"), "{said}");
 }
 
-/// The lever of a disc on a coupler, known by its pivot alone.
+/// The lever of a disc on a coupler, given by its pivot alone.
 fn lever(face: &str, more: &str) -> String {
     format!(
         r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["A", "D", "F"], "2": ["A", "B"], "3": ["B", "C", "G"], "4": ["C", "D"], "5": ["F"]}},
@@ -227,7 +230,8 @@ fn the_point_of_a_face_says_on_which_side_it_lies() {
     }
 }
 
-/// A contact that does not come about is told as a contact, not as the pin and guide that stand for it.
+/// A contact that does not occur is reported as a contact, not as the pin and guide that replace
+/// it.
 #[test]
 fn a_missed_contact_is_told_in_the_words_of_the_scene() {
     let run = hodograph().args(["solve", "-"]).write_stdin(lever(r#""angle": "atan(7/24)", "offset": "6.7 mm""#, "")).assert().code(2);
@@ -248,7 +252,7 @@ fn a_shaky_mechanism_is_called_so() {
     }
 }
 
-/// Ball's point is constructed: each letter that a step uses is brought by a step before it.
+/// Ball's point is constructed: each letter used by a step is introduced by an earlier step.
 #[test]
 fn the_point_of_ball_is_constructed() {
     let run = hodograph().args(["curvature", "templates/crank-rocker.json", "--steps"]).assert().success();
@@ -266,7 +270,7 @@ fn inversions_of_the_slider_crank_have_their_names() {
     }
 }
 
-/// The mark of tangential parts is the notation's.
+/// Tangential parts have the mark of the notation.
 #[test]
 fn tangential_parts_bear_the_mark_of_the_notation() {
     let folder = tempfile::tempdir().unwrap();
@@ -275,7 +279,8 @@ fn tangential_parts_bear_the_mark_of_the_notation() {
     hodograph().args(["draw", "templates/crank-rocker.json", "--style"]).arg(&style).arg("-o").arg(&out).assert().success();
     let sheet = std::fs::read_to_string(&out).unwrap();
     assert!(sheet.contains('τ'), "no tau");
-    // Composite motion, in its figure and in its text, and a plate that turns in space, in formulas, steps and answers.
+    // Composite motion, in its figure and in its text, and a plate that turns in space, in
+    // formulas, steps and answers.
     let lever = ["draw", "templates/slotted-lever.json", "--figure", "composite", "--style"];
     hodograph().args(lever).arg(&style).arg("-o").arg(&out).assert().success();
     let figure = std::fs::read_to_string(&out).unwrap();

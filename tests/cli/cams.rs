@@ -1,4 +1,4 @@
-//! `hodograph cam`: report, figures, the profile for who mills it.
+//! `hodograph cam`: report, figures, the profile for milling.
 
 use super::{hodograph, text};
 
@@ -28,11 +28,12 @@ fn a_cam_is_told_drawn_and_written_out() {
     hodograph().args(["cam", "templates/cam-valve-train.json", "--profile"]).arg(&dxf).assert().success();
     let drawing = std::fs::read_to_string(dxf).unwrap();
     let count = |what: &str| drawing.lines().filter(|l| *l == what).count();
-    // Two arcs and two flanks stay what they are; the centre is a cross.
+    // Two arcs and two flanks are kept; the centre is a cross.
     assert_eq!((count("ARC"), count("LINE"), count("POLYLINE")), (2, 4, 0), "{drawing}");
 }
 
-/// A straight flank has no number for its radius: an empty field, null, and infinity in binary tables; the row is there.
+/// The radius of a straight flank is not a number: an empty field, null, and infinity in binary
+/// tables; the row exists.
 #[test]
 fn an_infinite_radius_has_a_row_in_every_table() {
     let out = tempfile::tempdir().unwrap();
@@ -69,7 +70,8 @@ fn a_cam_for_programs() {
 #[test]
 fn what_does_not_work_is_told() {
     let run = |args: &[&str]| text(&hodograph().arg("cam").args(args).output().unwrap().stderr);
-    // Case cam-undercut: the pitch curve bends with 19 mm at the end of the rise, the roller has 25 mm.
+    // Case cam-undercut: the pitch curve has a radius of 19 mm at the end of the rise, the roller
+    // one of 25 mm.
     let sharp = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/templates/cam-offset-roller.json")).unwrap();
     let sharp = sharp.replace(
         "\"over\": \"120 deg\", \"law\": \"cycloidal\"}, {\"dwell\": \"60 deg\"",
@@ -93,8 +95,8 @@ fn what_does_not_work_is_told() {
     }
 }
 
-/// A swinging flat face on a profile of several pieces: the contact goes from piece to piece in a sweep, whether the face is told by a line or by
-/// the pivot alone.
+/// A swinging flat face on a profile of several pieces: in a sweep the contact passes from piece to
+/// piece, whether the face is given by a line or by the pivot alone.
 #[test]
 fn a_swinging_face_goes_over_its_joints_with_a_line_and_without() {
     let scene = |points: &str, face: &str| {

@@ -1,4 +1,4 @@
-//! Synthesis files at the doors of scenes: figures of any candidate, worksheets, lessons.
+//! Synthesis files in the commands for scenes: figures of any candidate, worksheets, lessons.
 
 use super::hodograph;
 use hodograph::synthesis::templates;
@@ -61,7 +61,7 @@ fn any_candidate_is_drawn_and_one_that_is_not_there_is_told() {
     assert!(!folder.path().join("x.html").exists() && !folder.path().join("x").exists());
 }
 
-/// Ranges of the lengths of a four-bar, and what is no four-bar.
+/// Ranges of the lengths of a four-bar, and the refusal of other mechanisms.
 #[test]
 fn ranges_of_lengths_are_told() {
     let run = hodograph().args(["limits", &super::templates_path("crank-rocker"), "--ranges"]).assert().success();
@@ -73,7 +73,8 @@ fn ranges_of_lengths_are_told() {
     hodograph().args(["limits", &super::templates_path("slider-crank"), "--ranges"]).assert().code(2);
 }
 
-/// A pipe gives its bytes once: a command that looks whether they are a scene or a synthesis does not lose them.
+/// A pipe gives its bytes once: a command that examines whether they are a scene or a synthesis
+/// does not lose them.
 #[test]
 fn what_comes_through_a_pipe_is_read_once() {
     let folder = folder();

@@ -1,4 +1,4 @@
-//! What the documents show is run: their commands, and the scene of the README.
+//! Runs the contents of the documents: their commands, and the scene of the README.
 
 use super::hodograph;
 use assert_cmd::Command;
@@ -7,8 +7,8 @@ use hodograph::scene;
 use serde_json::Value;
 use std::path::Path;
 
-/// Every command line in a `sh` block of the README and the guide runs as it stands, in order, in an empty
-/// folder.
+/// Every command line in a `sh` block of the README and the guide runs unchanged, in order, in an
+/// empty folder.
 #[test]
 fn commands_of_the_documents_run() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -45,7 +45,7 @@ fn commands_of_the_documents_run() {
     }
 }
 
-/// The scene that the README shows is read and solved.
+/// The scene in the README is read and solved.
 #[test]
 fn the_scene_of_the_readme_is_solved() {
     let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
@@ -58,7 +58,7 @@ fn the_scene_of_the_readme_is_solved() {
 fn the_description_shows_what_can_be_read() {
     let text = include_str!("../../docs/scene.md");
     let blocks = text.split("```json\n").skip(1).filter_map(|b| b.split("```").next());
-    // What has no links is no scene; the tests of motions read it.
+    // A file without links is not a scene; the tests of motions read it.
     let blocks: Vec<&str> = blocks.filter(|b| !b.starts_with('{') || b.contains("\"links\"")).collect();
     assert_eq!(scene::read(blocks[0]).unwrap().notes, []);
     let schema: Value = serde_json::from_str(scene::schema::schema()).unwrap();
@@ -71,7 +71,7 @@ fn the_description_shows_what_can_be_read() {
         all.as_object_mut().unwrap().extend(part.as_object().unwrap().clone());
         let faults: Vec<String> = validator.iter_errors(&all).map(|e| format!("{}: {e}", e.instance_path())).collect();
         assert!(faults.is_empty(), "{section}: {faults:#?}");
-        // The reader has nothing against its shape either; what it names need not be in the first scene.
+        // The reader accepts its shape too; names in it need not be in the first scene.
         let said = scene::read(all.to_string()).map_or_else(|faults| faults.list, |read| read.notes);
         let of_shape = |code: &str| ["duplicate-key", "empty", "too-many", "unknown-key", "wrong-count", "wrong-type"].contains(&code);
         let faults: Vec<_> = said.iter().filter(|d| of_shape(d.code)).collect();
@@ -87,7 +87,8 @@ fn the_style_in_the_guide_is_read() {
     assert_ne!(read, Style::default());
 }
 
-/// Counting asks neither for rates nor for profiles; where the pose is told there are drawings, else links and pairs are listed.
+/// Counting needs neither velocities nor profiles; with a pose there are drawings, else links and
+/// pairs are listed.
 #[test]
 fn worksheets_on_mobility_need_no_rates() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,5 @@
-//! Faults for programs: `--errors json`, `explain`, the schemas of what is printed as JSON, docs/errors.md.
+//! Faults for programs: `--errors json`, `explain`, the schemas of the printed JSON,
+//! docs/errors.md.
 
 use super::{hodograph, templates_path, text};
 use serde_json::Value;
@@ -56,7 +57,7 @@ fn faults_of_broken_scenes_are_one_document_of_the_schema() {
         let list = told["diagnostics"].as_array().unwrap();
         assert_eq!(list.is_empty(), said.is_empty(), "{path}");
         for d in list {
-            // As the text for people has it.
+            // As in the text for people.
             assert!(said.contains(d["code"].as_str().unwrap()), "{path}: {d}\n{said}");
             let place = &d["place"];
             if place.is_null() {
@@ -78,16 +79,16 @@ fn whatever_is_told_on_standard_error_is_the_document() {
     let shaper = templates_path("shaper");
     let both = ["sweep", &shaper, "--set", "nothing=1", "--set", "other"];
     let told: &[(&[&str], i32, &[&str])] = &[
-        // The arguments themselves, and both languages of them.
+        // The arguments themselves, in both languages.
         (&["solve"], 2, &["usage"]),
         (&["frobnicate"], 2, &["usage"]),
         (&["solve", "x.json", "--digits", "99"], 2, &["usage"]),
         (&["solve", "x.json", "--lang", "zh", "--digits", "99"], 2, &["usage"]),
-        // A file that is not there, one that cannot be written, faults in two arguments.
+        // A missing file, one that cannot be written, faults in two arguments.
         (&["solve", "not-there.json"], 2, &["cannot-read"]),
         (&["new", "crank-rocker", "-o", "tests/bad/README.md/x"], 1, &["cannot-write"]),
         (&both, 2, &["unknown-parameter", "set"]),
-        // Nothing to be told; help; a note; a warning with an exit code of its own.
+        // Nothing to report; help; a note; a warning with an exit code of its own.
         (&["templates"], 0, &[]),
         (&["solve", "--help"], 0, &[]),
         (&["solve", "tests/bad/dead-centre.json"], 4, &["dead-centre"]),
@@ -107,7 +108,7 @@ fn whatever_is_told_on_standard_error_is_the_document() {
     let message = &usage["diagnostics"][0]["message"];
     assert!(message["en"].as_str().unwrap().contains("not a whole number from 1 to 30"), "{message}");
     assert!(message["zh"].as_str().unwrap().contains("不是 1 到 30 的整数"), "{message}");
-    // The option is of every command and stands anywhere; without it the text stays.
+    // Every command accepts the option, in any place; without it the text stays.
     let run = hodograph().args(["solve", "not-there.json", "--errors=json"]).assert().code(2);
     assert!(text(&run.get_output().stderr).starts_with("{\n  \"schema\": \"hodograph/errors/1\""));
     let run = hodograph().args(["solve", "not-there.json", "--errors=text"]).assert().code(2);
@@ -126,7 +127,8 @@ fn answers_as_json_fit_their_schema() {
           "points": {"A": [0,0], "B": [2,0], "C": [7,0], "D": [4,-4]}, "driver": {"link": "3", "omega": "1 rad/s"}, "find": ["omega_1", "v_C"]}"#,
     )
     .unwrap();
-    // Templates and motions; a pose next to a toggle, a dead centre; singular scenes and those that once went wrong; tolerances.
+    // Templates and motions; a pose next to a toggle, a dead centre; singular scenes and scenes of
+    // past faults; tolerances.
     let mut all = [scenes("templates"), scenes("tests/repro"), scenes("templates/particle"), scenes("tests/bad")].concat();
     all.extend([root().join("docs/near-toggle.json"), parallel]);
     let every = super::wide::every(3);
@@ -150,7 +152,7 @@ fn answers_as_json_fit_their_schema() {
         }
     }
     assert!(seen > 20 && unanswered >= 2 && motions >= 1, "{seen} {unanswered} {motions}");
-    // Design tasks have the same document, with a construction where one is asked for.
+    // Design tasks have the same document, with a construction if requested.
     let tasks = scenes("templates/synthesis");
     for path in &tasks {
         for options in [&[][..], &["--steps"]] {
@@ -189,7 +191,7 @@ fn a_code_is_explained_with_cause_and_cure() {
     }
 }
 
-/// The page of all codes, made of what the program tells.
+/// The page of all codes, made from the program's output.
 fn page() -> String {
     let all: Value = serde_json::from_str(&printed(&["explain", "--json"])).unwrap();
     let word = |of: &Value| of.as_str().unwrap().to_owned();

@@ -1,4 +1,5 @@
-//! Exit codes: the one that is due, whoever listens; the same from every command that works a scene.
+//! Exit codes do not depend on whether the output is read; every command that solves a scene gives
+//! the same.
 
 use super::wide::every;
 use super::{hodograph, templates_path, text};
@@ -6,7 +7,8 @@ use std::fs::{self, OpenOptions};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-/// A dead centre, a broken scene, a sound one with a note, a file that cannot be written, arguments that are none.
+/// A dead centre, a broken scene, a sound one with a note, a file that cannot be written, invalid
+/// arguments.
 const RUNS: [(&str, i32); 9] = [
     ("solve tests/bad/dead-centre.json", 4),
     ("solve tests/bad/no-driver.json", 2),
@@ -31,7 +33,7 @@ fn the_exit_code_is_due_whoever_listens() {
         let words: Vec<&str> = command.split(' ').collect();
         let run = program().args(&words).stdout(Stdio::null()).stderr(full()).status().unwrap();
         assert_eq!(run.code(), Some(due), "{command} 2>/dev/full");
-        // A reader that has gone before the first byte, of both streams.
+        // A reader that has closed before the first byte, for both streams.
         for both in [false, true] {
             let (reader, writer) = std::io::pipe().unwrap();
             drop(reader);
@@ -40,7 +42,8 @@ fn the_exit_code_is_due_whoever_listens() {
             let run = if both { run.stderr(Stdio::from(writer)) } else { run.stderr(Stdio::null()) };
             assert_eq!(run.status().unwrap().code(), Some(due), "{command} | head -c0");
         }
-        // What is printed there is lost: that is an output which could not be written, unless there is something worse.
+        // Output printed there is lost: it counts as an output that could not be written, unless
+        // there is a worse fault.
         let run = program().args(&words).stdout(full()).output().unwrap();
         let said = text(&run.stderr);
         let told = if due == 0 || due == 4 { 1 } else { due };
@@ -55,7 +58,7 @@ fn the_exit_code_is_due_whoever_listens() {
     }
 }
 
-/// Scenes in strange poses: those that once went wrong, the broken ones, templates at their limits.
+/// Scenes in unusual poses: scenes of past faults, broken scenes, templates at their limits.
 fn strange(folder: &std::path::Path) -> Vec<PathBuf> {
     let mut all: Vec<PathBuf> = ["tests/repro", "tests/bad"]
         .iter()

@@ -1,4 +1,4 @@
-//! What draws: figures in every format, worksheets, fonts, paths, positions.
+//! Commands that draw: figures in every format, worksheets, fonts, paths, positions.
 
 use super::{hodograph, templates_path, text};
 use std::path::Path;
@@ -13,7 +13,8 @@ fn draws_svg_and_png_whole() {
     assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 2, "nothing else is left behind");
 }
 
-/// What moves by laws of time is swept, drawn and taught through time; several drivers are, when asked.
+/// Motion by laws of time is swept, drawn and taught through time; so are several drivers on
+/// request.
 #[test]
 fn laws_of_time_go_on_with_the_time() {
     let out = tempfile::tempdir().unwrap();
@@ -22,13 +23,14 @@ fn laws_of_time_go_on_with_the_time() {
     let rows = told(&["sweep", plate, "--steps", "4", "--find", "v_M"]);
     let row = |k: usize| rows.lines().nth(k).unwrap().split(',').map(|v| v.parse::<f64>().unwrap()).collect::<Vec<_>>();
     assert!(rows.starts_with("t [s],v_M.x"), "{rows}");
-    // At 2 s: ω = 2 rad/s about O, M 16 cm up its groove, which lies 10 cm from O and in which it runs at 16 cm/s.
+    // At 2 s: ω = 2 rad/s about O, M 16 cm along its groove, which is 10 cm from O and in which it
+    // moves at 16 cm/s.
     let (omega, vr) = (2.0_f64, 0.16);
     let meant = (omega * 0.16).hypot(omega * 0.1 + vr);
     assert_eq!((row(1)[0], row(1)[3], row(5)[0]), (0.0, 0.0, 2.0));
     assert!((row(5)[3] - meant).abs() < 1e-12, "{} against {meant}", row(5)[3]);
     assert_eq!(rows, told(&["sweep", plate, "--over", "t", "--from", "0", "--to", "2 s", "--steps", "4", "--find", "v_M"]));
-    // The driver alone, at the rate of the instant, is asked for by its name.
+    // The driver alone, at the angular velocity of the instant, is requested by its name.
     assert!(told(&["sweep", plate, "--over", "phi_2", "--steps", "4"]).starts_with("phi_2 [rad]"));
     let written = |args: &[&str], file: &str| {
         let path = out.path().join(file);
@@ -49,7 +51,8 @@ fn laws_of_time_go_on_with_the_time() {
     assert!(text(&length.get_output().stderr).contains("a time is wanted"));
 }
 
-/// One size for all frames, as many as were asked for, and back the same way where the driver does not turn fully.
+/// All frames have one size and are as many as requested; the motion returns the same way where the
+/// driver does not turn fully.
 #[test]
 fn a_motion_is_a_gif_an_svg_or_numbered_pictures() {
     let out = tempfile::tempdir().unwrap();
@@ -65,7 +68,7 @@ fn a_motion_is_a_gif_an_svg_or_numbered_pictures() {
     assert!(roxmltree::Document::parse(&svg).is_ok() && svg.contains("dur=\"2s\""), "{}", &svg[..500]);
     let (_, said) = run("templates/toggle-press.json", "film/turn.png", &[]);
     let pictures: Vec<Vec<u8>> = said.lines().map(|name| std::fs::read(name.trim()).unwrap()).collect();
-    // Width and height stand at fixed places of a PNG.
+    // Width and height are at fixed places of a PNG.
     let size = |p: &Vec<u8>| [16, 20].map(|k| u32::from_be_bytes(p[k..k + 4].try_into().unwrap()));
     assert_eq!(pictures.len(), 4);
     assert!(pictures.iter().all(|p| size(p) == size(&pictures[0]) && size(p).iter().all(|side| side % 2 == 0)));
@@ -74,7 +77,7 @@ fn a_motion_is_a_gif_an_svg_or_numbered_pictures() {
     assert!(text(&bad.get_output().stderr).contains("ends in none of .gif, .svg, .png"));
 }
 
-/// A plate for each group and level, and no vector left out of them.
+/// There is a plate for each group and level, and no vector is missing from them.
 #[test]
 fn plates_show_what_each_group_adds() {
     let out = tempfile::tempdir().unwrap();
@@ -122,14 +125,15 @@ fn a_font_of_ones_own_sets_the_figures() {
     assert!(!said.contains("font"), "{said}");
     assert_eq!(text(&usual).matches("<use").count(), text(&italic).matches("<use").count());
     assert!(text(&italic).contains("id=\"gp") && !text(&usual).contains("id=\"gp"));
-    // A font that lacks letters leaves them to the bundled ones, and says so.
+    // A font that lacks letters leaves them to the bundled ones, with a note.
     let (signs, said) = draw("signs.svg", &["crates/paper/fonts/song-gb1-cff.otf"]);
     assert!(text(&signs).contains("id=\"go"), "Chinese words come from it");
     assert!(text(&signs).contains("id=\"gi"), "slanted letters from the bundled italic");
     assert!(!said.contains("error"), "{said}");
     let (pdf, _) = draw("own.pdf", &["crates/paper/fonts/tinos-italic.ttf", "crates/paper/fonts/tinos-normal.ttf"]);
     assert!(pdf.starts_with(b"%PDF-1.7"));
-    // A style file names its fonts from where it is; every command that draws takes it, or the font alone.
+    // Paths of fonts are relative to the style file; every command that draws accepts it, or the
+    // font alone.
     std::fs::create_dir(out.path().join("type")).unwrap();
     for (from, to) in [("tinos-italic.ttf", "type/slanted.ttf"), ("tinos-normal.ttf", "type/upright.ttf")] {
         std::fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/paper/fonts").join(from), out.path().join(to)).unwrap();
@@ -152,7 +156,7 @@ fn a_font_of_ones_own_sets_the_figures() {
             let run = hodograph().args(command).args(scene).args(look).arg("-o").arg(&file).assert().success();
             (text(&std::fs::read(&file).unwrap()), text(&run.get_output().stderr))
         };
-        // What costs are measured of has no quantities.
+        // The measurement of accuracy has no quantities.
         let letters = command[0] != "accuracy";
         let (drawn, _) = run(["--style", style.to_str().unwrap()]);
         assert!(drawn.contains("id=\"go") && drawn.contains("id=\"gp") == letters && !drawn.contains("id=\"gi"), "{command:?}");
@@ -183,7 +187,7 @@ fn a_worksheet_in_each_format() {
         let file = out.path().join(format!("sheet.{ending}"));
         let run = hodograph().args(["worksheet", "templates/shaper.json", "-o"]).arg(&file).assert().success();
         assert!(std::fs::read(&file).unwrap().starts_with(begins.as_bytes()), "{ending}");
-        // Every file that was written is named, each on its line.
+        // Every written file is named, each on its line.
         for line in text(&run.get_output().stdout).lines() {
             assert!(Path::new(line).exists(), "{line}");
         }
@@ -204,7 +208,7 @@ fn a_worksheet_that_cannot_be_is_told() {
     assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 0);
 }
 
-/// A path as a file of its own; what has no path is told with the point, and nothing is written.
+/// A path gets a file of its own; a point without path is reported, and nothing is written.
 #[test]
 fn a_path_is_drawn_or_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -225,7 +229,8 @@ fn a_path_is_drawn_or_refused() {
     assert!(!folder.path().join("bad.svg").exists() && !folder.path().join("bad.txt").exists());
 }
 
-/// `--poses` is a table of positions as the sheet, an overlay with the mechanism; each keeps its own file.
+/// `--poses` gives a table of positions for the sheet, an overlay for the mechanism; each has its
+/// own file.
 #[test]
 fn positions_make_a_sheet_or_lie_over_one_another() {
     let folder = tempfile::tempdir().unwrap();
@@ -235,7 +240,7 @@ fn positions_make_a_sheet_or_lie_over_one_another() {
     };
     run(&["-o", "out", "--format", "svg", "--poses", "4", "--figure", "sheet,mechanism"]);
     let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
-    // A table that is higher than a page makes several.
+    // A table higher than a page takes several pages.
     let (sheet, over) = (read("slider-crank-poses-1.svg") + &read("slider-crank-poses-2.svg"), read("slider-crank-mechanism.svg"));
     for k in 1..=4 {
         assert!(sheet.contains(&format!("id=\"pose-{k}-vel-rel-C-B\"")), "pose {k}");
@@ -245,7 +250,8 @@ fn positions_make_a_sheet_or_lie_over_one_another() {
     assert!(folder.path().join("vectors.svg").exists());
 }
 
-/// A wheel that is nothing but its centre has no angle to show, and a train that stands nowhere has none at all.
+/// A wheel that consists of its centre alone has no angle to show, and a train without given places
+/// has none at all.
 #[test]
 fn gears_and_wheels_have_line_diagrams() {
     let out = tempfile::tempdir().unwrap();
@@ -258,7 +264,7 @@ fn gears_and_wheels_have_line_diagrams() {
     }
 }
 
-/// A drawing without a figure is no drawing: what was asked for has no step.
+/// A drawing without a figure is refused: the requested figure has no step.
 #[test]
 fn no_figure_is_told() {
     let out = tempfile::tempdir().unwrap();

@@ -1,4 +1,5 @@
-//! Files: nothing that is there is lost, nothing half-written is left, and what is written goes where it was meant to go.
+//! Files: no existing file is lost, no half-written file remains, and output goes to its given
+//! place.
 
 use super::{batch, hodograph, started, text};
 use std::fs;
@@ -19,7 +20,7 @@ fn lines(path: &Path) -> usize {
     fs::read(path).map_or(0, |b| b.iter().filter(|c| **c == b'\n').count())
 }
 
-/// Runs a batch until its journal tells of some pieces, then ends it without a word.
+/// Runs a batch until its journal lists some pieces, then kills it.
 fn killed(out: &Path) {
     let journal = beside(out, ".part.journal");
     let mut run = started(&batch("8000", out));
@@ -43,7 +44,7 @@ fn of_two_batches_to_one_file_one_is_told_and_the_other_is_whole() {
         assert!(first.try_wait().unwrap().is_none(), "the first batch was over too soon");
         std::thread::sleep(Duration::from_millis(1));
     }
-    // By its name, by another name, with another question.
+    // By its name, by another name, with another job.
     for arguments in [batch("8000", &out), batch("8000", &link), batch("100", &out)] {
         let run = hodograph().args(arguments).assert().code(1);
         assert!(text(&run.get_output().stderr).contains("another run is writing it"));
@@ -86,7 +87,7 @@ fn nothing_that_is_read_is_written_over() {
         let said = text(&run.stderr);
         let code = run.status.code();
         assert!(code == Some(2) && said.contains("would destroy it"), "{arguments}: {said}");
-        // A folder on the way is made first: only then the name leads back to the scene.
+        // Missing folders are created first: only then the name leads back to the scene.
         let _ = fs::remove_dir(at("new"));
         for name in ["my.json", "q.svg", "q.html", "q.md", "q.csv", "q.pdf"] {
             assert_eq!(fs::read_to_string(at(name)).unwrap(), scene, "{arguments}");
@@ -188,7 +189,7 @@ fn rights_stay_and_protected_files_too() {
     assert_eq!(count(folder.path()), 3, "nothing else is left behind");
 }
 
-/// What stands under the names of a part and its journal and is not ours stays as it is.
+/// A foreign file under the name of a part or a journal stays unchanged.
 #[test]
 fn a_part_takes_nobodys_place() {
     type Lay = fn(&Path, &Path);
@@ -216,7 +217,7 @@ fn a_part_takes_nobodys_place() {
     }
 }
 
-/// Bytes that are not those that were written are found, wherever they are, and the table is what it would have been.
+/// Changed bytes are detected anywhere, and the table is the same as without them.
 #[test]
 fn changed_bytes_are_found() {
     let folder = tempfile::tempdir().unwrap();
@@ -256,7 +257,7 @@ fn files_of_one_command_appear_together_or_not_at_all() {
         ),
         ("animate templates/crank-rocker.json --frames 4 --dpi 40 -o turn.png", "turn-003.png", &["turn-001.png", "turn-002.png"]),
     ] {
-        // One of the names is taken by a folder; of the others one stands there already.
+        // One of the names is taken by a folder; one of the other files already exists.
         fs::create_dir(at(barred)).unwrap();
         fs::write(at(others[0]), "before").unwrap();
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -270,7 +271,7 @@ fn files_of_one_command_appear_together_or_not_at_all() {
     }
 }
 
-/// What a killed run left goes with the next; what a run that is still there has under way stays.
+/// The next run removes the files of a killed run; those of a running one stay.
 #[test]
 fn the_next_run_clears_what_a_killed_one_left() {
     let folder = tempfile::tempdir().unwrap();
@@ -293,7 +294,7 @@ fn the_next_run_clears_what_a_killed_one_left() {
     while fs::read_dir(folder.path()).unwrap().flatten().all(|f| f.metadata().map_or(0, |m| m.len()) == 0) {
         std::thread::sleep(Duration::from_millis(1));
     }
-    // A name that only looks like ours is not ours.
+    // A foreign file with a similar name stays.
     fs::write(folder.path().join(".hodograph-notes.tmp"), "mine").unwrap();
     hodograph().args(["new", "crank-rocker", "-o"]).arg(folder.path().join("new.json")).assert().success();
     assert!(live.wait().unwrap().success());
@@ -326,7 +327,7 @@ fn endings_may_be_written_large() {
     hodograph().args(["draw", "templates/crank-rocker.json", "--style"]).arg(style).arg("-o").arg(out).assert().success();
 }
 
-/// Where the disk takes no byte more, nothing of a command is left behind.
+/// On a full disk, no part of an output remains.
 #[test]
 fn a_full_disk_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
@@ -340,7 +341,8 @@ fn a_full_disk_leaves_nothing() {
         (format!("sweep {root}/templates/crank-rocker.json --steps 2000 -o s.csv"), 2),
         (format!("lesson {root}/templates/crank-rocker.json --positions 8 -o l.html"), 1),
     ] {
-        // A file may have so many blocks of 512 bytes; the signal that the shell's limit sends is not what a full disk does.
+        // A file may have this number of blocks of 512 bytes; a full disk does not send the signal
+        // of the shell's limit.
         let limited = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" {command}");
         let run =
             std::process::Command::new("sh").args(["-c", &limited, env!("CARGO_BIN_EXE_hodograph")]).current_dir(folder.path()).output();

@@ -1,9 +1,10 @@
-//! In which language the program speaks: that of `--lang`, else the scene's, else English; the help in that of the machine too.
+//! The language of the program: that of `--lang`, else the scene's, else English; for the help also
+//! that of the system.
 
 use super::wide::every;
 use super::{hodograph, text};
 
-/// What is said on standard error of a scene, and printed.
+/// Returns the text on standard error for a scene, and the printed text.
 fn told(arguments: &[&str], scene: &str) -> (String, String) {
     let run = hodograph().args(arguments).write_stdin(scene).assert();
     (text(&run.get_output().stderr), text(&run.get_output().stdout))
@@ -13,12 +14,13 @@ fn is_chinese(text: &str) -> bool {
     text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c))
 }
 
-/// A text but for the lines that quote the scene.
+/// A text without the lines that quote the scene.
 fn own_words(text: &str) -> String {
     text.lines().filter(|l| !l.contains('│') || l.trim_start().starts_with('│')).collect::<Vec<_>>().join("\n")
 }
 
-/// The line with two small English words side by side, if there is one; commands are no words.
+/// Returns a line with two neighbouring lower-case English words, if any; commands do not count as
+/// words.
 fn english(text: &str) -> Option<&str> {
     let small = |w: &str| w.len() > 2 && w.chars().all(|c| c.is_ascii_lowercase());
     text.lines()
@@ -41,7 +43,7 @@ fn a_fault_is_told_in_the_language_of_the_command_line_or_of_the_scene() {
         assert_eq!(is_chinese(&said), chinese, "{arguments:?} {language}:\n{said}");
         assert!(said.contains("gruond"));
     }
-    // What cannot be taken apart has no language.
+    // A file that cannot be parsed has no language.
     assert!(!is_chinese(&told(&["solve", "-"], "{\"language\": \"zh\", ").0));
     assert!(is_chinese(&told(&["solve", "-", "--lang", "zh"], "{").0));
 }
@@ -67,7 +69,7 @@ fn every_command_that_takes_a_scene_speaks_chinese() {
         "curvature",
         "inversions",
     ] {
-        // A scene that is not there; a scene that cannot be assembled; an ending that is none.
+        // A missing scene; a scene that cannot be assembled; an invalid ending.
         let more: &[&str] = match command {
             "worksheet" => &["-o", "x.md"],
             "batch" => &["--vary", "l=1..2:2", "-o", "x.csv"],
@@ -140,14 +142,14 @@ fn headed_by_a_code(line: &str) -> bool {
     line.contains(':') && head.contains('-') && head.bytes().all(|b| b.is_ascii_lowercase() || b == b'-')
 }
 
-/// A Chinese character, and right behind it a mark of the other script.
+/// True if a Chinese character is directly followed by a half-width mark.
 fn half_width(text: &str) -> bool {
     let chars: Vec<char> = text.chars().collect();
     chars.windows(2).any(|w| is_chinese(&w[0].to_string()) && [',', ':', ';'].contains(&w[1]))
 }
 
-/// Chinese sentences have the marks of their language: no English comma, colon or semicolon stands in them, but in brackets and in what is quoted,
-/// none right behind a character anywhere, and no code begins one.
+/// Chinese sentences use full-width punctuation: no English comma, colon or semicolon except in
+/// brackets and quotations, none directly after a Chinese character, and no code at the beginning.
 #[test]
 fn chinese_has_its_own_punctuation() {
     let (mut looked, mut faults) = (0, Vec::new());
@@ -201,7 +203,8 @@ fn chinese_has_its_own_punctuation() {
     assert!(faults.is_empty(), "{} lines:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// What is given of a motion is told in values and signs, not in the names and units of the file.
+/// Given data of a motion are printed as values and signs, not with the names and units of the
+/// file.
 #[test]
 fn givens_of_a_motion_are_values() {
     let folder = tempfile::tempdir().unwrap();

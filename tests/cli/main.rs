@@ -1,4 +1,4 @@
-//! The program as its user meets it: exit codes, files, help, and the commands of the documents.
+//! The program as seen by its user: exit codes, files, help, and the commands of the documents.
 
 mod asked;
 mod cams;
@@ -24,7 +24,7 @@ use std::path::Path;
 
 fn hodograph() -> Command {
     let mut c = Command::cargo_bin("hodograph").unwrap();
-    // The language of the machine is none of the tests' concern.
+    // The tests must not depend on the language of the system.
     c.current_dir(env!("CARGO_MANIFEST_DIR")).env("LC_ALL", "C");
     c
 }
@@ -33,14 +33,14 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// A batch of so many mechanisms, each at 200 positions.
+/// A batch of this number of mechanisms, each at 200 positions.
 fn batch(count: &str, out: &Path) -> Vec<String> {
     let words =
         format!("batch templates/crank-rocker.json --vary l_AB=60..260 --vary l_BC=200..300 --random {count} --steps 199 --find a_C -o");
     words.split_whitespace().map(str::to_owned).chain([out.display().to_string()]).collect()
 }
 
-/// A run under way.
+/// Starts a run without waiting for it.
 fn started(arguments: &[String]) -> std::process::Child {
     let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"));
     let run = run.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR"));
@@ -59,7 +59,7 @@ fn bad_scenes_exit_with_2_and_write_nothing() {
         if path.extension().is_none_or(|e| e != "json") {
             continue;
         }
-        // A pose in which some parts have no motion is drawn as far as it goes.
+        // A pose in which some parts have no motion is drawn as far as possible.
         let stem = path.file_stem().unwrap().to_str().unwrap().to_owned();
         let partly = ["dead-centre", "locked", "undetermined"].contains(&stem.as_str());
         let run = hodograph().arg("draw").arg(&path).arg("-o").arg(out.path()).assert().code(if partly { 4 } else { 2 });
@@ -78,7 +78,7 @@ fn an_unwritable_place_exits_with_1() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a-file");
     std::fs::write(&file, "kept").unwrap();
-    // A folder is asked for where a file stands.
+    // The output needs a folder in place of a file.
     hodograph().args(["draw", "templates/crank-rocker.json", "-o"]).arg(file.join("inside")).assert().code(1);
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
 }
@@ -107,7 +107,8 @@ fn a_plan_as_json_counts_the_work() {
     assert_eq!((&chinese["language"], &chinese["notation"]), (&"zh".into(), &"cn".into()));
     assert_eq!(json(&["--notation", "cn"])["language"], "en");
     hodograph().args(["plan", "templates/shaper.json", "--figure"]).assert().code(2);
-    // A plan needs no numbers: where the pose cannot be assembled it stands alone, and the notes say why.
+    // A plan needs no numbers: if the pose cannot be assembled it is printed alone, and the notes
+    // give the reason.
     let scene = text(&hodograph().args(["new", "crank-rocker", "--set", "l_BC=20"]).assert().success().get_output().stdout);
     let run = hodograph().args(["plan", "-", "--json"]).write_stdin(scene).assert().success();
     let alone: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
@@ -123,7 +124,8 @@ fn unknown_template_and_parameter_are_told_with_the_nearest_name() {
     assert!(text(&run.get_output().stderr).contains("NAME=VALUE"));
 }
 
-/// A parallelogram in line: answered, with the other motion beside it, and drawn as far as lines cross.
+/// A collinear parallelogram is answered, with the other motion beside it, and drawn as far as
+/// lines intersect.
 #[test]
 fn a_change_point_is_answered_and_drawn() {
     let out = tempfile::tempdir().unwrap();
@@ -217,7 +219,7 @@ fn a_pencil_is_a_length() {
         let said = text(&run.get_output().stderr);
         assert!(said.contains(words) && said.contains("--drafting"), "{length}: {said}");
     }
-    // Before the scene a bare `--drafting` would take its name.
+    // Before the scene, a bare `--drafting` would take its name.
     let run = hodograph().args(["solve", "--drafting", "templates/shaper.json"]).assert().code(2);
     assert!(text(&run.get_output().stderr).contains("after the scene"));
     let out = tempfile::tempdir().unwrap();
@@ -237,7 +239,8 @@ fn a_bad_angle_is_a_warning_with_help() {
     }
 }
 
-/// Fewer digits than asked for are a remark, never a wrong digit; programs get value, radius and rung.
+/// Fewer digits than requested cause a remark, never a wrong digit; programs get value, radius and
+/// rung.
 #[test]
 fn digits_are_printed_as_far_as_they_are_certain() {
     let near = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/near-toggle.json");
@@ -260,7 +263,8 @@ fn digits_are_printed_as_far_as_they_are_certain() {
     hodograph().args(["solve", near, "--digits", "31"]).assert().code(2);
 }
 
-/// The price of accuracy: a table of all ways, a series toward the toggle, a figure; a crank has no toggle.
+/// The cost of accuracy: a table of all methods, a series toward the toggle, a figure; a crank has
+/// no toggle.
 #[test]
 fn accuracy_tells_every_way_and_what_it_costs() {
     let folder = tempfile::tempdir().unwrap();
@@ -274,7 +278,7 @@ fn accuracy_tells_every_way_and_what_it_costs() {
     let ways = json["ways"].as_array().unwrap();
     let way = |name: &str| ways.iter().find(|w| w["way"] == name).unwrap_or_else(|| panic!("no {name}"));
     let error = |w: &serde_json::Value| w["acceleration"].as_f64().unwrap_or(f64::INFINITY);
-    // A bound is a bound, longer numbers are truer, and paper is worth nothing here.
+    // A bound is a bound, longer numbers are more accurate, and paper is worst here.
     assert!(error(way("closed form, f64")) <= error(way("certified, f64")));
     assert!(error(way("closed form, double-double")) <= error(way("certified, double-double")));
     assert!(error(way("certified, double-double")) < 1e-15 && error(way("closed form, 256 bit")) < 1e-55);
@@ -289,7 +293,8 @@ fn accuracy_tells_every_way_and_what_it_costs() {
     hodograph().args(["accuracy", near, "--patience", "1", "-o", "costs.txt"]).assert().code(2);
 }
 
-/// A group of class IV has a range and strokes; a link on three legs stops where they meet.
+/// A group of class IV has a range and strokes; a link on three legs stops where its legs intersect
+/// in one point.
 #[test]
 fn limits_of_higher_groups_are_told() {
     let scene = r#"{"links": {"1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "4": ["C","E"], "5": ["D","E","G"], "6": ["O","G"]},
@@ -321,7 +326,7 @@ fn curvature_and_inversions_are_told() {
     let run = hodograph().args(["curvature", &scene, "--json", "--centrodes"]).assert().success();
     let json: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
     assert!(json["links"][0]["apart"].as_f64().unwrap() < 1e-11 && json["links"][0]["centrodes"]["fixed"].as_array().unwrap().len() >= 720);
-    // All that is not there is told at once.
+    // All missing names are reported at once.
     let run = hodograph().args(["curvature", &scene, "--link", "9", "--point", "Z", "--against", "8"]).assert().code(2);
     let said = text(&run.get_output().stderr);
     assert!(["no link `9`", "no link `8`", "no point `Z`"].iter().all(|w| said.contains(w)), "{said}");
@@ -343,7 +348,8 @@ fn curvature_and_inversions_are_told() {
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 5);
     let run = hodograph().args(["inversions", &templates_path("planetary-gear")]).assert().success();
     let said = text(&run.get_output().stdout);
-    // The arm held: an ordinary train, −z_2/z_1; the sun held: ω_1/ω_3 = 1 + z_2/z_1; the ring held: ω_2/ω_3 = 1 + z_1/z_2.
+    // The arm held: an ordinary train, −z_2/z_1; the sun held: ω_1/ω_3 = 1 + z_2/z_1; the ring
+    // held: ω_2/ω_3 = 1 + z_1/z_2.
     for line in ["gear train with fixed axes", "= −0.5", "= 1.5", "= 3"] {
         assert!(said.contains(line), "{line} is not in\n{said}");
     }
@@ -380,7 +386,7 @@ fn centres_are_told_with_how_they_are_found() {
     assert_eq!((json["count"].as_u64(), json["by_theorem"].as_u64(), json["stalled"].as_bool()), (Some(15), Some(15), Some(false)));
     let found = json["centres"].as_array().unwrap();
     assert!(found.iter().all(|c| c["at"].is_array() != c["infinity_deg"].is_number()), "{found:?}");
-    // A scene that says nothing of rates has the same centres.
+    // A scene without angular velocities has the same centres.
     let scene = std::fs::read_to_string(&shaper).unwrap();
     let rate = scene.lines().find(|l| l.contains("\"driver\"")).unwrap();
     let without = scene.replace(rate, &rate.replace(", \"omega\": \"omega_1\"", ""));

@@ -1,4 +1,5 @@
-//! Scenes as the commands take them: with other parameters, from standard input, without what a command does not need.
+//! Scenes as input of the commands: with other parameters, from standard input, without data that a
+//! command does not need.
 
 use super::{hodograph, text};
 
@@ -57,7 +58,7 @@ fn a_parameter_of_ones_own_scene() {
     assert!(code == Some(2) && said.contains("a length is wanted here"), "{said}");
 }
 
-/// Names of points may be parted by a comma, as questions of a list are.
+/// Names of points may be separated by a comma, like the questions of a list.
 #[test]
 fn a_list_of_questions_may_hold_commas() {
     let sweep = |find: &str| {
@@ -68,18 +69,18 @@ fn a_list_of_questions_may_hold_commas() {
     for column in ["v_A,O2", "omega_1", "x_O2"] {
         assert!(head.contains(column), "{head}");
     }
-    // What a scene asks with a comma is asked again for its curves.
+    // A question with a comma is asked again for its curves.
     let out = tempfile::tempdir().unwrap();
     let with_comma = SCENE.replace("\"v_O2\"", "\"v_O2,A\", \"omega_1\"");
     hodograph().args(["curves", "-", "--steps", "4", "-o"]).arg(out.path().join("c.svg")).write_stdin(with_comma).assert().success();
 }
 
-/// How far a driver goes depends neither on how fast it goes nor on where it stands.
+/// The range of a driver depends neither on its speed nor on its angle.
 #[test]
 fn limits_need_neither_rate_nor_angle() {
     let limits = |scene: &str| {
         let run = hodograph().args(["limits", "-"]).write_stdin(scene).assert().success();
-        // Where the motion is begun decides which of its extremes is told first.
+        // The start of the motion decides which of its extremes is printed first.
         let mut lines: Vec<String> = text(&run.get_output().stdout).lines().map(str::to_owned).collect();
         lines.sort();
         lines
@@ -95,7 +96,7 @@ fn limits_need_neither_rate_nor_angle() {
     }
 }
 
-/// An answer that there is not has the keys of one that there is.
+/// A missing answer has the keys of an existing one.
 #[test]
 fn refused_answers_keep_their_keys() {
     for drafting in [&[][..], &["--drafting"]] {
@@ -124,7 +125,7 @@ fn an_unknown_ending_is_refused() {
         assert!(!path.exists());
     }
     assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 0);
-    // A folder is one that is there, or that ends as folders do.
+    // A folder is an existing one, or a name that ends like a folder's.
     let folder = format!("{}/v1.2/", out.path().display());
     for _ in 0..2 {
         let draw = ["draw", "templates/crank-rocker.json", "--format", "svg", "-o"];

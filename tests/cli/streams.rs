@@ -22,7 +22,7 @@ const ONE: [(&str, &str); 14] = [
     ("new crank-rocker", "json"),
 ];
 
-/// Options that ask for a format on standard output where it is not the usual one.
+/// Options that request a format on standard output where it is not the default.
 fn asking(command: &str, ending: &str) -> Vec<String> {
     let usual = ending != "pdf";
     let words = command.split(' ').map(str::to_owned);
@@ -66,7 +66,7 @@ fn one_result_goes_to_standard_output_alone() {
         let run = hodograph().args(command.split(' ')).assert().success();
         assert!(text(&run.get_output().stdout).starts_with(begins), "{command}: {}", text(&run.get_output().stdout));
     }
-    // Standard output may be a file, and a reader may go before the end.
+    // Standard output may be a file, and a reader may close before the end.
     let file = folder.path().join("redirected.svg");
     let to = fs::File::create(&file).unwrap();
     let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"));
@@ -94,7 +94,7 @@ fn several_results_for_one_stream_are_refused_with_advice() {
         ("accuracy T/crank-rocker.json --patience 1 -o - --json", "leave --json out"),
         ("mobility T/crank-rocker.json -o - --json", "leave --json out"),
         ("curves T/crank-rocker.json -o - --format svg,pdf", "ask for one format"),
-        // The ending says one thing, the option another; a name says nothing.
+        // Ending and option contradict each other; a name has no format.
         ("draw T/shaper.json -o sheet.svg --format png", "-o sheet --format png"),
         ("curves T/crank-rocker.json -o c.pdf --format svg", "-o c --format svg"),
         ("curves T/crank-rocker.json -o c.txt", "--format svg"),
@@ -110,7 +110,8 @@ fn several_results_for_one_stream_are_refused_with_advice() {
     }
 }
 
-/// A list with commas and an option given twice are the same everywhere; without an ending each format has its own.
+/// A list with commas and a repeated option are equivalent everywhere; without an ending each
+/// format gets its own.
 #[test]
 fn formats_are_one_list() {
     let names = |command: &str| {
@@ -134,20 +135,22 @@ fn formats_are_one_list() {
         assert_eq!(names(&format!("{command} --format {a},{b}")), wanted, "{command}");
         assert_eq!(names(&format!("{command} --format {a} --format {b} --format {a}")), wanted, "{command}");
     }
-    // An ending and the same format; one format keeps the very name; into a folder what is usual.
+    // An ending with the same format; a single format keeps the name itself; a folder takes the
+    // default formats.
     assert_eq!(names("draw T/crank-rocker.json -o sheet.svg --format svg"), "sheet.svg");
     assert_eq!(names("sweep T/crank-rocker.json --find v_C --steps 3 -o rows.txt --format csv"), "rows.txt");
     assert_eq!(names("draw T/crank-rocker.json"), "crank-rocker.png crank-rocker.svg");
 }
 
-/// Slides of one size in a width, the fragment for slides in a width; what is too narrow is refused.
+/// Slides of equal size in a given width, the fragment for slides in a width; too narrow ones are
+/// refused.
 #[test]
 fn steps_and_fragments_have_a_width() {
     let folder = tempfile::tempdir().unwrap();
     let run = |args: &str| {
         hodograph().current_dir(env!("CARGO_MANIFEST_DIR")).args(args.split(' ')).args(["-o", folder.path().to_str().unwrap()]).assert()
     };
-    // Side by side, and in a narrow column one below the other: higher than wide.
+    // Side by side, and in a narrow column stacked: higher than wide.
     for (width, narrow) in [(200, false), (80, true)] {
         run(&format!("draw templates/crank-rocker.json --steps --format svg --width {width}mm")).success();
         let sizes: Vec<String> = fs::read_dir(folder.path())

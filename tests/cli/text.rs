@@ -1,5 +1,5 @@
-//! Words that mean something to somebody else: whatever a title says, every format holds it as it stands, and what no figure can show and
-//! a terminal would obey is refused where it is written.
+//! Texts that are code in some format: every format reproduces any title literally, and characters
+//! that no figure can show and a terminal would obey are refused at their place.
 
 use super::wide::every;
 use super::{hodograph, text};
@@ -41,7 +41,7 @@ const WORDS: [&str; 25] = [
 fn scene(words: &str) -> String {
     let mut scene: Value = serde_json::from_str(&fs::read_to_string("templates/crank-rocker.json").unwrap()).unwrap();
     scene["title"] = json!(words);
-    // In a statement dollar signs and braces mean something, unless they are written so.
+    // In a statement, dollar signs and braces have a meaning unless they are escaped.
     let stated = words.replace('{', "{{").replace('}', "}}").replace('$', "\\$");
     scene["statement"] = json!(format!("{stated}\n{stated}"));
     scene.to_string()
@@ -73,7 +73,8 @@ fn markdown(source: &str) -> (Vec<String>, Vec<String>) {
     (blocks, images)
 }
 
-/// The words of a Typst document, escapes resolved; a node that is more than words, a string or a formula of ours becomes a zero.
+/// The words of a Typst document with escapes resolved; a node other than words, a string or an own
+/// formula becomes a zero.
 fn typst(node: &SyntaxNode, out: &mut String) {
     match node.kind() {
         SyntaxKind::Text | SyntaxKind::Space => out.push_str(node.leaf_text()),
@@ -102,7 +103,7 @@ fn words_are_words_in_every_format() {
 
         let md = written(folder.path(), words, "worksheet", "a.md");
         let (blocks, images) = markdown(&md);
-        // The title, the statement twice, and each picture's words.
+        // The title, the statement twice, and the words of each picture.
         assert_eq!(blocks.iter().filter(|b| **b == plain).count(), 3 + images.len(), "{words:?} in\n{}", &md[..800.min(md.len())]);
         assert!(images.iter().all(|i| folder.path().join(i).exists()) && !images.is_empty(), "{images:?}");
 
@@ -114,7 +115,7 @@ fn words_are_words_in_every_format() {
         // The title in its box, the statement in two paragraphs.
         assert_eq!(said.matches(plain.as_str()).count(), 3, "{words:?} in\n{said}");
 
-        // Of the page: the title in markup, and in the data of a script that ends where it should.
+        // For a page: the title in the markup, and in the data of a script that ends correctly.
         let page = written(folder.path(), words, "lesson --positions 8", "lesson.html");
         assert!(page.contains(&format!("<h1 id=\"title\">{}</h1>", hodograph::render::escaped(words))), "{words:?}");
         let data = hodograph::lesson::told(&page).unwrap_or_else(|| panic!("{words:?}: the page is told nothing"));
@@ -129,7 +130,8 @@ fn words_are_words_in_every_format() {
     }
 }
 
-/// A line break in a title ends no heading; the pictures of a document with a strange name are found.
+/// A line break in a title does not end a heading; the pictures of a document with a strange name
+/// are found.
 #[test]
 fn line_breaks_and_names_of_files_are_quoted() {
     let folder = tempfile::tempdir().unwrap();
@@ -156,7 +158,7 @@ fn line_breaks_and_names_of_files_are_quoted() {
     assert!(typ.contains("image(\"a<b>(c)&amp; %41 \\\\[d]\\\"e\\u{a}曲-mechanism.svg\""));
 }
 
-/// Every character that no figure can show, written as it stands or as an escape, in every text of a scene.
+/// Every character that no figure can show, literally or as an escape, in every text of a scene.
 #[test]
 fn what_cannot_be_shown_is_refused_at_its_place() {
     let plain = fs::read_to_string("templates/crank-rocker.json").unwrap();
@@ -205,7 +207,7 @@ fn what_cannot_be_shown_is_refused_at_its_place() {
         assert!(faults.list.iter().any(|d| d.code == "text"), "{key}");
         every[key] = saved;
     }
-    // Line breaks and tabs are what people write.
+    // People write line breaks and tabs.
     every["statement"] = json!("one\n\ttwo");
     assert!(hodograph::scene::read(every.to_string()).is_ok());
     let style = format!("{{ \"name\": \"{}\", \"notation\": {{ \"pole\": \"\\u001b\" }} }}", "x\u{9b}");

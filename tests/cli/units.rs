@@ -1,14 +1,15 @@
-//! Units of the book: what is printed in them is the SI value, nothing is left in SI, and what is no unit is told those that are.
+//! Units of the book: printed values are the SI values in these units, nothing is left in SI, and
+//! for an unknown unit the message lists the known ones.
 
 use super::{hodograph, text};
 use serde_json::{Value, json};
 
-/// Kind, unit, and one of it in SI units.
+/// Kind, unit, and its value in SI units.
 type Units = [(&'static str, &'static str, f64); 6];
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// No unit of the first list is an SI unit, nor the word of one.
+/// No unit of the first list is an SI unit or the name of one.
 const BOOKS: [Units; 3] = [
     [
         ("length", "in", 0.0254),
@@ -36,7 +37,7 @@ const BOOKS: [Units; 3] = [
     ],
 ];
 
-/// Scenes with a question of every kind, among them those that nothing answers but a slot.
+/// Scenes with a question of every kind, including those that only a slot answers.
 fn scenes() -> Vec<Value> {
     let of = |template: &str, find: &[&str]| {
         let mut scene: Value = serde_json::from_str(hodograph::scene::templates::get(template).unwrap()).unwrap();
@@ -58,7 +59,7 @@ fn with(scene: &Value, units: &Units) -> String {
     scene.to_string()
 }
 
-/// What a command prints for a scene.
+/// Returns the output of a command for a scene.
 fn printed(arguments: &[&str], scene: &str) -> String {
     let mut all = arguments.to_vec();
     all.insert(1, "-");
@@ -66,7 +67,7 @@ fn printed(arguments: &[&str], scene: &str) -> String {
     text(&run.get_output().stdout)
 }
 
-/// Half a unit in the last of so many digits of a number, beyond which nothing is rounded.
+/// Half a unit of the last digit of a number with this number of digits, the limit of rounding.
 fn half_a_unit(number: f64, digits: u64) -> f64 {
     0.5 * 10f64.powi(number.abs().log10().floor() as i32 + 1 - digits as i32)
 }
@@ -101,7 +102,7 @@ fn a_printed_number_times_its_unit_is_the_si_value() {
     assert!(checked > 150, "{checked}");
 }
 
-/// The formulas of a document as they are read.
+/// The formulas of a document as plain text.
 fn plain(document: &str) -> String {
     document.replace("\\text{", "").replace(['{', '}', '\\'], "")
 }
@@ -133,7 +134,7 @@ fn nothing_is_left_in_si() {
             all.push((name, text + &told));
         }
         for (name, said) in all {
-            // What is deflated in a page stands in its own telling.
+            // The deflated data of a page are read through its own decoder.
             let said: Vec<&str> =
                 said.split_inclusive(['"', '>', '<', '`']).filter(|part| part.len() < 1000 || part.contains(' ')).collect();
             let said = plain(&said.concat());
@@ -166,7 +167,7 @@ fn what_is_no_unit_is_told_those_that_fit() {
     }
 }
 
-/// Scales are round in the unit in which they are printed.
+/// Scales are round in their printed unit.
 #[test]
 fn scales_are_of_the_series_in_the_unit_of_the_book() {
     for scene in scenes() {
@@ -220,7 +221,8 @@ fn statements_hold_mathematics_and_values() {
     }
 }
 
-/// A name of two letters is near to many: all units are told, and none is guessed that measures something else.
+/// A two-letter name is similar to many: all units are listed, and no unit of another kind is
+/// proposed.
 #[test]
 fn short_names_of_units_are_not_guessed_from() {
     for (length, told) in

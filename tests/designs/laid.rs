@@ -1,9 +1,10 @@
-//! What is computed and not constructed is laid off on paper: every such design has a drawing, whose readings are the formula's numbers.
+//! Calculated designs are laid off on paper: each has a drawing, and the readings are the numbers
+//! of the formula.
 
 use hodograph::synthesis::{construct, read, solve};
 use serde_json::{Value as Json, json};
 
-/// Each candidate is drawn, and so many numbers are read off its drawing and no other.
+/// Asserts that each candidate is drawn, and that this number of values is read off its drawing.
 fn drawn(task: &Json, readings: usize) {
     let read = read(task.to_string()).unwrap_or_else(|f| panic!("{task}: {f}")).value;
     for c in &solve(&read).unwrap_or_else(|f| panic!("{task}: {f}")).candidates {
@@ -28,13 +29,13 @@ fn straight_line_linkages_are_drawn_and_measured() {
         wish
     };
     drawn(&swung("watt", 1.0), 2);
-    // The widest that a refusal names works.
+    // The widest value named in a refusal is accepted.
     for linkage in ["watt", "scott-russell", "peaucellier"] {
         let refused = read(swung(linkage, 200.0).to_string()).unwrap_err().to_string();
         let most = refused.split("at most ").nth(1).and_then(|rest| rest.split('°').next()).unwrap_or_else(|| panic!("{refused}"));
         drawn(&swung(linkage, most.parse().unwrap()), 2);
     }
-    // What a refusal of ratios names works.
+    // The ratio named in a refusal is accepted.
     for refused in [[4.0, 2.0], [0.5, 0.2], [1.0, 3.0]] {
         let mut other = wish("hoeken");
         other["ratios"] = json!(refused);
@@ -56,11 +57,11 @@ fn approximations_of_functions_are_drawn_and_measured() {
         "input": {"swing": "60 deg"}, "output": {"swing": "85 deg"}});
     drawn(&ln, 6);
     let pairs: Vec<Json> = (0..30).map(|k| json!([format!("{} deg", 40 + 3 * k), format!("{} deg", 60.0 + 2.5 * f64::from(k))])).collect();
-    // Of more positions than can be told apart twelve are drawn.
+    // Of more positions than can be distinguished, twelve are drawn.
     for (count, shown) in [(6, 6), (30, 12)] {
         drawn(&json!({"synthesis": "function", "pairs": pairs[..count]}), shown);
     }
-    // Arms that come out turned by 180°, angles below zero.
+    // Arms rotated by 180°, negative angles.
     let power = json!({"synthesis": "function", "function": {"y": "x^1.5", "from": 1, "to": 4}, "points": 7,
         "input": {"from": "30 deg", "swing": "90 deg"}, "output": {"from": "60 deg", "swing": "90 deg"}});
     drawn(&power, 4);

@@ -1,4 +1,5 @@
-//! Wishes made of random linkages: the linkage is among the candidates; and what is chosen for the author is the best there is.
+//! Tasks made from random linkages: the linkage is among the candidates; and free choices of the
+//! program are the best possible.
 
 mod laid;
 mod nearest;
@@ -15,7 +16,7 @@ fn design(task: &Json) -> Design {
     solve(&read.value).unwrap_or_else(|f| panic!("{task}: {f}"))
 }
 
-/// Numbers that need no more than be mixed (splitmix64).
+/// Pseudo-random numbers (splitmix64).
 struct Mixed(u64);
 
 impl Mixed {
@@ -32,7 +33,7 @@ fn mm(v: f64) -> Json {
     json!(format!("{v} mm"))
 }
 
-/// Whether a candidate has these numbers (mm).
+/// True if a candidate has these numbers (mm).
 fn is(c: &Candidate, wanted: &[(&str, f64)]) -> bool {
     wanted.iter().all(|(n, v)| c.number(n).is_some_and(|found| (found * 1e3 - v).abs() < 1e-7 * v.abs()))
 }
@@ -56,7 +57,7 @@ fn crank_rocker(r: &mut Mixed) -> [f64; 4] {
     }
 }
 
-/// The angle at the first of two sides.
+/// The angle between two sides of a triangle.
 fn angle(one: f64, other: f64, opposite: f64) -> f64 {
     ((one * one + other * other - opposite * opposite) / (2.0 * one * other)).acos()
 }
@@ -111,12 +112,13 @@ fn slider_cranks_and_slotted_levers_are_found_from_their_time_ratio() {
         let task = json!({"synthesis": "time-ratio", "linkage": "slotted-lever", "K": ratio, "frame": mm(frame)});
         found(&task, &[("AB", a), ("AC", frame)]);
         let inner = a * r.between(0.3, 0.8);
-        // While the lever turns from one dead line to the other the crank turns by twice the angle whose cosine is AC/AB.
+        // While the lever turns from one limit to the other, the crank turns by twice the angle
+        // with the cosine AC/AB.
         let quick = 2.0 * (inner / a).acos();
         let task =
             json!({"synthesis": "time-ratio", "linkage": "whitworth", "K": 2.0 * PI / quick - 1.0, "crank": mm(a), "stroke": "100 mm"});
         found(&task, &[("AB", a), ("AC", inner)]);
-        // What is left to the program: the slider's stroke and link, the link to the ram.
+        // Left to the program: the slider's stroke and link, the link to the ram.
         found(
             &json!({"synthesis": "time-ratio", "linkage": "whitworth", "K": 2.0 * PI / quick - 1.0, "frame": mm(inner)}),
             &[("AB", a), ("H", 2.0 * a)],
@@ -126,7 +128,7 @@ fn slider_cranks_and_slotted_levers_are_found_from_their_time_ratio() {
     }
 }
 
-/// No offset has a smaller greatest pressure angle.
+/// No offset has a smaller maximum pressure angle.
 #[test]
 fn the_best_slider_crank_is_the_best() {
     for (ratio, stroke) in [(1.1, 40.0), (1.2, 80.0), (1.4, 100.0)] {
@@ -167,7 +169,7 @@ fn linkages_are_found_from_three_places_of_their_coupler_point() {
         };
         let task = json!({"synthesis": "path", "points": [place(0), place(1), place(2)],
             "ground": {"A": [mm(0.0), mm(0.0)], "D": [mm(l[3]), mm(0.0)]}, "crank": mm(l[0]), "BE": mm(u.hypot(v))});
-        // B may lie on either side of AE in each place, and change it from one to the next.
+        // B may be on either side of AE in each place, and change sides from one to the next.
         assert!(design(&task).candidates.iter().any(|c| is(c, &[("AB", l[0]), ("BC", l[1]), ("CD", l[2])])), "{task}: {l:?}");
     }
 }
@@ -180,7 +182,8 @@ fn four(l: [f64; 4]) -> Vec<Json> {
     (0..4).map(position).collect()
 }
 
-/// Pivots within a box lie in it, and all positions are met; the best transmission angle is that of the first without defect.
+/// Pivots are found within their box, and all positions are reached; the best transmission angle is
+/// that of the first candidate without defect.
 #[test]
 fn four_positions_choose_their_pivots_in_a_box() {
     let mut r = Mixed(7);
@@ -199,7 +202,7 @@ fn four_positions_choose_their_pivots_in_a_box() {
     }
 }
 
-/// The inscribed angles of the linkage's own pivots give the linkage.
+/// The inscribed angles of the linkage's own pivots lead to the linkage.
 #[test]
 fn four_positions_find_a_linkage_by_the_inscribed_angles_of_its_pivots() {
     let mut r = Mixed(8);
@@ -223,7 +226,7 @@ fn four_positions_find_a_linkage_by_the_inscribed_angles_of_its_pivots() {
     }
 }
 
-/// What is asked of pivots where it makes no sense is told.
+/// Impossible demands on pivots are reported.
 #[test]
 fn boxes_and_angles_that_cannot_be_are_told() {
     let l = [40.0, 120.0, 100.0, 130.0];

@@ -1,4 +1,5 @@
-//! Wishes that cannot be: each is told with the nearest wish that works, and that wish, put in, works.
+//! Impossible tasks: each is refused with the nearest possible task, and that task, put in, is
+//! solved.
 
 use crate::{Mixed, mm};
 use hodograph::diag::Diagnostic;
@@ -15,7 +16,7 @@ fn numbers(text: &str) -> Vec<f64> {
     text.split(|c: char| !number(c)).map(|t| t.replace('−', "-")).filter_map(|t| t.trim_end_matches('.').parse().ok()).collect()
 }
 
-/// What is told of a wish with this code, and the wish with the numbers of the help put in.
+/// Checks that a task is refused with this code, and solves the task with the numbers of the help.
 fn cured(task: &Json, code: &str, put: impl Fn(&mut Json, &[f64])) -> Design {
     let list = match tried(task) {
         Ok(design) => design.notes,
@@ -35,7 +36,7 @@ fn cured(task: &Json, code: &str, put: impl Fn(&mut Json, &[f64])) -> Design {
     design
 }
 
-/// The same, and what comes out has no defect.
+/// Solves as [`cured`], and checks that the result has no defect.
 fn sound(task: &Json, code: &str, put: impl Fn(&mut Json, &[f64])) {
     let design = cured(task, code, put);
     let list: Vec<_> = design.candidates.iter().map(|c| &c.judged.defects).collect();
@@ -57,7 +58,7 @@ fn time_ratios() {
         task.as_object_mut().unwrap().extend(given.as_object().unwrap().clone());
         task
     };
-    // No second limit; a frame that the circle does not come to; limits on two assemblies.
+    // No second limit; a frame that the circle does not reach; limits on two assemblies.
     for given in [
         json!({"K": 1.5, "frame": "300 mm", "limit": "45 deg"}),
         json!({"K": 2.5, "frame": "100 mm", "limit": "120 deg"}),
@@ -69,7 +70,7 @@ fn time_ratios() {
         let code = if tried(&task).is_err() { "no-real-solution" } else { "not-a-crank" };
         sound(&task, code, |t, n| t["frame"] = length(n[0]));
     }
-    // The same wish with the K that is told beside the frame.
+    // The same task with the K given beside the frame.
     sound(&rocker(json!({"K": 1.4, "swing": "50 deg", "frame": "400 mm"})), "no-real-solution", |t, n| t["K"] = json!(n[1]));
     // K = 3 with a swing of 10°, by a frame.
     let hard = rocker(json!({"K": 3, "swing": "10 deg", "frame": "50 mm"}));
@@ -110,7 +111,7 @@ fn presses() {
         "no-real-solution",
         |t, n| if n[0] == 1.0 { t["x1"] = length(n[1]) } else { t["y"] = length(n[0]) },
     );
-    // A beside the rocker: the crank does not turn through.
+    // A beside the rocker: the crank does not turn fully.
     sound(&press(json!({"x1": "140 mm", "y": "70 mm"})), "not-a-crank", |t, n| {
         if n[0] == 1.0 { t["x1"] = length(n[1]) } else { t["y"] = length(n[0]) }
     });
@@ -123,7 +124,7 @@ fn positions(all: &[[f64; 3]]) -> Vec<Json> {
 
 #[test]
 fn bodies() {
-    // Three places in line: of a pin, of the whole body, and of a pivot that is carried back.
+    // Three places in line: of a pin, of the whole body, and of an inverted pivot.
     let line = json!({"synthesis": "body", "positions": positions(&[[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [25.0, 0.0, 30.0]]),
         "moving": {"B": [0, 0], "C": ["30 mm", "5 mm"]}});
     cured(&line, "no-real-solution", |t, n| t["moving"]["B"] = json!([length(n[0]), length(n[1])]));
@@ -183,7 +184,8 @@ fn functions() {
         task.as_object_mut().unwrap().extend(given.as_object().unwrap().clone());
         task
     };
-    // With both starts given three pairs always have a linkage; where a start is free, four or five at random need have none.
+    // With both starts given, three pairs always have a linkage; with a free start, four or five
+    // random pairs need not have one.
     let mut r = Mixed(51);
     let mut seen = [0, 0];
     for k in 0..24 {
@@ -197,7 +199,7 @@ fn functions() {
         }
     }
     assert!(seen[0] + seen[1] > 0, "all have a linkage");
-    // Six unknowns' worth of free angles, an empty range, a swing of nothing.
+    // Too many free angles, an empty range, a swing of zero.
     let free = ln(json!({"input": {"swing": "60 deg"}, "output": {"swing": "85 deg"}}));
     cured(&free, "wrong-given", |t, n| t["points"] = json!(n[0]));
     cured(&ln(json!({"function": {"y": "ln(x)", "from": 1, "to": 1}})), "out-of-range", |t, n| t["function"]["to"] = json!(n[0]));

@@ -1,5 +1,6 @@
-//! Limits and places made of random linkages: both limits of C, three places at given turns of the crank, four and five places, places of two points
-//! of the coupler. The linkage is among the candidates.
+//! Limits and places from random linkages: both limits of C, three places at given rotations of the
+//! crank, four and five places, places of two points of the coupler. The linkage is among the
+//! candidates.
 
 use crate::{Mixed, angle, at, crank_rocker, design, found, is, mm};
 use hodograph::synthesis::{construct, read, solve};
@@ -11,7 +12,7 @@ fn crank_rockers_and_slider_cranks_are_found_from_their_limits() {
     let mut r = Mixed(61);
     for _ in 0..20 {
         let [a, b, c, d] = crank_rocker(&mut r);
-        // Stretched and folded: the triangles A C D; the rocker lies over AD.
+        // Stretched and folded: the triangles A C D; the rocker is above AD.
         let limits = [b + a, b - a].map(|reach| angle(c, d, reach));
         let lengths = [("AB", a), ("BC", b), ("CD", c), ("AD", d)];
         let by_angles = json!({"synthesis": "limits", "linkage": "crank-rocker", "rocker": mm(c), "frame": mm(d),
@@ -55,8 +56,9 @@ fn linkages_are_found_from_three_places_at_given_turns() {
     }
 }
 
-/// Of four places at given turns of the crank lines for A and D are given, of five nothing more; all that is found does what is wanted, and its
-/// construction measures what the formula says.
+/// For four places at given rotations of the crank, lines for A and D are given, for five nothing
+/// more; every linkage found does the task, and its construction measures the values of the
+/// formula.
 #[test]
 fn linkages_are_found_from_four_and_five_places_at_given_turns() {
     let mut r = Mixed(64);
@@ -121,7 +123,8 @@ fn positions_by_two_points_are_those_by_angles() {
         let four = design(&json!({"synthesis": "body", "positions": of(4), "line": {"through": [mm(0.0), mm(0.0)]}}));
         assert!(four.candidates.iter().any(|c| lengths.iter().all(|(n, v)| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v)), "{l:?}");
     }
-    // Coordinates rounded as a book has them are told; points that come apart are refused.
+    // Coordinates rounded as in a book are accepted with a note; points that do not fit are
+    // refused.
     let with = |x: &str| {
         json!({"synthesis": "body", "positions": [{"B": [mm(0.0), mm(0.0)], "C": [mm(60.0), mm(0.0)]},
         {"B": [mm(60.0), mm(35.0)], "C": ["116.38 mm", "55.52 mm"]}, {"B": [mm(95.0), mm(95.0)], "C": [x, "144.15 mm"]}]})
@@ -131,7 +134,7 @@ fn positions_by_two_points_are_those_by_angles() {
     assert!(faults.list.iter().any(|d| d.code == "wrong-given" && d.span.is_some()), "{faults}");
 }
 
-/// Each of these is told with what can be written, and says so in both languages.
+/// Each of these is refused, with the possible input, in both languages.
 #[test]
 fn limits_and_places_that_cannot_be_are_told() {
     let zero = json!([mm(0.0), mm(0.0)]);
@@ -179,7 +182,7 @@ fn limits_and_places_that_cannot_be_are_told() {
     }
 }
 
-/// θ = ∠C₁AC₂, and K from it, are those of the motion as a whole.
+/// θ = ∠C₁AC₂, and K from it, agree with the whole motion.
 #[test]
 fn the_treadle_of_a_course() {
     let design = design(
@@ -192,7 +195,7 @@ fn the_treadle_of_a_course() {
     assert!((c.judged.time_ratio.unwrap() - (PI + theta) / (PI - theta)).abs() < 1e-9);
 }
 
-/// Lengths are told in the unit of the file's answers, and so are those of the scene.
+/// Lengths have the unit of the file's answers, and so do those of the scene.
 #[test]
 fn answers_have_the_units_of_the_file() {
     let text =
@@ -209,7 +212,8 @@ fn answers_have_the_units_of_the_file() {
     assert!(design.candidates[0].scene_text().contains(r#""answers": {"length": "in"}"#));
 }
 
-/// K, swing and the least transmission angle of a random crank-rocker give it back, whichever of its lengths says how large it is.
+/// K, swing and the least transmission angle of a random crank-rocker lead back to it, whichever of
+/// its lengths gives the size.
 #[test]
 fn crank_rockers_are_found_from_their_least_transmission_angle() {
     let mut r = Mixed(65);

@@ -1,10 +1,12 @@
-//! Paths with prescribed timing: random linkages found from places of their coupler point at given turns of the crank.
+//! Paths with prescribed timing: random linkages are found from places of their coupler point at
+//! given rotations of the crank.
 
 use crate::{Mixed, at, crank_rocker, design, is, mm};
 use hodograph::synthesis::{read, solve};
 use serde_json::{Value as Json, json};
 
-/// Places of a random coupler point at these turns (degrees) from a random start, the frame anywhere.
+/// Places of a random coupler point at these rotations (degrees) from a random start, with any
+/// position of the frame.
 fn task(r: &mut Mixed, l: [f64; 4], turns: &[f64]) -> Json {
     let (u, v) = (r.between(20.0, 100.0), r.between(-80.0, 80.0));
     let (start, tilt) = (r.between(0.0, 6.0), r.between(0.0, 6.0));
@@ -24,14 +26,15 @@ fn task(r: &mut Mixed, l: [f64; 4], turns: &[f64]) -> Json {
 fn linkages_are_found_from_timed_places() {
     let mut r = Mixed(31);
     for count in [8, 10, 12, 18, 24, 9] {
-        // A frame close to the sum of the others runs beside its dead points: what no course draws.
+        // A frame close to the sum of the others passes near its dead centres: no course uses such
+        // a linkage.
         let l = crank_rocker(&mut r);
         let turns: Vec<f64> = (0..count).map(|k| 360.0 * f64::from(k) / f64::from(count) + r.between(-5.0, 5.0)).collect();
         let task = task(&mut r, l, &turns);
         let design = design(&task);
         let lengths = [("AB", l[0]), ("BC", l[1]), ("CD", l[2]), ("AD", l[3])];
         assert!(design.candidates.iter().any(|c| is(c, &lengths)), "{task}: {l:?}");
-        // The cognate whose crank turns alike does the same, at the same angles.
+        // The cognate with the same crank rotation does the same, at the same angles.
         assert!(design.candidates.len() >= 2, "{task}");
         for c in design.candidates.iter().filter(|c| c.draft.error < 1e-12) {
             assert_eq!(c.judged.defects, [], "{task}");
@@ -44,7 +47,8 @@ fn linkages_are_found_from_timed_places() {
     }
 }
 
-/// Clockwise turns too; and more unknowns than the places fix: five places are met by some linkage.
+/// Also clockwise rotation; and more unknowns than the places determine: some linkage reaches five
+/// places.
 #[test]
 fn the_crank_may_turn_clockwise() {
     let mut r = Mixed(32);

@@ -1,5 +1,5 @@
-//! Wishes of the other kinds made of random linkages: presses, shapers, cognates, straight lines. What they do is worked out here, with
-//! angles and roots alone.
+//! Tasks of the other kinds from random linkages: presses, shapers, cognates, straight lines. Their
+//! motion is calculated here with angles and roots alone.
 
 use crate::{Mixed, crank_rocker, design, found, is, mm};
 use serde_json::json;
@@ -70,7 +70,7 @@ fn cognates_have_the_lengths_of_similar_triangles() {
             let wanted: Vec<(&str, f64)> = names.into_iter().zip(lengths).collect();
             assert!(design.candidates.iter().any(|c| is(c, &wanted)), "{scene}: {wanted:?}");
         }
-        // All are on one curve wherever their drivers reach: E is where the given linkage has it.
+        // All trace one curve wherever their drivers reach: E is where the given linkage has it.
         for c in &design.candidates {
             assert!(c.judged.off_m <= 1e-12 * c.judged.size_m, "{scene}: {} of {}", c.judged.off_m, c.judged.size_m);
         }
@@ -89,7 +89,7 @@ fn straight_lines_are_as_long_as_their_linkage_makes_them() {
             let (x, y) = (frame - angle.cos(), -angle.sin());
             let l = x.hypot(y);
             let high = (rod * rod - l * l / 4.0).sqrt();
-            // BE = 2 BC, and C lies left of BD where the crank points away from D.
+            // BE = 2 BC, and C is left of BD where the crank points away from D.
             angle.cos() + x - 2.0 * high * y / l
         };
         let length = (e(PI / 2.0) - e(3.0 * PI / 2.0)).abs() * k;
@@ -103,7 +103,7 @@ fn straight_lines_are_as_long_as_their_linkage_makes_them() {
         found(&of("peaucellier", 2.0 * reach * k), &[("KC", 2.0 * k), ("OX", 6.0 * k), ("CX", 2.5 * k)]);
         let chebyshev = design(&json!({"synthesis": "straight-line", "linkage": "chebyshev", "length": mm(4.0 * k)})).candidates.remove(0);
         assert!(is(&chebyshev, &[("AB", 5.0 * k), ("AD", 4.0 * k)]));
-        // Its line ends in dead points, next to which half of the digits are left.
+        // Its line ends in dead centres, next to which half of the digits remain.
         assert!(chebyshev.judged.off_m <= 1e-9 * chebyshev.judged.size_m);
     }
 }

@@ -1,4 +1,5 @@
-//! What the drawing board's plan says and what is measured on it, in all templates and in scenes with every kind of term.
+//! The drawing board's plan and the values measured on it, in all templates and in scenes with
+//! every kind of term.
 
 use hodograph::construct::pencil::Blunt;
 use hodograph::construct::{Layout, by_hand};
@@ -8,8 +9,9 @@ use hodograph::plan::{Body, By, Spot, Step, Term, TermKind};
 use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 
-/// All templates, and these: a wheel on a turning track, a composite motion, a cylinder that stretches with an acceleration, three links one
-/// after another on five legs, a five-bar with gears on its floating links.
+/// Scenes in addition to all templates: a wheel on a turning track, a composite motion, a cylinder
+/// that extends with an acceleration, three links one after another on five legs, a five-bar with
+/// gears on its floating links.
 const MORE: [&str; 5] = [
     r#"{"units": {"length": "m"}, "links": {"1": ["O","A"], "2": ["A","P"], "3": ["P","Q","S"], "4": ["S","R","T"], "5": ["T","U","V"], "6": ["Q","G"],
     "7": ["R","H"], "8": ["U","K"], "9": ["V","L"], "0": ["O","G","H","K","L"]}, "ground": "0",
@@ -52,11 +54,11 @@ fn steps(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = &Step> {
     worked.plan.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further))
 }
 
-/// What has a construction is drawn, and says what the loop equations say.
+/// Everything with a construction is drawn and agrees with the loop equations.
 #[test]
 fn what_can_be_drawn_is_drawn() {
     for (name, scene, w) in all().into_iter().filter(|(name, ..)| name != "double-butterfly") {
-        // Centres of velocity are found on a drawing of their own.
+        // Centres of velocity have a drawing of their own.
         for r in w.results.iter().filter(|r| !scene.find[r.find].text.starts_with("P_")) {
             let find = &scene.find[r.find].text;
             assert!(r.drawn.is_some(), "{name}: {find} is not drawn");
@@ -65,7 +67,7 @@ fn what_can_be_drawn_is_drawn() {
     }
 }
 
-/// A magnitude that is told is told by what it is made of: 2ωv of a Coriolis term, ω²l, ωl, αl.
+/// A known magnitude is given by its factors: 2ωv for a Coriolis term, ω²l, ωl, αl.
 #[test]
 fn magnitudes_name_what_they_are_made_of() {
     let mut seen = std::collections::BTreeSet::new();
@@ -97,7 +99,8 @@ fn magnitudes_name_what_they_are_made_of() {
     assert_eq!(seen.into_iter().collect::<Vec<_>>(), ["cylinder", "frame", "guide"]);
 }
 
-/// What a contact adds has a mark of its own, unless it is the whole acceleration of a point that rolls on the ground.
+/// The part that a contact adds has a mark of its own, unless it is the whole acceleration of a
+/// point that rolls on the ground.
 #[test]
 fn rolling_is_marked_where_it_is_a_part() {
     let mut counts = [0; 2];
@@ -114,7 +117,8 @@ fn rolling_is_marked_where_it_is_a_part() {
     assert!(counts.iter().all(|c| *c > 0), "{counts:?}");
 }
 
-/// An equation says which vector it is about: where a chain of several terms starts at a fixed point, the vector stands left of them.
+/// An equation names its vector: where a chain of several terms starts at a fixed point, the vector
+/// is left of them.
 #[test]
 fn equations_name_their_vector() {
     let (mut sums, mut single) = (0, 0);
@@ -145,7 +149,7 @@ fn equations_name_their_vector() {
     assert!(sums > 30 && single > 30, "{sums} {single}");
 }
 
-/// Whether two rows of terms hold one behind the other, in either sense.
+/// True if two rows of terms contain one another, in either sense.
 fn shows(row: &[Term], wanted: &[Term]) -> bool {
     let flip = |t: &Term| (t.kind, t.to, t.of);
     let plain = |t: &Term| (t.kind, t.of, t.to);
@@ -157,7 +161,7 @@ fn shows(row: &[Term], wanted: &[Term]) -> bool {
     })
 }
 
-/// A vector between two images is drawn where it is asked for and no edge shows it, and then once.
+/// A vector between two images is drawn, once, if it is asked for and no edge shows it.
 #[test]
 fn no_vector_is_drawn_twice_and_each_that_is_asked_is_drawn() {
     let mut between = 0;
@@ -208,7 +212,8 @@ fn no_vector_is_drawn_twice_and_each_that_is_asked_is_drawn() {
     assert!(between > 50, "{between}");
 }
 
-/// By hand too an arm has the length that its body has: only its direction is taken from the drawing. And it is named by its ends.
+/// By hand, too, an arm has the length of its body: only its direction is taken from the drawing.
+/// It is named by its ends.
 #[test]
 fn arms_are_as_long_as_their_bodies() {
     let (mut arms, mut named) = (0, 0);

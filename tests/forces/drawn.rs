@@ -1,4 +1,4 @@
-//! Groups that are drawn, against the rows.
+//! Drawn groups, compared with the rows.
 
 use hodograph::figure::sheet::Options;
 use hodograph::lesson::reveal;
@@ -6,7 +6,8 @@ use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 use serde_json::{Value as Json, json};
 
-/// A leg from a pin X of the link 4 to the ground, as parts of a scene: links, guides and a driver. `G` and `H` are the ground's points there.
+/// A leg from a pin X of link 4 to the ground, as parts of a scene: links, guides and a driver. `G`
+/// and `H` are its points on the ground.
 fn leg(kind: &str, x: &str, g: &str, link: &str) -> (Json, Json, Json) {
     let (none, slot) = (json!([]), if x == "Q" { "QV" } else { "RW" });
     match kind {
@@ -18,7 +19,8 @@ fn leg(kind: &str, x: &str, g: &str, link: &str) -> (Json, Json, Json) {
     }
 }
 
-/// A link on three legs of all kinds, loaded everywhere: the drawing gives all reactions, and they are those of the rows.
+/// A link on three legs of all kinds, loaded everywhere: the drawing gives all reactions, equal to
+/// those of the rows.
 #[test]
 fn a_link_on_three_legs_is_drawn() {
     let kinds = ["bar", "block", "sleeve", "slot", "cylinder"];
@@ -33,7 +35,7 @@ fn a_link_on_three_legs_is_drawn() {
         let crank = json!([{"link": "2", "omega": "2 rad/s", "alpha": "1 rad/s^2"}]);
         let drivers = list(&crank, &json!(list(&to_q.2, &to_r.2)));
         let named: Vec<String> = links.as_object().unwrap().keys().filter(|l| *l != "1").cloned().collect();
-        // A block that slides on the link has couples only.
+        // A block that slides on the link carries couples only.
         let sleeve = |l: &str| (l == "5" && *a == "sleeve") || (l == "6" && *b == "sleeve");
         let forces = named.iter().enumerate().flat_map(|(k, l)| {
             let point = links[l].as_array().unwrap().last().unwrap().clone();
@@ -76,7 +78,8 @@ fn a_link_on_three_legs_is_drawn() {
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
 
-/// On which link a pin rubs is no matter of order: of a pin of several links the file says it.
+/// The link on which a pin rubs does not depend on the order: for a pin of several links the file
+/// names it.
 #[test]
 fn a_rough_pin_of_three_links_tells_where_it_is_fast() {
     let mut scene: Json = serde_json::from_str(templates::get("toggle-clamp").unwrap()).unwrap();
@@ -86,14 +89,15 @@ fn a_rough_pin_of_three_links_tells_where_it_is_fast() {
     assert!(faults.contains("`B` joins 3 links: in which of them is the pin fast? (write \"on\", one of 2, 3, 4)"), "{faults}");
 }
 
-/// Two links that two bars join, any of them loaded, in many places: the drawing gives all reactions, and they are those of the rows.
+/// Two links joined by two bars, with any of them loaded, in many places: the drawing gives all
+/// reactions, equal to those of the rows.
 #[test]
 fn two_links_on_two_bars_are_drawn() {
     let places = [("O", 0, 0), ("A", 20, 10), ("B", 35, 36), ("C", 52, 19), ("D", 64, 51), ("E", 83, 26), ("F", 90, 60)];
     let links = json!({"1": ["O", "A"], "2": ["A", "B", "C"], "3": ["B", "D"], "4": ["C", "E"], "5": ["D", "E", "F"], "6": ["O", "F"]});
     let mut failures = Vec::new();
     for n in 0..64usize {
-        // Places that differ by fixed steps, and the loaded links by the bits of a number.
+        // Places that differ by fixed steps; the bits of a number choose the loaded links.
         let moved = |k: usize, side: usize| ((n * 7 + k * 5 + side * 3) % 11) as i32 - 5;
         let points: serde_json::Map<String, Json> = places
             .iter()
@@ -125,7 +129,7 @@ fn two_links_on_two_bars_are_drawn() {
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
 }
 
-/// Answers that are drawn, with their names; none of them differs from the rows.
+/// Drawn answers with their names; none of them differs from the rows.
 fn drawn(scene: Json) -> Vec<String> {
     let scene = scene::read(scene.to_string()).unwrap().value;
     let worked = work(&scene, Scope::Questions).unwrap().value;
@@ -133,7 +137,7 @@ fn drawn(scene: Json) -> Vec<String> {
     all.inspect(|(text, a)| assert!(a.holds(), "{text}: {a:?}")).map(|(text, _)| text).collect()
 }
 
-/// A cylinder that stands on the pin of another: its force is a load of that pin.
+/// A cylinder on the pin of another: its force is a load of that pin.
 #[test]
 fn two_cylinders_on_one_pin_press_on_each_other() {
     let found = drawn(json!({
@@ -146,7 +150,8 @@ fn two_cylinders_on_one_pin_press_on_each_other() {
     assert_eq!(found, ["F_12", "F_13", "F_b", "F_b2", "P"]);
 }
 
-/// A pin on no link runs in slots of three links: what is not drawn of one leaves the others undrawn.
+/// A pin on no link runs in slots of three links: if one of them is not drawn, neither are the
+/// others.
 #[test]
 fn a_pin_between_slots_hands_its_force_on() {
     let found = drawn(json!({
@@ -194,7 +199,7 @@ fn blocks_in_curved_guides_are_drawn() {
     assert_eq!(driven.len(), 6, "{driven:?}");
 }
 
-/// A fragment for slides has a step for everything of the forces, after those of the motion.
+/// A fragment for slides has a step for every item of the forces, after those of the motion.
 #[test]
 fn fragments_reveal_forces() {
     let scene = scene::read(templates::get("press-forces").unwrap()).unwrap().value;
@@ -215,7 +220,8 @@ fn fragments_reveal_forces() {
     assert!(motion.iter().max() < forces.iter().min(), "{motion:?} {forces:?}");
 }
 
-/// Links that bars join in a ring, loaded everywhere: two with parallel bars, or with a bar and a block (class IV), three (class VI). The force along one bar is found by two trials.
+/// Links that bars join in a ring, loaded everywhere: two with parallel bars, or with a bar and a
+/// block (class IV), three (class VI). The force along one bar is found by two trials.
 #[test]
 fn rings_of_bars_are_drawn() {
     for (name, count) in [("class4-parallel", 8), ("class4-slot", 8), ("class6-ring", 11)] {

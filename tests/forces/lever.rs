@@ -1,4 +1,5 @@
-//! Zhukovsky's lever against the force polygons, and the loads on the drawing of the mechanism.
+//! Zhukovsky's lever compared with the force polygons, and the loads on the drawing of the
+//! mechanism.
 
 use hodograph::figure::forces::zhukovsky;
 use hodograph::figure::sheet::{Options, drawing};
@@ -6,7 +7,8 @@ use hodograph::scene::{self, DiagramKind, Lang, driver_position, templates, with
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value as Json, json};
 
-/// The power that the lever gives, in which all drivers take part, beside that of the polygons, and so the balance of the one driver.
+/// The total power of all drivers by the lever and by the polygons, hence the balance of a single
+/// driver.
 fn balances(scene: &scene::Scene, worked: &Worked) -> Option<[[f64; 2]; 2]> {
     let of = worked.equilibrium.as_ref()?;
     let lever = zhukovsky(scene, worked)?;
@@ -21,7 +23,7 @@ fn the_lever_balances_as_the_polygons_do() {
     for t in templates::list() {
         let text = templates::get(t.name).unwrap();
         let scene = scene::read(text).unwrap().value;
-        // Templates without loads get one at each link.
+        // Templates without loads get one on each link.
         let own = !scene.loads.is_empty();
         let scene = if own { scene } else { scene::read(super::loaded(text, &scene).0.to_string()).unwrap().value };
         let Some(start) = driver_position(&scene, 0) else { continue };
@@ -58,6 +60,6 @@ fn the_mechanism_shows_the_given_loads() {
     for wanted in ["force-G-1", "force-G-2", "force-G-3", "couple-of-M-3", "spring-1", "spring-1-ground"] {
         assert!(ids.iter().any(|id| id.ends_with(wanted)), "{wanted} is missing among {ids:?}");
     }
-    // Inertia and reactions stand at the links apart.
+    // Inertia and reactions are drawn at the separated links.
     assert!(ids.iter().all(|id| !id.contains("force-F")), "{ids:?}");
 }

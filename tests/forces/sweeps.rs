@@ -10,7 +10,8 @@ use hodograph::sweep::{self, Placed, station};
 use hodograph::worked::{Scope, work};
 use serde_json::{Value as Json, json};
 
-/// A sweep over a parameter says what the file with that value says, also of parameters of loads, friction and strokes.
+/// A sweep over a parameter agrees with the file with that value, also for parameters of loads,
+/// friction and strokes.
 #[test]
 fn sweeps_over_parameters_of_loads_are_their_scenes() {
     let cases = [
@@ -34,8 +35,8 @@ fn sweeps_over_parameters_of_loads_are_their_scenes() {
     }
 }
 
-/// The balancing moment of a sweep has a compiled form, by the work of the loads. Beside a reaction, which has none, each row is solved by itself: both
-/// say the same.
+/// The balancing moment of a sweep has a compiled form, by the work of the loads. Together with a
+/// reaction, which has none, each row is solved alone: both give the same values.
 #[test]
 fn compiled_balancing_moments_are_those_of_each_position() {
     let (mut failures, mut compiled) = (Vec::new(), 0);
@@ -43,7 +44,7 @@ fn compiled_balancing_moments_are_those_of_each_position() {
         let (name, text) = (template.name, templates::get(template.name).unwrap());
         let Ok(plain) = scene::read(text) else { continue };
         let [driver] = &plain.value.drivers[..] else { continue };
-        // It is followed by Newton's method in seconds.
+        // It is followed by Newton's method, in seconds.
         if name == "double-butterfly" {
             continue;
         }
@@ -84,7 +85,7 @@ fn compiled_balancing_moments_are_those_of_each_position() {
             let (a, b) = (&fast.columns[k].values, &slow.columns[k].values);
             let size = a.iter().chain(b).filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()));
             for (row, (a, b)) in a.iter().zip(b).enumerate() {
-                // A reaction that is not determined leaves its row without numbers.
+                // A row with an undetermined reaction has no numbers.
                 if b.is_finite() && (a.is_nan() || (a - b).abs() > 1e-9 * size) {
                     failures.push(format!("{name}: column {k}, row {row}: compiled {a}, solved {b}"));
                 }

@@ -1,4 +1,4 @@
-//! The reactions of all templates: drawn, and equal to those of the rows.
+//! The reactions of all templates are drawn and equal those of the rows.
 
 use super::loaded;
 use hodograph::equilibrium::Whole;
@@ -7,11 +7,12 @@ use hodograph::scene::{self, PointId, Scene, driver_position, templates, with_dr
 use hodograph::worked::{Scope, work};
 use serde_json::json;
 
-/// Templates of which a group is not drawn, with words of the reason.
+/// Templates with a group that is not drawn, with words of the reason.
 const LEFT_OUT: [(&str, &str); 2] =
     [("belt-crank-rocker", "belts, chains and ropes"), ("double-butterfly", "there is no method for 6 links")];
 
-/// A template with forces and couples on all links but the parts of cylinders, asked for the reactions of pins and contacts.
+/// A template with forces and couples on all links except the parts of cylinders, with the
+/// reactions of pins and contacts asked for.
 pub fn asked(name: &str) -> Option<Scene> {
     let text = templates::get(name).ok()?;
     let plain = scene::read(text).ok()?.value;
@@ -39,7 +40,7 @@ pub fn asked(name: &str) -> Option<Scene> {
     scene::read(json.to_string()).ok().map(|read| read.value)
 }
 
-/// Every group of every template is drawn, but for those of which the reason is known.
+/// Every group of every template is drawn, except those with a known reason.
 #[test]
 fn reactions_of_templates_are_drawn() {
     let (mut drawn, mut whole) = (0, 0);

@@ -1,4 +1,4 @@
-//! Gears under loads: the direction in which their teeth press.
+//! Gears under loads: the direction of the tooth force.
 
 use super::answer;
 use super::template_reactions::asked;
@@ -7,7 +7,8 @@ use hodograph::force::pressure_angle;
 use hodograph::scene::{RollingId, Scene, driver_position, with_driver_at};
 use hodograph::worked::{Scope, Worked, work};
 
-/// The tangent of the angle between the force of teeth and the common tangent, less that of the pressure angle.
+/// Difference of two tangents: of the angle between tooth force and common tangent, and of the
+/// pressure angle.
 fn off_the_line_of_action(scene: &Scene, worked: &Worked, r: RollingId) -> Option<f64> {
     let pair = &scene.rolling[r.0];
     if !pair.kind.is_toothed() || pair.guide().is_some() {

@@ -1,11 +1,11 @@
-//! Mutated scenes through every command that takes one: what a command goes on to do with a scene, over a whole turn or on paper, is fuzzed too, not
-//! only that it is read and solved.
+//! Mutated scenes through every command that takes one: the work after reading and solving, over a
+//! whole turn or on paper, is fuzzed too.
 
 use super::{SOON, corpus, finite, fuzz, root};
 use serde_json::Value as Json;
 use std::fs;
 
-/// Commands on `s.json`, with few steps: many inputs say more than long ones.
+/// Commands on `s.json`, with few steps: many inputs find more than long ones.
 const COMMANDS: [&str; 20] = [
     "solve s.json --steps",
     "curves s.json --steps 24 -o c.svg",
@@ -38,8 +38,8 @@ fn cases() -> Vec<String> {
     corpus(&["tests/cases"]).into_iter().map(of).collect()
 }
 
-/// Whatever a scene says, a command ends by itself, without a panic and never with a disagreement of drawing and analysis; what it writes has numbers in
-/// it, and where it writes nothing it says why.
+/// For any scene a command ends by itself, without a panic and without a disagreement of drawing
+/// and analysis; its output contains only finite numbers, and a run without output gives a reason.
 #[test]
 fn fuzz_commands() {
     let mut seeds = corpus(&["templates", "tests/bad", "tests/repro"]);
@@ -60,7 +60,7 @@ fn fuzz_commands() {
             finite(&out);
             let written = ["t.csv", "p.csv"].map(|name| fs::read_to_string(at(name)).unwrap_or_default());
             written.iter().for_each(|table| finite(table));
-            // Each file that is named is there, and a command with an output names one.
+            // Each named file exists, and a command with an output names one.
             let names: Vec<&str> = out.lines().filter(|l| l.ends_with(".svg") || l.ends_with(".html") || l.ends_with(".md")).collect();
             assert!(names.iter().all(|n| folder.path().join(n).exists()), "{line}: {out}");
             assert!(!line.contains(" -o ") || fs::read_dir(folder.path()).unwrap().count() > 1, "{line}: no file and no word");

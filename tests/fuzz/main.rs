@@ -1,9 +1,11 @@
-//! Mutated input, as long as one likes: scenes, style files, arguments; scenes through all commands ([`commands`]); wishes and motions ([`tasks`]).
-//! (Journals: `src/cli/part/tests.rs`.)
+//! Mutated input: scenes, style files, arguments; scenes through all commands ([`commands`]); tasks
+//! and motions ([`tasks`]). (Journals: `src/cli/part/tests.rs`.)
 //!
-//! A few seconds of it run with every `cargo test`, always the same inputs. `HODOGRAPH_FUZZ_TIMES=20 cargo test fuzz` tries twenty times
-//! as many, `HODOGRAPH_FUZZ_SECONDS=60` as many as a minute allows, `HODOGRAPH_FUZZ_SEED=7` others. The seeds of scenes are all templates and the scenes of `tests/bad` and `tests/repro`. An
-//! input that breaks something is printed with the failure.
+//! Every `cargo test` runs a few seconds of it, always with the same inputs.
+//! `HODOGRAPH_FUZZ_TIMES=20 cargo test fuzz` tries twenty times as many,
+//! `HODOGRAPH_FUZZ_SECONDS=60` as many as a minute allows, `HODOGRAPH_FUZZ_SEED=7` others. The
+//! seeds of scenes are all templates and the scenes of `tests/bad` and `tests/repro`. A failure
+//! prints its input.
 
 mod commands;
 mod mutate;
@@ -23,7 +25,7 @@ use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-/// An input may take so long, unoptimised, on a machine that is busy with other tests.
+/// Time limit of one input, unoptimised, on a busy machine.
 const SOON: Duration = Duration::from_secs(60);
 
 fn root(path: &str) -> std::path::PathBuf {
@@ -39,7 +41,8 @@ fn corpus(folders: &[&str]) -> Vec<String> {
     files.iter().map(|f| fs::read_to_string(f).unwrap()).collect()
 }
 
-/// A count that wraps and an assertion that fails are found: `cargo test` runs with both checks, in whatever profile.
+/// Integer overflows and failed assertions are found: `cargo test` runs with both checks, in any
+/// profile.
 #[test]
 fn checks_are_on() {
     assert!(std::hint::black_box(cfg!(debug_assertions)), "Cargo.toml: the profile of these tests has no debug assertions");
@@ -47,7 +50,8 @@ fn checks_are_on() {
     assert!(catch_unwind(|| least - 1).is_err(), "Cargo.toml: the profile of these tests has no overflow checks");
 }
 
-/// Feeds mutated inputs to a target: the usual number or a multiple of it, or for as long as is asked for. Prints how many were accepted.
+/// Feeds mutated inputs to a target: the default number or a multiple of it, or for a given time.
+/// Prints the number of accepted inputs.
 fn fuzz(name: &str, seeds: &[String], usual: u64, target: &dyn Fn(&[u8], u64) -> bool) {
     let number = |key: &str| std::env::var(key).ok().and_then(|v| v.parse::<u64>().ok());
     let (seconds, seed) = (number("HODOGRAPH_FUZZ_SECONDS"), number("HODOGRAPH_FUZZ_SEED").unwrap_or(1));
@@ -73,14 +77,14 @@ fn fuzz(name: &str, seeds: &[String], usual: u64, target: &dyn Fn(&[u8], u64) ->
     println!("{name}: {tried} inputs, {accepted} of them accepted, {:.0?}", begin.elapsed());
 }
 
-/// What is said of faults can be printed.
+/// Checks that the messages of faults can be printed.
 fn told(faults: &hodograph::diag::Faults, input: &[u8]) {
     assert!(faults.has_errors(), "refused without an error: {faults:?}");
     let said = render(faults, "input.json", &String::from_utf8_lossy(input));
     assert!(!said.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')), "{said:?}");
 }
 
-/// What is said of answers can be printed, and its numbers are numbers.
+/// Checks that a printed answer contains no NaN or infinity.
 fn finite(text: &str) {
     assert!(!text.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')), "{text:?}");
     let mut words = text.split(|c: char| !c.is_alphanumeric());
@@ -91,7 +95,7 @@ fn well_formed(xml: &str) {
     drop(roxmltree::Document::parse(xml).unwrap());
 }
 
-/// A scene is refused with words, or solved and drawn: all that is written of it is well-formed.
+/// A scene is refused with a message, or solved and drawn: all outputs are well-formed.
 fn scene_target(input: &[u8], k: u64) -> bool {
     let scene = match scene::read(input) {
         Ok(s) => s.value,
@@ -137,7 +141,7 @@ fn fuzz_scenes() {
     fuzz("scenes", &seeds, 200, &scene_target);
 }
 
-/// A style is refused with words, or a sheet is drawn in it.
+/// A style is refused with a message, or a sheet is drawn in it.
 #[test]
 fn fuzz_styles() {
     let mut seeds = corpus(&["crates/paper/src/paper/style"]);
@@ -163,7 +167,7 @@ fn fuzz_styles() {
     });
 }
 
-/// Words of a command line: commands, options, values that are right, and such as are not.
+/// Words of a command line: commands, options, valid and invalid values.
 const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curves path limits new templates schema explain --lang en zh --notation cn \
     -o a.svg a.png a.pdf a.csv a.json a.npy a.parquet a.md a.typ a.html out/ /dev/null scene.json style.json missing.json - . .. --format svg,png pdf csv,json --errors json text dead-centre --width 90mm --solved \
     --figure mechanism,velocity sheet results --vectors velocity acceleration --poses 0 2 73 -1 --path E,B Q --dimensions --text editable --steps 3 \
@@ -172,7 +176,7 @@ const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curve
     --vary l_BC=200..300:3 l_BC=200...300:3 l_BC=..:3 x=1..2 --random 4 --seed 2 crank-rocker shaper --set l_AB=80 l_AB= l_AB=1e400 l_AB=(((( \
     --problem-only --solution --pick 2 --profile p.dxf --frames 3 --centrodes --link 4 --all --speed wish.json cam.json motion.json --help 曲 \u{1b}[31m \u{fffe} =x -- ''";
 
-/// What a word of a help text names, in the lines that hold options.
+/// The words in the lines of a help text that hold options.
 fn options(help: &str) -> Vec<String> {
     let words = help.split(|c: char| !(c.is_ascii_alphanumeric() || c == '-'));
     let mut all: Vec<String> = words.filter(|w| w.starts_with("--") && w.len() > 2).map(str::to_owned).collect();
@@ -181,7 +185,7 @@ fn options(help: &str) -> Vec<String> {
     all
 }
 
-/// The commands that the program tells of by itself, each with its options.
+/// The commands that the program lists, each with its options.
 fn commands() -> Vec<(String, Vec<String>)> {
     let help = |command: &[&str]| {
         let run =
@@ -194,7 +198,8 @@ fn commands() -> Vec<(String, Vec<String>)> {
     names.filter(|n| *n != "help").map(|n| (n.to_owned(), options(&help(&[n])))).collect()
 }
 
-/// Whatever the arguments are, the program ends by itself with one of its exit codes. Every command is tried, with its own options.
+/// With any arguments, the program ends by itself with one of its exit codes. Every command is
+/// tried, with its own options.
 #[test]
 fn fuzz_arguments() {
     let words: Vec<&str> = WORDS.split_whitespace().collect();
@@ -250,7 +255,7 @@ fn fuzz_arguments() {
     let before = fs::read(folder.path().join("scene.json")).unwrap();
     fuzz("arguments", &seeds, 100, &|input, k| {
         let mut rng = Rng::new(k);
-        // Every command in its turn.
+        // The commands in turn.
         let mut line: Vec<String> = seeds[k as usize % seeds.len()].split(' ').map(str::to_owned).collect();
         let own = commands.iter().find(|c| c.0 == line[0]).map_or(&[][..], |c| &c.1[..]);
         for _ in 0..1 + rng.below(3) * rng.below(2) {
@@ -272,7 +277,7 @@ fn fuzz_arguments() {
         let code = run.status.code();
         assert!(matches!(code, Some(0 | 1 | 2 | 4)), "{line:?}: {code:?} {said}");
         assert!(!said.contains("panicked") && !said.contains('\u{1b}') && !out.contains('\u{1b}'), "{line:?}: {said:?}");
-        // Differences are an answer: they are printed.
+        // Differences count as an answer: they are printed.
         let answered = code == Some(0) || code == Some(4) || code == Some(1) && line[0] == "diff" && !out.is_empty();
         assert!(answered || !said.is_empty(), "{line:?}: {code:?} without a word");
         assert_eq!(fs::read(folder.path().join("scene.json")).unwrap(), before, "{line:?}: the scene was written over");

@@ -1,4 +1,4 @@
-//! Mutations of texts: bytes, numbers, pieces of other texts, words that mean something to somebody.
+//! Mutations of texts: bytes, numbers, pieces of other texts, words with a meaning in some format.
 
 /// Splitmix64 (Steele, Lea, Flood 2014).
 pub struct Rng(u64);
@@ -15,13 +15,14 @@ impl Rng {
         z ^ (z >> 31)
     }
 
-    /// Less than `n`; 0 for none.
+    /// A number less than `n`; 0 for `n = 0`.
     pub fn below(&mut self, n: usize) -> usize {
         (self.next() % n.max(1) as u64) as usize
     }
 }
 
-/// Words that mean something to a reader of JSON, SVG, HTML, Markdown, Typst or a terminal, and numbers at the ends of their ranges.
+/// Words with a meaning in JSON, SVG, HTML, Markdown, Typst or a terminal, and numbers at the ends
+/// of their ranges.
 const HOSTILE: [&str; 40] = [
     "\\u001b[2J",
     "\\u0000",
@@ -65,10 +66,10 @@ const HOSTILE: [&str; 40] = [
     "1/0",
 ];
 
-/// Names are so long at most (bytes).
+/// Largest length of a name (bytes).
 const LONGEST_NAME: usize = 8;
 
-/// Makes inputs of a corpus.
+/// Makes inputs from a corpus.
 pub struct Mutator<'a> {
     seeds: &'a [String],
 }
@@ -78,8 +79,8 @@ impl<'a> Mutator<'a> {
         Mutator { seeds }
     }
 
-    /// One of the texts after one to four mutations. Of five inputs two are changed in their numbers only and one in its names: they still are what
-    /// they were, and come further.
+    /// One of the texts after one to four mutations. Of five inputs, two are changed only in their
+    /// numbers and one only in its names: these stay of their kind and get farther in the program.
     pub fn input(&self, rng: &mut Rng) -> Vec<u8> {
         let mut text = self.seeds[rng.below(self.seeds.len())].clone().into_bytes();
         let kind = rng.below(5);
@@ -93,7 +94,7 @@ impl<'a> Mutator<'a> {
         text
     }
 
-    /// A digit for a digit.
+    /// Replaces a digit by a digit.
     fn digit(text: &mut [u8], rng: &mut Rng) {
         let digits: Vec<usize> = (0..text.len()).filter(|i| text[*i].is_ascii_digit()).collect();
         if let Some(&at) = digits.get(rng.below(digits.len())) {
@@ -101,7 +102,8 @@ impl<'a> Mutator<'a> {
         }
     }
 
-    /// A word between quotation marks for another one of the same text: a point, link or key that is in use already.
+    /// Replaces a word between quotation marks by another of the same text: a point, link or key
+    /// that is in use.
     fn name(text: &mut Vec<u8>, rng: &mut Rng) {
         let marks: Vec<usize> = (0..text.len()).filter(|i| text[*i] == b'"').collect();
         let words: Vec<[usize; 2]> = marks.chunks_exact(2).map(|m| [m[0] + 1, m[1]]).filter(|[a, b]| b - a <= LONGEST_NAME).collect();
@@ -136,7 +138,7 @@ impl<'a> Mutator<'a> {
                 let piece = text[at..end].to_vec();
                 text.splice(at..at, piece);
             }
-            // A number for a number leaves the text what it is.
+            // Replacing a number by a number keeps the kind of the text.
             5 | 6 => {
                 let digits: Vec<usize> = (0..text.len()).filter(|i| text[*i].is_ascii_digit()).collect();
                 if let Some(&from) = digits.get(rng.below(digits.len())) {

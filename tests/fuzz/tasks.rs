@@ -1,5 +1,5 @@
-//! Mutated files that are no scenes: wishes for a linkage (synthesis) and motions without a mechanism. Their seeds are the templates of
-//! their own and the tasks that the tests of their rooms solve, so that every kind of file is mutated and not only those of the templates.
+//! Mutated files other than scenes: tasks of synthesis and motions without a mechanism. Their seeds
+//! are their templates and the tasks of the synthesis tests, so that every kind of file is mutated.
 
 use super::{corpus, finite, fuzz, root, told, well_formed};
 use hodograph::figure::{particle as motion_figure, synthesis as design_figure};
@@ -14,7 +14,7 @@ use hodograph::synthesis;
 use hodograph::worksheet::{self, Options as Sheets};
 use serde_json::Value as Json;
 
-/// The tasks whose designs are known.
+/// The tasks with known designs.
 fn tasks() -> impl Iterator<Item = String> {
     ["cases", "further"].into_iter().flat_map(|name| {
         let text = std::fs::read_to_string(root(&format!("tests/synthesis/{name}.json"))).unwrap();
@@ -23,7 +23,8 @@ fn tasks() -> impl Iterator<Item = String> {
     })
 }
 
-/// A wish is refused with words, or has designs: their scenes are read back by the judge, and all that is written of them is well-formed.
+/// A task is refused with a message, or has designs: their scenes are read back, and all outputs
+/// are well-formed.
 fn design_target(input: &[u8], k: u64) -> bool {
     let task = match synthesis::read(input) {
         Ok(t) => t.value,
@@ -69,7 +70,8 @@ fn fuzz_designs() {
     fuzz("designs", &seeds, 60, &design_target);
 }
 
-/// A motion is refused with words, or solved: the board agrees, and all that is written of it is well-formed.
+/// A motion is refused with a message, or solved: the board agrees, and all outputs are
+/// well-formed.
 fn motion_target(input: &[u8], k: u64) -> bool {
     let problem = match particle::read(input) {
         Ok(p) => p.value,

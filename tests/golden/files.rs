@@ -1,24 +1,24 @@
-//! Which golden files there are, and how one is compared and accepted.
+//! The list of golden files, and the comparison and acceptance of one.
 //!
-//! The lists are data that the tests run over, so that a file that no test compares any more is found: [`kept`] names all, and a
-//! comparison under another name panics.
+//! The tests run over these lists, so that a file that no test compares is found: [`kept`] names
+//! all, and a comparison under another name panics.
 
 use hodograph::scene::{Lang, templates};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// The command that accepts, told by every failure.
+/// The command that accepts, named by every failure.
 pub const HOW: &str = "if this is what you want, look at it and run: HODOGRAPH_ACCEPT=1 cargo test --test golden";
 
 pub const LANGS: [(Lang, &str); 2] = [(Lang::En, "en"), (Lang::Zh, "zh")];
 
-/// Templates whose plan is kept as JSON too: Coriolis, in both languages; a triad; cylinders.
+/// Templates with their plan also kept as JSON: Coriolis, in both languages; a triad; cylinders.
 pub const PLANS_AS_JSON: [(&str, &str); 4] = [("shaper", "en"), ("shaper", "zh"), ("class-iii-six-bar", "en"), ("excavator", "en")];
 
-/// Templates whose answers are kept with the tolerances of hand drawing.
+/// Templates with answers kept with the tolerances of hand drawing.
 pub const DRAFTED: [&str; 1] = ["shaper"];
 
-/// Templates whose lesson and fragment are kept: a crank that turns fully, and one that is stopped.
+/// Templates with lesson and fragment kept: a crank that turns fully, and one that is stopped.
 pub const LESSONS: [&str; 2] = ["crank-rocker", "five-bar"];
 
 /// One picture of every kind of figure: template, kind, style.
@@ -44,7 +44,7 @@ pub const PATHS: [(&str, &[&str], usize, &str); 4] = [
     ("offset-slider-crank", &["C", "S"], 0, "dark"),
 ];
 
-/// Sheets of many poses: template, point whose hodographs lie behind the polygons, poses.
+/// Sheets of many poses: template, point with hodographs behind the polygons, number of poses.
 pub const POSES: [(&str, Option<&str>, usize); 3] = [("crank-rocker", Some("E"), 12), ("shaper", None, 4), ("class-iii-six-bar", None, 5)];
 
 /// Figures of centres: a crank-rocker, shapers with centres at infinity, a common normal, a pitch point.
@@ -54,7 +54,8 @@ pub const CENTRES: [&str; 5] = ["crank-rocker", "shaper", "shaper-centres", "cam
 pub const CURVATURE: [(&str, &[&str]); 3] =
     [("crank-rocker", &["curvature", "centrodes", "cognates"]), ("slider-crank", &["curvature", "inversions"]), ("shaper", &["curvature"])];
 
-/// Constructions of synthesis: the first candidate of each kind that has one, and the linkage of the kind that has none.
+/// Constructions of synthesis: the first candidate of each kind that has one, and the linkage of
+/// the kind without one.
 pub const DESIGNS: [(&str, &str); 7] = [
     ("function", "construction"),
     ("body", "construction"),
@@ -65,10 +66,11 @@ pub const DESIGNS: [(&str, &str); 7] = [
     ("straight-line", "construction"),
 ];
 
-/// A cam whose two figures are kept.
+/// A cam with its two figures kept.
 pub const CAM: &str = "cam-offset-roller";
 
-/// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the mechanism with them).
+/// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the
+/// mechanism with them).
 pub const ASKED: [(&str, &str); 13] = [
     ("four-bar-forces", "lever"),
     ("shaper-forces", "forces"),
@@ -85,7 +87,8 @@ pub const ASKED: [(&str, &str); 13] = [
     ("crank-rocker", "dimensions"),
 ];
 
-/// What the gallery shows beside the sheets: title, the command that draws it, the picture.
+/// Pictures in the gallery in addition to the sheets: title, the command that draws it, the
+/// picture.
 pub const SHOWN: [(&str, &str, &str); 36] = [
     ("Forces with friction: circles and angles", "draw --figure forces", "compressor-friction/forces.en.png"),
     ("Dimensions: to draw the mechanism again", "draw --dimensions", "crank-rocker/dimensions.en.png"),
@@ -187,10 +190,10 @@ fn figures() -> Vec<(String, String)> {
     all
 }
 
-/// Where a golden file stands.
+/// Returns the path of a golden file.
 ///
 /// # Panics
-/// If [`kept`] does not list it: it would be taken for an orphan.
+/// If [`kept`] does not list it: it would count as an orphan.
 pub fn golden(template: &str, file: &str) -> PathBuf {
     let name = format!("{template}/{file}");
     assert!(kept().contains(&name), "golden/{name} is in no list of tests/golden/files.rs");
@@ -201,8 +204,8 @@ pub fn accept() -> bool {
     std::env::var_os("HODOGRAPH_ACCEPT").is_some_and(|v| v == "1")
 }
 
-/// Writes what is new when accepting is asked for, and is a failure all the same: nothing is accepted unseen, and a variable
-/// that was left set never turns a red run green.
+/// Writes the new file if accepting, and counts as a failure all the same: nothing is accepted
+/// unseen, and a variable left set does not turn a failing run into a passing one.
 fn write_if_accepting(path: &Path, now: &[u8], failures: &mut Vec<String>) -> bool {
     if accept() {
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
@@ -215,7 +218,7 @@ fn write_if_accepting(path: &Path, now: &[u8], failures: &mut Vec<String>) -> bo
     accept()
 }
 
-/// Compares a text with its file; tells the first line that differs.
+/// Compares a text with its file; reports the first line that differs.
 pub fn check_text(path: &Path, now: &str, failures: &mut Vec<String>) {
     let was = std::fs::read_to_string(path).unwrap_or_default();
     if was == now || write_if_accepting(path, now.as_bytes(), failures) {
@@ -235,8 +238,8 @@ pub fn pixels(bytes: &[u8]) -> Option<(u32, u32, png::ColorType, Vec<u8>)> {
     Some((info.width, info.height, info.color_type, buffer))
 }
 
-/// Compares a picture with its file, each sample within 1 of 255; leaves the actual picture and the difference beside the
-/// build's temporary files.
+/// Compares a picture with its file, each sample within 1 of 255; leaves the actual picture and the
+/// difference among the build's temporary files.
 pub fn check_png(path: &Path, now: &[u8], failures: &mut Vec<String>) {
     let was = std::fs::read(path).unwrap_or_default();
     let fault = match (pixels(&was), pixels(now)) {
@@ -271,7 +274,7 @@ pub fn finish(failures: &[String]) {
     assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
 }
 
-/// A file that no test compares any more looks like evidence and is none.
+/// Every golden file is compared by some test.
 #[test]
 fn no_golden_file_is_an_orphan() {
     let mut found = BTreeSet::new();

@@ -1,4 +1,5 @@
-//! Worksheets on mobility: their texts as accepted, nothing counted and nothing dashed on the problem's side, pages without overlaps.
+//! Worksheets on mobility: texts as accepted, no count and no dashed lines on the problem side,
+//! pages without overlaps.
 
 use super::files::{LANGS, MOBILITY, check_text, finish, golden};
 use super::worksheet::{faults_of, told, without, worked};
@@ -56,7 +57,7 @@ fn every_template_is_counted_and_split_on_clean_pages() {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// A dashed crank would give away which one repeats the others.
+/// A dashed crank would show which one is redundant.
 #[test]
 fn the_problem_does_not_show_what_repeats() {
     let (scene, worked) = worked("third-crank");

@@ -1,5 +1,6 @@
-//! The PDF against two oracles: an independent reader of PDF draws its pages with resvg's rasteriser, and they look as the
-//! SVG does; the characters that it finds are those of the labels, one after another.
+//! The PDF compared with two independent results: an independent PDF reader draws its pages with
+//! resvg's rasteriser, and they look like the SVG; the characters that it finds are those of the
+//! labels, in order.
 
 use hayro_interpret::font::Glyph;
 use hayro_interpret::hayro_cmap::BfString;
@@ -35,7 +36,7 @@ pub fn read(file: &[u8], dpi: f64) -> Vec<Read> {
         let [w, h] = [wide, high].map(|v| (f64::from(v) * dpi / 72.0).round());
         let mut pixels = tiny_skia::Pixmap::new(w as u32, h as u32).unwrap();
         pixels.fill(tiny_skia::Color::WHITE);
-        // Whole pixels, as the writer of PNG stretches its picture.
+        // Whole pixels, as in the PNG writer.
         let stretch = Affine::scale_non_uniform(w / f64::from(wide), h / f64::from(high));
         let transform = stretch * page.initial_transform(true).to_kurbo();
         let (cache, settings) = (InterpreterCache::new(), InterpreterSettings::default());
@@ -131,7 +132,8 @@ pub fn letters<'i>(items: impl IntoIterator<Item = &'i Item>) -> String {
     out
 }
 
-/// What was drawn twice in one colour, such as `fill` and `stroke` of a circle, comes in two parts: greys of both pictures.
+/// An item drawn twice in one colour, such as `fill` and `stroke` of a circle, comes in two parts:
+/// compares the grey values of both pictures.
 fn greys(pixels: &tiny_skia::Pixmap) -> Vec<u8> {
     pixels.pixels().iter().map(|p| ((u32::from(p.red()) + u32::from(p.green()) + u32::from(p.blue())) / 3) as u8).collect()
 }
@@ -149,7 +151,7 @@ fn sheet(name: &str, lang: Lang) -> Figure {
     hodograph::figure::sheet::sheet(&scene, &worked, &hodograph::figure::sheet::Options::of_language(lang)).unwrap()
 }
 
-/// At which pages and pictures are compared.
+/// Resolution at which pages and pictures are compared.
 const DPI: f64 = 110.0;
 
 #[test]
@@ -171,7 +173,8 @@ fn a_pdf_looks_as_the_svg_does_and_says_the_same() {
         let (mean, worst) = (off.iter().map(|d| f64::from(*d)).sum::<f64>() / off.len() as f64, off.iter().max().unwrap());
         let far = off.iter().filter(|d| **d > 64).count();
         println!("{name}: mean {mean:.3} of 255, worst {worst}, {far} pixels off by more than 64");
-        // Letters are outlines of 1/1000 em in one and of the font's own units in the other; a missing arrowhead is 56 pixels.
+        // Letters are outlines of 1/1000 em in one and of the font's own units in the other; a
+        // missing arrowhead is 56 pixels.
         assert!(mean < 0.05 && far < 10, "{name}: mean {mean:.3}, {far} pixels off by more than 64, worst {worst}");
     }
 }
@@ -197,17 +200,18 @@ fn faults_are_said_before_anything_is_written() {
     assert_eq!(pdf::pdf(&[figure]).unwrap_err().list[0].code, "page-size");
 }
 
-/// How often a key stands in a file, outside of streams or in those that are not compressed.
+/// Number of occurrences of a key in a file, outside of streams or in uncompressed ones.
 fn count(file: &[u8], key: &str) -> usize {
     file.windows(key.len()).filter(|w| *w == key.as_bytes()).count()
 }
 
-/// Cells of a table of values, the empty ones too.
+/// Cells of a table of values, including empty ones.
 fn places(table: &Table) -> usize {
     if table.kind == TableKind::Values { table.rows.len() * table.rows[0].len() } else { 0 }
 }
 
-/// What of the Matterhorn Protocol stands in the bytes; the writer itself refuses what has no words, no title or no character.
+/// The conditions of the Matterhorn Protocol that show in the bytes; the writer itself refuses
+/// figures without description, documents without title and glyphs without character.
 #[test]
 fn documents_meet_pdf_ua() {
     for (name, lang) in [("shaper", Lang::Zh), ("planetary-gear", Lang::En)] {

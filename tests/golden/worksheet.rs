@@ -1,4 +1,5 @@
-//! Worksheets: their texts as accepted, no answer on the problem's side, pages without overlaps, files that others can read.
+//! Worksheets: texts as accepted, no answer on the problem side, pages without overlaps, files that
+//! other programs can read.
 
 use super::files::{LANGS, WORKSHEETS, check_text, finish, golden};
 use super::pdf::{letters, read};
@@ -25,8 +26,8 @@ fn document(scene: &Scene, worked: &Worked, lang: Lang, sides: Sides) -> Documen
     worksheet(scene, worked, &Options { sides, ..Options::of_language(lang) })
 }
 
-/// A text with what stands between two marks left out: drawings have golden files of their own, and a label that finds a
-/// better place changes no worksheet.
+/// A text without the parts between two marks: drawings have golden files of their own, and a label
+/// that moves changes no worksheet.
 pub fn without(text: &str, from: &str, to: &str) -> String {
     let mut parts = text.split(from);
     let mut out = parts.next().unwrap_or_default().to_owned();
@@ -53,7 +54,7 @@ fn worksheets_read_as_accepted() {
     finish(&failures);
 }
 
-/// All that a reader of the problem's side can see or hear.
+/// All texts on the problem side for readers and screen readers.
 pub fn told(d: &Document) -> String {
     let mut out = markdown::markdown(d, "x").unwrap().0;
     for block in &d.blocks {
@@ -74,13 +75,13 @@ fn the_problem_side_tells_no_answer() {
     for t in templates::list() {
         let (scene, worked) = worked(t.name);
         let mut given = templates::get(t.name).unwrap().to_owned();
-        // What a driver's law makes of the instant is given too.
+        // Values of a driver's law at the instant are given too.
         for driver in &scene.drivers {
             for value in [Some(&driver.rate), driver.acceleration.as_ref()].into_iter().flatten() {
                 given += &format!(" {}", significant(value.value.abs(), 4));
             }
         }
-        // So is the angle of a guide that the file makes of a parameter.
+        // So is the angle of a guide that the file computes from a parameter.
         for guide in &scene.guides {
             if let GuidePath::Line { direction: Direction::Instant(angle), .. } = &guide.path {
                 given += &format!(" {}", significant(angle.value.radians().to_degrees(), 4));
@@ -91,7 +92,8 @@ fn the_problem_side_tells_no_answer() {
             let text = told(&d);
             for (c, r) in certify(&scene, &worked, 4).iter().zip(&worked.results) {
                 for (part, number) in &c.parts {
-                    // Three digits at least, and not those of a given thing: a length of 150 mm gives no direction away.
+                    // At least three digits, and not those of a given quantity: a length of 150 mm
+                    // does not give away a direction.
                     let Some((digits, _)) = number.text_scaled(4, 0) else { continue };
                     let digits = digits.trim_start_matches('-').trim_end_matches('0').trim_end_matches('.').to_owned();
                     let enough =
@@ -131,7 +133,7 @@ fn the_solution_has_every_answer_and_both_polygons() {
                 let name = format!("{}-{word}.svg", t.name);
                 assert_eq!(polygon.is_some() && !by_centres, beside.iter().any(|f| f.name == name), "{} {word}", t.name);
             }
-            // Every file that is written is named, and the other way round.
+            // Every written file is named, and vice versa.
             assert_eq!(text.matches("](<").count(), beside.len());
             assert!(beside.iter().all(|f| text.contains(&format!("](<{}>)", f.name))));
             let formulas = text.matches('$').count() - 2 * text.matches("$$").count();
@@ -146,11 +148,11 @@ fn label_boxes(page: &Page) -> Vec<(&Item, Rect)> {
     items.filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect()
 }
 
-/// What is wrong with a page, each fault on its line.
+/// The faults of a page, one per line.
 pub fn faults_of(page: &Page, at: &str) -> Vec<String> {
     let mut faults = Vec::new();
     let all = bounds(&page.parts.iter().flat_map(|p| p.items.clone()).collect::<Vec<_>>()).unwrap();
-    // 8 mm is what a printer cannot reach.
+    // A printer cannot reach the outer 8 mm.
     if all.min.x < 8.0 - 1e-6 || all.min.y < 8.0 - 1e-6 || all.max.x > page.width_mm - 8.0 + 1e-6 || all.max.y > page.height_mm - 8.0 + 1e-6
     {
         faults.push(format!("{at}: ink at {all:?}"));
@@ -159,7 +161,7 @@ pub fn faults_of(page: &Page, at: &str) -> Vec<String> {
         let (w, h) = (r.max.x.min(s.max.x) - r.min.x.max(s.min.x), r.max.y.min(s.max.y) - r.min.y.max(s.min.y));
         w > 0.05 && h > 0.05
     };
-    // The sign of a root holds its row.
+    // The sign of a root encloses its row.
     let root = |i: &Item| matches!(&i.shape, Shape::Label { label, .. } if label.plain() == "√");
     let labels = label_boxes(page);
     for (k, (a, r)) in labels.iter().enumerate() {
@@ -201,7 +203,7 @@ fn nothing_overlaps_and_nothing_is_cut_on_any_page() {
     for path in files.iter().step_by(every(8)) {
         let case: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
         let name = path.file_stem().unwrap().to_string_lossy();
-        // What is only counted has no solution.
+        // A case that only counts has no solution.
         if case["expect"].as_array().unwrap().iter().all(|e| e["find"].is_null()) {
             continue;
         }
@@ -214,7 +216,8 @@ fn nothing_overlaps_and_nothing_is_cut_on_any_page() {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// A pupil gets one page, a teacher five more at most: no mechanism of the templates needs them all but those of many equations.
+/// The problem takes one page, the solution at most five more: no template needs them all except
+/// those with many equations.
 #[test]
 fn no_page_is_wasted() {
     let mut long = Vec::new();
@@ -223,7 +226,8 @@ fn no_page_is_wasted() {
         for (lang, suffix) in LANGS {
             let [problem, both] = [Sides::Problem, Sides::Both].map(|sides| pages::pages(&document(&scene, &worked, lang, sides)).len());
             println!("{} {suffix}: {problem} of {both} pages", t.name);
-            // Twelve links take a page more, a group of class IV with its trial and its forces two.
+            // Twelve links take one more page, a group of class IV with its trial and its forces
+            // two.
             let higher = worked.mechanism.groups.iter().any(|g| matches!(g.core, Core::Higher)) && worked.equilibrium.is_some();
             let most = 6 + usize::from(scene.links.len() > 7) + if higher { 2 } else { 0 };
             if problem > 1 || both > most {
@@ -234,7 +238,8 @@ fn no_page_is_wasted() {
     assert!(long.is_empty(), "{long:?}");
 }
 
-/// The angular rates stand beside the table that they are solved from; a list's first members stay together, and its last ones.
+/// Angular velocities are beside the table from which they are solved; a list's first members stay
+/// together, and its last ones.
 #[test]
 fn formulas_stand_beside_their_tables() {
     let (scene, worked) = worked("radial-engine");
@@ -250,7 +255,8 @@ fn formulas_stand_beside_their_tables() {
     assert_eq!(beside, 4, "one for each equation");
 }
 
-/// What lies on a line is not said to lie 0 beside it, and no length is negative where words tell the side.
+/// A point on a line is not described as 0 beside it, and no length is negative where words give
+/// the side.
 #[test]
 fn places_are_told_in_words() {
     let told = |name: &str, lang| {
@@ -313,7 +319,7 @@ fn html_is_well_formed_and_fetches_nothing() {
     }
 }
 
-/// Where a typst is at hand; without one the test says so.
+/// Runs if a typst is installed; otherwise the test reports that it was skipped.
 #[test]
 fn typst_reads_the_source() {
     if std::process::Command::new("typst").arg("--version").output().is_err() {

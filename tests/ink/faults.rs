@@ -1,30 +1,30 @@
-//! What a reader would take for something else.
+//! Ambiguities: parts of a drawing that a reader would misread.
 
 use crate::read::{Box4, Ink, Line, P, Text};
 
-/// Lines from this width on are drawn to be seen; below it they help.
+/// Lines of at least this width are main lines; thinner ones are auxiliary.
 const THICK_MM: f64 = 0.33;
-/// A box that a line only grazes is read all the same.
+/// A box that a line only grazes is still legible.
 const GRAZE_MM: f64 = 0.3;
 /// Two boxes that touch by rounding do not overlap.
 const TOUCH_MM2: f64 = 0.01;
-/// A name may stand by so much nearer to another line: the eye does not see it.
+/// A name may be nearer to another line by this distance, which the eye does not see.
 const NEARER_MM: f64 = 0.15;
 
-/// Nearer than this two places are one: an inset is some ten times as large at most.
+/// Two places nearer than this are one: an inset enlarges some ten times at most.
 const ONE_MM: f64 = 0.02;
 
-/// The dot of a leader line, and the thing that it lies on.
+/// Largest distance between the dot of a leader line and its item.
 const DOT_MM: f64 = 1.0;
 
-/// Two letters' widths: a number farther off is no factor.
+/// Two letters' widths: a number farther away is not read as a factor.
 const FACTOR_MM: f64 = 4.0;
 
 #[derive(Default)]
 pub struct Faults {
     pub counts: [usize; NAMES.len()],
     pub list: Vec<String>,
-    /// Not a fault, but the fewer the better.
+    /// Number of leader lines: not a fault, but few are better.
     pub leaders: usize,
 }
 
@@ -42,10 +42,10 @@ const NAMES: [&str; 12] = [
     "leader through an arc",
     "leader through a label",
 ];
-/// Kinds of which there is none.
+/// Kinds of fault that must not occur.
 const FORBIDDEN: [usize; 11] = [0, 1, 2, 3, 4, 5, 6, 8, 9, 10, 11];
-/// Kinds of which there is one in so many sheets at most: where arcs, links and vectors are many and short there is no place
-/// without them.
+/// Kinds of fault of which one in a number of sheets is accepted: where arcs, links and vectors are
+/// many and short, no place is free of them.
 const RARE: [usize; 1] = [7];
 const ONE_IN: usize = 70;
 
@@ -56,7 +56,7 @@ impl Faults {
         self.leaders += other.leaders;
     }
 
-    /// Whether so many sheets can be read.
+    /// True if this number of sheets is legible.
     pub fn can_be_read(&self, sheets: usize) -> bool {
         let sum = |kinds: &[usize]| kinds.iter().map(|k| self.counts[*k]).sum::<usize>();
         sum(&FORBIDDEN) == 0 && sum(&RARE) * ONE_IN <= sheets.max(ONE_IN * 2)
@@ -103,18 +103,19 @@ pub fn of(ink: &Ink) -> Faults {
     f
 }
 
-/// How far the places are apart that one label names, where they are not one place.
+/// Distance between the places that one label names, unless they are one place.
 fn spread(ink: &Ink, label: &Text) -> Option<f64> {
     let kind = label.id.split('-').next()?;
     let place = |name: &str| ink.marks.iter().find(|m| m.0 == format!("{kind}-mark-image-{name}")).map(|m| m.1);
     let places: Vec<P> = label.text.split(", ").filter_map(|letter| place(&point_of(letter)?)).collect();
     let first = *places.first()?;
     let wide = places.iter().map(|p| (p[0] - first[0]).hypot(p[1] - first[1])).fold(0.0, f64::max);
-    // Numbers of the file have a thousandth of a millimetre.
+    // Numbers of the file are rounded to a thousandth of a millimetre.
     (wide > ONE_MM).then_some(wide)
 }
 
-/// The name of the point whose image has this letter: `c'` of C, `a_3` of A3. Names that are longer, or have a number, are left out.
+/// The name of the point with an image of this letter: `c'` of C, `a_3` of A3. Names that are
+/// longer, or have a number, are left out.
 fn point_of(letter: &str) -> Option<String> {
     let plain = letter.replace(['{', '}', '_', '\''], "").to_uppercase();
     plain.chars().all(|c| c.is_ascii_alphanumeric()).then_some(plain)
@@ -133,7 +134,7 @@ fn hatchings(ink: &Ink, f: &mut Faults) {
             l if has(&l.class, "rotation") || has(&l.class, "driver") && !has(&l.class, "reference") => 2,
             _ => continue,
         };
-        // The ground's number may point to the hatching, not through it.
+        // The ground's number may point to the hatching, but not through it.
         let pieces = if has(&line.class, "leader") { vec![way(line)] } else { line.pieces.clone() };
         for h in hatches.iter().filter(|h| crossed(h, &pieces)) {
             f.note(kind, format!("{} in {}", line.id, h.id));
@@ -148,7 +149,7 @@ fn hatchings(ink: &Ink, f: &mut Faults) {
     }
 }
 
-/// Leader lines point across lines at most, never across what turns or what is written.
+/// Leader lines may cross lines, but neither arcs nor texts.
 fn leaders(ink: &Ink, f: &mut Faults) {
     let arcs: Vec<&Line> =
         ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "angle") && !has(&l.class, "reference")).collect();
@@ -166,13 +167,14 @@ fn leaders(ink: &Ink, f: &mut Faults) {
 
 /// A leader line without its dot.
 fn way(leader: &Line) -> (P, P) {
-    // The straight part comes last, from the dot at the thing that is named.
+    // The straight part comes last, from the dot at the named item.
     let &(dot, end) = leader.pieces.last().expect("a leader line has ink");
     let off = (DOT_MM / (end[0] - dot[0]).hypot(end[1] - dot[1])).min(1.0);
     ([0, 1].map(|k| dot[k] + (end[k] - dot[k]) * off), end)
 }
 
-/// A link's number on one line with the name of a rate, and close behind it, is read as its factor.
+/// A link's number on one line with the name of an angular velocity, and close behind it, is read
+/// as its factor.
 fn factors(ink: &Ink, f: &mut Faults) {
     let numbers = ink.texts.iter().filter(|t| has(&t.class, "number"));
     for number in numbers {
@@ -187,7 +189,7 @@ fn factors(ink: &Ink, f: &mut Faults) {
     }
 }
 
-/// A vector's name is nearer to its vector than to any other, a point's letter nearer to its mark.
+/// A vector's name is nearer to its vector than to any other, a point's letter nearer to its point.
 fn nearest(ink: &Ink, f: &mut Faults) {
     let leads = |id: &str| ink.lines.iter().any(|l| l.id == format!("{id}-leader"));
     for text in ink.texts.iter().filter(|t| !leads(&t.id)) {
@@ -200,7 +202,7 @@ fn nearest(ink: &Ink, f: &mut Faults) {
         let inset = has(&text.class, "inset");
         let own = [format!("{kind}-{name}"), format!("{kind}-inset-{}", name.trim_start_matches("inset-"))];
         if let Some(own) = shafts.iter().find(|l| own.contains(&l.id) && has(&l.class, "inset") == inset) {
-            // Its head is part of it.
+            // The head is part of the vector.
             let mine = ink.lines.iter().filter(|l| l.id == own.id).map(|l| apart(text, l)).fold(f64::INFINITY, f64::min);
             for other in shafts.iter().filter(|l| l.id != own.id && !along(own, l)) {
                 let theirs = apart(text, other);
@@ -218,7 +220,7 @@ fn nearest(ink: &Ink, f: &mut Faults) {
     }
 }
 
-/// Whether one vector covers the other: then no side of it is its own.
+/// True if one vector covers the other: no side then belongs to one of them.
 fn along(a: &Line, b: &Line) -> bool {
     let ends = |l: &Line| [l.pieces[0].0, l.pieces[l.pieces.len() - 1].1];
     let covers = |s: &Line, l: &Line| ends(l).iter().all(|p| s.pieces.iter().any(|q| to_piece(*p, *q) < 0.35));
@@ -264,7 +266,7 @@ fn clipped((a, b): (P, P), r: Box4, grown: f64) -> f64 {
     }
     let at = |t: f64| [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t];
     let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-    // As many parts as tell a tenth of a millimetre.
+    // Parts of a tenth of a millimetre.
     let parts = PARTS.max((length * 10.0) as usize);
     let inside = |p: P| (0..2).all(|k| p[k] > r.lo[k] - grown && p[k] < r.hi[k] + grown);
     let hits = (0..parts).filter(|k| inside(at((*k as f64 + 0.5) / parts as f64))).count();

@@ -1,8 +1,10 @@
-//! Whether a reader can tell on a sheet what belongs to what, measured on the written SVG by `usvg`: ink boxes of letters, flattened
-//! paths of lines. Nothing here knows how labels are placed.
+//! Checks that a reader can see on a sheet which label belongs to which item, measured on the
+//! written SVG by `usvg`: ink boxes of letters, flattened paths of lines. The checks do not use the
+//! placement of labels.
 //!
-//! The gate looks at a few poses of each template; all of them (every 15° from 4°, both languages, three styles):
-//! `HODOGRAPH_INK=all cargo test --test ink -- --nocapture`. One template: `HODOGRAPH_ONLY=shaper`.
+//! The gate examines a few poses of each template; all of them (every 15° from 4°, both languages,
+//! three styles): `HODOGRAPH_INK=all cargo test --test ink -- --nocapture`. One template:
+//! `HODOGRAPH_ONLY=shaper`.
 
 mod faults;
 mod read;
@@ -14,17 +16,17 @@ use hodograph::render::svg;
 use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, work};
 
-/// Angles of the whole check: every so many degrees from this one, so that nothing stands square by accident.
+/// First angle of the whole check (deg), so that nothing is perpendicular by accident.
 const FIRST_DEG: usize = 4;
 const STEP_DEG: usize = 15;
-/// Of these the gate looks at every so many, each template beginning with another one.
+/// The gate takes every n-th of these; each template begins with another one.
 const SAMPLE: usize = 12;
 
 fn all() -> bool {
     std::env::var("HODOGRAPH_INK").is_ok_and(|v| v == "all")
 }
 
-/// The scene as it is written and at the odd angles of its first driver that is turned.
+/// The scene as written, and at odd angles of its first turning driver.
 fn poses(scene: &Scene, template: usize) -> Vec<Scene> {
     let mut out = vec![scene.clone()];
     let turns = matches!(scene.drivers.first().map(|d| &d.kind), Some(DriverKind::Turn { .. }));

@@ -7,9 +7,10 @@ use resvg::usvg::{Group, Node, Options, Path, Tree};
 
 /// usvg's pixels per millimetre.
 const PX_PER_MM: f64 = 96.0 / 25.4;
-/// Straight pieces of a curve, at least.
+/// Least number of straight pieces of a curve.
 const PIECES: usize = 12;
-/// So many pieces for the root of a curve's reach (mm) keep a quarter of a circle within 0.04 mm of its chords.
+/// This number of pieces times the root of a curve's extent (mm) keeps a quarter of a circle within
+/// 0.04 mm of its chords.
 const FINE: f64 = 2.8;
 
 pub type P = [f64; 2];
@@ -29,7 +30,7 @@ pub struct Text {
     pub ink: Box4,
 }
 
-/// What is drawn otherwise.
+/// A drawn item other than a label.
 pub struct Line {
     pub id: String,
     pub class: String,

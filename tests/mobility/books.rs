@@ -1,11 +1,12 @@
-//! Mechanisms as they stand in chapters on mobility, told by links and pairs alone: no profile, no radius, no teeth, no direction, no driver.
+//! Mechanisms from book chapters on mobility, given by links and pairs alone: no profile, no
+//! radius, no teeth, no direction, no driver.
 
 use hodograph::report::mobility;
 use hodograph::scene::{self, Lang};
 use hodograph::worksheet::{Options, markdown, mobility_of_pairs};
 use serde_json::Value as Json;
 
-/// n, p_l, p_h, F′, sure p′, F, and F where what may repeat others does.
+/// n, p_l, p_h, F′, certain p′, F, and F if pairs that may be redundant are.
 struct Book {
     name: &'static str,
     scene: &'static str,
@@ -183,7 +184,7 @@ fn links_and_pairs_are_counted_as_books_count_them() {
                 mobility::text(&scene, &survey, &checked, Lang::En)
             ));
         }
-        // A worksheet lists links and pairs; nothing has to be drawn.
+        // A worksheet lists links and pairs; a drawing is not needed.
         for lang in [Lang::En, Lang::Zh] {
             let document = mobility_of_pairs(&scene, &Options::of_language(lang));
             let (text, beside) = markdown::markdown(&document, "count").unwrap();

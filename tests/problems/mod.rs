@@ -1,7 +1,9 @@
-//! Further problems in the manner of the textbooks, each written from its statement with the documents at hand and solved by a program of
-//! its own that shares nothing with this one: Newton's method on the loops and implicit differentiation, jets of closed forms, counting.
+//! Further problems in textbook style, each written from its statement with the documents at hand
+//! and solved by a program of its own that shares nothing with this one: Newton's method on the
+//! loops and implicit differentiation, jets of closed forms, counting.
 //!
-//! `motion.json`: what `hodograph solve` answers; `centres.json`: places of instantaneous centres; `mobility.json`: counts.
+//! `motion.json`: answers of `hodograph solve`; `centres.json`: places of instantaneous centres;
+//! `mobility.json`: counts.
 
 use hodograph::answer::Value;
 use hodograph::centres::{Place, centres};
@@ -42,7 +44,8 @@ fn name(problem: &Json) -> &str {
     problem["name"].as_str().unwrap()
 }
 
-/// How far a value is from what is expected, and how large that is. Angles are the same where they differ by whole turns.
+/// Difference between a value and the expected one, and the size of the expected one. Angles are
+/// equal if they differ by whole turns.
 fn miss(kind: Kind, value: Value, expected: &Json) -> Option<[f64; 2]> {
     let pair = || Some([expected[0].as_f64()?, expected[1].as_f64()?]);
     let two = |x: f64, y: f64| pair().map(|[a, b]| [(x - a).hypot(y - b), a.hypot(b)]);
@@ -86,7 +89,7 @@ fn motions_of_further_problems() {
             let drawn = r.drawn.as_ref().map(|d| d.value);
             for (way, value) in [("drawing", drawn), ("analysis", Some(r.computed))] {
                 let Some(value) = value else { continue };
-                // What vanishes is judged by the largest answer of its kind.
+                // A value of zero is judged by the largest answer of its kind.
                 let kind = scene.find[r.find].what.kind();
                 let others = worked.results.iter().filter(|o| scene.find[o.find].what.kind() == kind);
                 let largest = others.map(|o| size(o.computed)).fold(0.0, f64::max);
@@ -157,12 +160,12 @@ fn mobility_of_further_problems() {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// The lists and tables of a scene in another order: that of the entries of a file means nothing, but for the points of a link and for
-/// parameters, which use those before them.
+/// The lists and tables of a scene in another order. The order of entries has no meaning, except
+/// for the points of a link and for parameters, which use those before them.
 fn shuffled(scene: &Json, seed: usize) -> Json {
     let mut scene = scene.clone();
     let order = |n: usize| -> Vec<usize> {
-        // A step prime to the length, and another start.
+        // A step coprime to the length, and another start.
         let step = (1..n.max(2)).filter(|s| (2..=*s).all(|d| s % d > 0 || !n.is_multiple_of(d))).nth_back(seed % 2).unwrap_or(1);
         (0..n).map(|k| (seed + 1 + k * step) % n).collect()
     };
@@ -189,7 +192,7 @@ fn the_order_of_entries_decides_nothing() {
     let own = templates::list().into_iter().map(|t| (t.name.to_owned(), serde_json::from_str(templates::get(t.name).unwrap()).unwrap()));
     let all = given.iter().map(|p| (name(p).to_owned(), p["scene"].clone())).chain(own);
     for (id, scene) in all {
-        // Several drivers are told apart by their order.
+        // Several drivers are distinguished by their order.
         if scene["driver"].is_array() || scene["drivers"].is_array() {
             continue;
         }
@@ -200,7 +203,7 @@ fn the_order_of_entries_decides_nothing() {
                 worked.results.iter().map(|r| (read.find[r.find].text.clone(), r.computed)).collect::<Vec<_>>(),
             )
         };
-        // Of several assemblies that nothing decides one is taken, and a note says so.
+        // Of several assemblies that the scene does not distinguish one is taken, with a note.
         let open = |scene: &Json| {
             let told = scene::read(scene.to_string()).and_then(|s| work(&s.value, Scope::Questions)).map(|w| w.notes);
             told.is_ok_and(|notes| notes.iter().any(|n| ["side-undecided", "assembly-by-default"].contains(&n.code)))
@@ -240,7 +243,7 @@ fn the_order_of_entries_decides_nothing() {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// A sweep begun where a driver stands says there what the pose says.
+/// A sweep that begins at the driver's position agrees there with the pose.
 #[test]
 fn sweeps_of_further_problems_begin_with_their_poses() {
     let (mut faults, mut compared) = (Vec::new(), 0);
@@ -268,7 +271,7 @@ fn sweeps_of_further_problems_begin_with_their_poses() {
                     .zip(value(format!("{find}.y")))
                     .map(|(x, y)| (x - expected[0].as_f64().unwrap()).hypot(y - expected[1].as_f64().unwrap())),
             };
-            // Some are named as the drawing names them.
+            // Some are named as in the drawing.
             let Some(off) = off else { continue };
             compared += 1;
             if off.is_nan() || off.abs() > 10.0 * ALLOWED * of(expected).max(1e-3 * largest) {

@@ -1,4 +1,4 @@
-//! Asking for less: never more work, and the same answers.
+//! Fewer questions: never more work, and the same answers.
 
 use crate::emit::{self, Ask, Pose};
 use crate::properties::{mechanism, seeds, style, worked};
@@ -44,7 +44,7 @@ fn counters(w: &Worked) -> Vec<(&'static str, usize)> {
             ("groups", m.groups),
             ("equations planned", m.equations_planned),
             ("equations closed", m.equations_closed),
-            // A point may be found by an equation here and by its image there.
+            // A point may be found by an equation in one case and by its image in the other.
             ("points found", m.equations_closed + m.images),
             ("vectors", m.vectors),
             ("rates", m.rates),
@@ -69,8 +69,8 @@ fn asking_less_never_does_more() {
     assert!(less * 2 > compared, "asking less saves next to nothing: {less} of {compared}");
 }
 
-/// Positions, and motions group by group, to the last bit; drawing and loop equations, whose paper and whose matrix are as
-/// large as what is asked, within what their agreement allows.
+/// Positions, and motions group by group, agree to the last bit; drawing and loop equations, with
+/// paper and matrix as large as the questions need, agree within their tolerance.
 #[test]
 fn what_else_is_asked_changes_no_answer() {
     let mut answers = 0;

@@ -1,4 +1,4 @@
-//! The broken scenes of `tests/bad`: each is refused, in words that say what its README demands.
+//! The broken scenes of `tests/bad`: each is refused with the message that its README demands.
 
 use hodograph::diag::Faults;
 use hodograph::report::diagnostics::render;
@@ -29,7 +29,7 @@ fn messages() -> String {
     out
 }
 
-/// What the README demands of each message, whatever its wording.
+/// The README's demands on each message, in any wording.
 const DEMANDS: &[(&str, &[&str])] = &[
     ("misspelt-key", &["lenghts", "lengths"]),
     ("unknown-point", &["F", "K"]),
@@ -64,7 +64,7 @@ fn broken_scenes_are_explained() {
     let mut missing: Vec<String> = lost.map(|d| format!("{}: its scene is not in tests/bad", d.0)).collect();
     for section in &sections {
         let name = section.split('.').next().unwrap();
-        // The quoted source says the words too: only the messages and the advice count.
+        // The quoted source contains the words too: only the messages and the advice count.
         let said: String =
             section.lines().filter(|l| !l.trim_start().starts_with(|c: char| c.is_ascii_digit())).collect::<Vec<_>>().join("\n");
         match DEMANDS.iter().find(|d| d.0 == name) {
@@ -75,7 +75,7 @@ fn broken_scenes_are_explained() {
     let file = format!("{FOLDER}/messages.txt");
     let golden = std::fs::read_to_string(&file).unwrap_or_default();
     if golden != now {
-        // A run that accepts fails too: nothing is accepted unseen.
+        // A run that accepts fails as well: nothing is accepted unseen.
         if std::env::var("HODOGRAPH_ACCEPT").is_ok_and(|v| v == "1") {
             std::fs::write(&file, &now).unwrap();
             panic!(
@@ -94,7 +94,7 @@ fn broken_scenes_are_explained() {
     assert!(missing.is_empty(), "{}\nin\n{now}", missing.join("\n"));
 }
 
-/// Everything that is said of a scene: its faults, or the notes of its answers.
+/// All diagnostics of a scene: its faults, or the notes of its answers.
 fn said(text: &str) -> Vec<hodograph::diag::Diagnostic> {
     match scene::read(text) {
         Err(faults) => faults.list,

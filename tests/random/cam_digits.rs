@@ -1,7 +1,8 @@
-//! Every printed digit of what is asked of a cam is true: against formulas of this file in 640-bit arithmetic, which take derivatives as differences and
-//! angles of phases from triangles.
+//! Every printed digit of a cam's answers is true: compared with formulas of this file in 640-bit
+//! arithmetic, with derivatives by differences and angles of phases from triangles.
 //!
-//! `HODOGRAPH_SEEDS=10 HODOGRAPH_WIDE=1 cargo test --test random of_cams -- --nocapture` compares more than 10⁵ numbers.
+//! `HODOGRAPH_SEEDS=10 HODOGRAPH_WIDE=1 cargo test --test random of_cams -- --nocapture` compares
+//! more than 10⁵ numbers.
 
 use crate::cam_truth::{ByLaw, Cam, Profile};
 use crate::properties::seeds;
@@ -53,7 +54,8 @@ fn printed_digits_are_true_of_cams() {
                 let t = Value::Scalar(Ball::new(t, 1e-45 * t.approx().abs().max(1e-3)));
                 for (digits, certified) in DIGITS.iter().zip(&certified) {
                     let Ok(expected) = parts(find.what.kind(), t, r.scale, *digits) else {
-                        // A nose that touches the base circle from within lifts nothing: nothing may be told of a rise.
+                        // A nose that touches the base circle from within gives no lift: no rise
+                        // may be printed.
                         if certified[i].parts.iter().any(|(_, n)| n.text(*digits).is_some()) {
                             wrong.push(format!("seed {seed}: {} is told and has no true value\n{text}", find.text));
                         }

@@ -1,9 +1,9 @@
-//! Motion laws of cams by the formulas of the text books, in long numbers.
+//! Motion laws of cams by the textbook formulas, in long numbers.
 
 use crate::cam_truth::whole;
 use hodograph::number::{Big, Real};
 
-/// S(x) of a law, by the half of its way that is told.
+/// S(x) of a law, in the form of the given half of its range.
 pub fn normal(law: &str, x: Big, half: usize) -> Big {
     let pi = Big::pi();
     let sine = |t: Big| t.sin_cos().0;
@@ -28,7 +28,7 @@ pub fn normal(law: &str, x: Big, half: usize) -> Big {
     }
 }
 
-/// Ends of the parts of a law that have formulas of their own.
+/// Ends of the parts of a law with formulas of their own.
 pub fn ends(law: &str) -> &'static [f64] {
     match law {
         "parabolic" => &[0.5, 1.0],

@@ -1,5 +1,5 @@
-//! Random cams with their scenes, and what is asked of them by formulas of this file in long numbers: derivatives are differences, angles of phases come
-//! from triangles.
+//! Random cams with their scenes, and their answers by formulas of this file in long numbers:
+//! derivatives by differences, angles of phases from triangles.
 
 use crate::cam_laws::{ends, normal};
 use crate::rng::Rng;
@@ -43,7 +43,8 @@ fn arc_cosine(x: Big) -> Big {
     ((whole(1) - x) * (whole(1) + x)).sqrt().atan2(x)
 }
 
-/// A follower: (offset) on a vertical guide, (pivot, arm) on an arm to the right of the line from its pivot to O, or a face square to a vertical guide.
+/// A follower: (offset) on a vertical guide, (pivot, arm) on an arm to the right of the line from
+/// its pivot to O, or a face perpendicular to a vertical guide.
 #[derive(Clone, Debug)]
 pub enum Follower {
     Guide(Number),
@@ -179,7 +180,7 @@ impl Cam {
     }
 }
 
-/// The steps of differences: their square is less than what rounding leaves of 640 bits over the same square.
+/// The step of differences: its square is less than the rounding of 640 bits over the same square.
 fn step() -> Big {
     Big::from_f64(2f64.powi(-140))
 }
@@ -191,7 +192,7 @@ pub fn differences<T: Copy + std::ops::Sub<Output = T> + std::ops::Mul<Big, Outp
     [(c - a) * (whole(1) / (h + h)), ((c - b) - (b - a)) * (whole(1) / (h * h))]
 }
 
-/// What of a law holds about an angle: stage, part of its law.
+/// The branch of a law about an angle: stage, part of its law.
 pub type Branch = (usize, usize);
 
 /// A cam by a law in long numbers.
@@ -234,7 +235,7 @@ impl ByLaw<'_> {
         whole(1 - 2 * i32::from(self.cam.clockwise))
     }
 
-    /// The follower's point in the plane and the direction in which it goes out.
+    /// The follower's point in the plane and its outward direction.
     fn at(&self, lift: Big) -> (Place, Place) {
         self.cam.stands(self.base + self.cam.end.metres(), lift)
     }
@@ -255,7 +256,7 @@ impl ByLaw<'_> {
         [self.sense() * out.cross(across).atan2(out.dot(across)), rho]
     }
 
-    /// What is asked, in the order of the questions; the least radius only if it is wanted.
+    /// The answers in the order of the questions; the least radius only if requested.
     pub fn answers(&self, least: bool) -> [Option<Big>; 6] {
         let phi = self.cam.turned();
         let branch = self.branch(phi.approx());
@@ -266,7 +267,7 @@ impl ByLaw<'_> {
         [Some(self.lift(branch, phi)), Some(gain), Some(self.stages[0].2.radians()), Some(pressure), Some(rho), least]
     }
 
-    /// The least radius of curvature: of round ends of what is convex on the pitch curve.
+    /// The least radius of curvature; for round ends only where the pitch curve is convex.
     pub fn least(&self) -> Big {
         let mut least: Option<Big> = None;
         let starts = self.starts();
@@ -299,7 +300,7 @@ impl ByLaw<'_> {
     }
 }
 
-/// A derivative, with differences wider than those within the function.
+/// A derivative, by wider differences than those within the function.
 pub fn slope(f: &dyn Fn(Big) -> Big, x: Big) -> Big {
     let wide = Big::from_f64(WIDE);
     (f(x + wide) - f(x - wide)) / (wide + wide)
@@ -307,7 +308,8 @@ pub fn slope(f: &dyn Fn(Big) -> Big, x: Big) -> Big {
 
 const WIDE: f64 = 1.0 / (1u128 << 70) as f64;
 
-/// The place of the least value of a function between two places: bisection of the slope, then Newton's method on difference quotients.
+/// The place of a function's minimum between two places: bisection of the slope, then Newton's
+/// method on difference quotients.
 pub fn bottom(f: &dyn Fn(Big) -> Big, mut a: Big, mut b: Big) -> Big {
     for _ in 0..20 {
         let middle = (a + b) / whole(2);
@@ -322,7 +324,8 @@ pub fn bottom(f: &dyn Fn(Big) -> Big, mut a: Big, mut b: Big) -> Big {
 }
 
 impl Cam {
-    /// The follower's point at a lift from where it is at a distance from O, and the direction in which it goes out.
+    /// The follower's point at a lift above its place at the distance `reach` from O, and its
+    /// outward direction.
     fn stands(&self, reach: Big, lift: Big) -> (Place, Place) {
         match &self.follower {
             Follower::Guide(e) => {
@@ -340,7 +343,8 @@ impl Cam {
         }
     }
 
-    /// The coordinate of the follower where its point is somewhere: along the guide, or the angle of the arm from PO.
+    /// The coordinate of the follower for a place of its point: along the guide, or the angle of
+    /// the arm from PO.
     fn coordinate(&self, at: Place) -> Big {
         match &self.follower {
             Follower::Guide(_) | Follower::Face => at.y,
@@ -352,7 +356,8 @@ impl Cam {
         }
     }
 
-    /// Lift, stroke, rise, pressure angle, radius (nothing: infinite) and least radius of a profile of arcs, touched on a piece.
+    /// Lift, stroke, rise, pressure angle, radius (`None`: infinite) and least radius for a profile
+    /// of arcs, touched on a given piece.
     pub fn of_arcs(&self, piece: usize) -> [Option<Big>; 6] {
         let Profile::Arcs { nose, flank, apart } = &self.profile else { panic!() };
         let (r1, r2, r, d, end) = (self.base.metres(), nose.metres(), flank.metres(), apart.metres(), self.end.metres());
@@ -391,7 +396,7 @@ impl Cam {
                 (at, (at - k) * (whole(1) / reach))
             }
             (Some(k), Follower::Arm([x, y], arm)) => {
-                // The crossing of two circles on the side of the follower.
+                // The intersection of two circles on the side of the follower.
                 let (k, reach) = (turned(k), radius.unwrap() + end);
                 let (p, l) = (Vec2::new(x.metres(), y.metres()), arm.metres());
                 let way = k - p;

@@ -1,5 +1,6 @@
-//! Every printed digit of what `cam` tells of a cam over a whole turn is true: against formulas of [`crate::cam_truth`] in 640-bit arithmetic, which take
-//! derivatives as differences and look for extremes by themselves.
+//! Every digit that `cam` prints of a cam over a whole turn is true: compared with formulas of
+//! [`crate::cam_truth`] in 640-bit arithmetic, which take derivatives by differences and search for
+//! extremes by themselves.
 //!
 //! `HODOGRAPH_SEEDS=10 HODOGRAPH_WIDE=1 cargo test --test random of_cams -- --nocapture`
 
@@ -16,21 +17,22 @@ use hodograph::report::cam::{Now, Report, Unit, Which};
 use hodograph::scene::{Kind, read};
 
 const DIGITS: [usize; 3] = [4, 6, 12];
-/// Values nearer than this part of themselves are equal: one of several places is told.
+/// Values with a smaller relative difference are equal: one of several places is printed.
 const EQUAL: f64 = 1e-9;
-/// Slopes of less than this are none.
+/// Smaller slopes count as zero.
 const STILL: f64 = 1e-30;
 /// The error of places of extremes.
 const OFF: f64 = 1e-35;
 
-/// A greatest value: where, how much, and whether it is reached there only.
+/// A maximum: its place, its value, and whether it is reached there only.
 struct Greatest {
     at: Big,
     value: Big,
     alone: bool,
 }
 
-/// The greatest value of a function over the stages of some ways, at ends of pieces or where its slope passes through zero.
+/// The maximum of a function over some stages, at ends of pieces or where its slope passes through
+/// zero.
 fn greatest(law: &ByLaw, on: &dyn Fn(usize) -> bool, f: &dyn Fn(Branch, Big) -> Big) -> Option<Greatest> {
     const STEPS: usize = 24;
     let mut all: Vec<(Big, Big)> = Vec::new();
@@ -59,7 +61,7 @@ fn greatest(law: &ByLaw, on: &dyn Fn(usize) -> bool, f: &dyn Fn(Branch, Big) -> 
     Some(Greatest { at, value, alone })
 }
 
-/// Numbers with their true values in the unit in which they are told.
+/// Numbers with their true values in their printed unit.
 type Told = Vec<(Which, Unit, Big)>;
 
 fn degrees(x: Big) -> Big {
@@ -88,7 +90,7 @@ fn of_law(cam: &Cam, law: &ByLaw, seed: u64) -> Told {
     };
     for (k, sign) in [(0, whole(-1)), (1, whole(1))] {
         let of = |order: usize| move |b: Branch, phi: Big| sign * differences(&|x| law.lift(b, x), phi)[order];
-        // A follower at rest has no rate.
+        // A follower at rest has no velocity.
         extreme(Mark::Rate(k), Unit::Lift(1), greatest(law, &moving, &of(0)), &|x| sign * x * omega);
         extreme(Mark::Bend(k), Unit::Lift(2), greatest(law, &moving, &of(1)), &|x| sign * x * omega * omega);
         if !flat && seed.is_multiple_of(4) {
@@ -117,7 +119,8 @@ fn of_law(cam: &Cam, law: &ByLaw, seed: u64) -> Told {
     all
 }
 
-/// The base circle at which the least radius of the profile is nothing, next to that of double precision.
+/// The base circle at which the least radius of the profile is zero, next to that in double
+/// precision.
 fn base_without_undercut(cam: &Cam, law: &ByLaw, near: f64) -> Big {
     let least = |base: Big| ByLaw { cam, stages: law.stages, base }.least();
     let mut x = [Big::from_f64(near * (1.0 + 1e-9)), Big::from_f64(near * (1.0 - 1e-9))];
@@ -147,7 +150,8 @@ fn printed_digits_are_true_of_cams_over_a_turn() {
         within(BITS, || {
             let law = ByLaw { cam: &cam, stages, base: cam.base.metres() };
             let mut all = of_law(&cam, &law, seed);
-            // An edge has no undercut: there the least base circle is where the follower just reaches its cam.
+            // An edge has no undercut: its least base circle is the one at which the follower just
+            // reaches its cam.
             let edge = !matches!(cam.follower, Follower::Face) && cam.end.approx() == 0.0;
             if let Some(near) = (seed.is_multiple_of(16) && !edge).then(|| least_base(&turning.disc)).flatten() {
                 all.push((Which::LeastBase, Unit::Length, base_without_undercut(&cam, &law, near) * whole(1000)));

@@ -1,5 +1,5 @@
-//! Random mechanisms with cams, gears and wheels told by lengths ([`crate::grown`]): the drawing, the loop equations and differences of positions say
-//! the same.
+//! Random mechanisms with cams, gears and wheels given by lengths ([`crate::grown`]): the drawing,
+//! the loop equations and differences of positions agree.
 
 use crate::grown;
 use crate::properties::seeds;
@@ -49,7 +49,8 @@ fn grown_cams_and_gears_are_drawn_as_they_are_computed() {
     });
 }
 
-/// The driver a little before and a little after: every point's velocity and acceleration are differences of its places.
+/// With the driver slightly before and after, every point's velocity and acceleration agree with
+/// differences of its places.
 #[test]
 fn grown_cams_and_gears_move_as_differences_say() {
     const STEP: f64 = 2e-5;
@@ -59,7 +60,7 @@ fn grown_cams_and_gears_move_as_differences_say() {
             return;
         }
         let Some(start) = driver_position(scene, 0) else { return };
-        // A rack stands where coordinates put it: those are of the instant alone.
+        // A rack is placed by coordinates, which hold for the instant alone.
         let placed = |p: &hodograph::scene::Point| matches!(p.place, hodograph::scene::Place::At(_));
         let pivots = &scene.links[scene.ground.0].points;
         if scene.points.iter().enumerate().any(|(i, p)| placed(p) && !pivots.iter().any(|q| q.0 == i)) {
@@ -82,7 +83,8 @@ fn grown_cams_and_gears_move_as_differences_say() {
             let (Some(a), Some(b), Some(c), Some(d)) = (place(0), place(1), place(2), place(3)) else { continue };
             let slope = ((c - b) * 8.0 - (d - a)) * (1.0 / (12.0 * STEP));
             let bend = ((b + c) * 16.0 - (a + d)) * (1.0 / (12.0 * STEP * STEP));
-            // Over a joint of the profile the acceleration jumps: one side is told.
+            // Across a joint of the profile the acceleration jumps: the printed one belongs to one
+            // side.
             let jumps = ((b + c) - (a + d) * 0.25).norm() / (STEP * STEP) > 1e-3 * (bend.norm() + slope.norm());
             let (v, acc) = (slope * rate, bend * (rate * rate) + slope * acceleration);
             let (sv, sa) = (largest(w, Level::Velocity, scene), largest(w, Level::Acceleration, scene));

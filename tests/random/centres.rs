@@ -23,8 +23,8 @@ fn largest(found: &Centres) -> f64 {
     links.map(|(_, v, omega)| omega.abs().max(v.norm() / size)).fold(0.0, f64::max)
 }
 
-/// How far a centre is from P = Q + i (v_i − v_j)/(ω_i − ω_j), relative to the size of the mechanism and the distance; `None` where the
-/// links hardly move against one another.
+/// Distance of a centre from P = Q + i (v_i − v_j)/(ω_i − ω_j), relative to the size of the
+/// mechanism and the distance; `None` where the links have almost no relative motion.
 fn off(found: &Centres, c: &Centre, place: Point) -> Option<f64> {
     let ((q, v, a), (_, w, b)) = (motion(found, c.step.pair.i)?, motion(found, c.step.pair.j)?);
     let size = found.worked.configuration.extent();
@@ -32,11 +32,12 @@ fn off(found: &Centres, c: &Centre, place: Point) -> Option<f64> {
     let scale = largest(found);
     let by_velocities = q + (v - w).perp() * (1.0 / omega);
     let far = by_velocities.distance(q) + size;
-    // What rounding leaves of the difference, with a reserve for links whose rates are small beside others'.
+    // The rounding error of the difference, with a reserve for links that turn slowly compared with
+    // others.
     (omega.abs() > 1e-6 * scale && scale > 0.0 && far < 1e4 * size).then(|| by_velocities.distance(place) / far)
 }
 
-/// Whether two links do not move against one another.
+/// True if two links have no relative motion.
 fn rests(found: &Centres, c: &Centre) -> bool {
     let (Some((_, v, a)), Some((_, w, b))) = (motion(found, c.step.pair.i), motion(found, c.step.pair.j)) else { return false };
     (v - w).norm() / found.worked.configuration.extent() + (a - b).abs() < 1e-9 * largest(found)
@@ -54,12 +55,14 @@ fn centres_by_lines_are_those_by_velocities() {
         let found = centres(&case.scene).unwrap_or_else(|f| panic!("seed {seed}: {f}\n{}", case.text)).value;
         let fail = |what: String| -> ! { panic!("seed {seed}: {what}\n{}", case.text) };
         assert_eq!(found.list.len(), hodograph::centres::count(case.scene.links.len()));
-        // Links grown onto one link close a rigid triangle with it: among them no centre is the only one.
+        // Links attached to one link form a rigid triangle with it: the centre of two of them is
+        // not unique.
         let rigid = found.list.iter().any(|c| rests(&found, c));
         loose += usize::from(!rigid);
         for c in &found.list {
             let name = c.step.pair.name(&case.scene);
-            // A round's two lines are two in a general pose: what topology knows to be one it does not count twice.
+            // The two lines of a round are distinct in a general pose: lines that coincide by
+            // topology are not counted twice.
             if !rigid && (c.why.is_some() && c.step.how != How::Velocities || c.round > c.step.round) {
                 fail(format!("{name}: {:?} of {:?}", c.why, c.step.how));
             }
@@ -86,9 +89,9 @@ fn centres_by_lines_are_those_by_velocities() {
         if found.worst_triple > 1e-8 {
             fail(format!("a triple spans {:e}", found.worst_triple));
         }
-        // As the single flier does: a link held by three others that all move.
+        // As in the single flier: a link held by three others that all move.
         stalled += usize::from(!rigid && found.closure.stalled());
-        // Rates and speeds by centres are those of the loop equations.
+        // Angular velocities and speeds by centres agree with the loop equations.
         let size = found.worked.configuration.extent();
         for t in &found.uses.links {
             let Some(Value::Scalar(omega)) = found.other_ways(&omega(t.link, None))[1] else { continue };

@@ -1,4 +1,4 @@
-//! Printed numbers beside true ones: every digit that is told is one of the true number.
+//! Printed numbers compared with true ones: every printed digit is one of the true number.
 
 use hodograph::answer::Value;
 use hodograph::certified::ladder::{Part, certify, parts};
@@ -8,7 +8,7 @@ use hodograph::scene::{Find, Scene};
 use hodograph::worked::Worked;
 use std::collections::BTreeMap;
 
-/// Digits that are asked for.
+/// Requested numbers of digits.
 const DIGITS: [usize; 3] = [4, 6, 12];
 
 /// The comparisons so far.
@@ -16,18 +16,19 @@ const DIGITS: [usize; 3] = [4, 6, 12];
 pub struct Compared {
     pub scenes: usize,
     pub printed: usize,
-    /// Numbers printed with fewer digits than asked for.
+    /// Numbers printed with fewer digits than requested.
     pub short: usize,
     pub wrong: Vec<String>,
-    /// Questions without printed numbers, by why.
+    /// Questions without printed numbers, by reason.
     pub open: BTreeMap<String, usize>,
     /// Questions by their symbols.
     asked: BTreeMap<&'static str, usize>,
 }
 
 impl Compared {
-    /// Compares what is printed of a scene with true values, `off` being the error of these as a part of the size of each; `truth` tells those of all
-    /// questions in order, in a region of [`BITS`] bits.
+    /// Compares the printed numbers of a scene with true values. `off` is the error of the true
+    /// values, as a part of the size of each; `truth` returns those of all questions in order, in a
+    /// region of [`BITS`] bits.
     pub fn scene(&mut self, name: &str, scene: &Scene, worked: &Worked, off: f64, truth: impl FnOnce() -> Vec<Option<Value<Big>>>) {
         let printed = DIGITS.map(|d| certify(scene, worked, d));
         self.scenes += 1;
@@ -72,7 +73,7 @@ impl Compared {
         });
     }
 
-    /// Says what was compared, and fails where a digit was wrong.
+    /// Prints the comparisons, and fails if a digit was wrong.
     pub fn done(&self, what: &str, least: usize) {
         println!(
             "{what}: {} scenes, {} printed numbers against {BITS} bit: {} wrong; {} with fewer digits than asked; {:?}; open {:?}",
@@ -88,7 +89,7 @@ impl Compared {
     }
 }
 
-/// Zero is said of what is surely less than this.
+/// The limit below which a value may be printed as zero.
 fn nothing(part: Part, digits: usize, scale: f64) -> f64 {
     let whole = match part {
         Part::Direction => 1e6,

@@ -1,5 +1,6 @@
-//! Composite motion of random mechanisms: at every pair of moving bodies the parts add up to the absolute vector, drawing and analysis say
-//! the same of each, and each is what differences of positions seen in the frame make of it.
+//! Composite motion of random mechanisms: for every pair of moving bodies the parts add up to the
+//! absolute vector, drawing and analysis agree on each, and each agrees with differences of
+//! positions seen in the frame.
 
 use crate::emit::{self, Ask};
 use crate::properties::{Case, Motion, mechanism, seeds, solve, style};
@@ -13,7 +14,7 @@ use hodograph::scene::quantity::{Composite, Frame, PointMotion, Rate};
 use hodograph::scene::{Asked, DiagramKind, Find, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
-/// Choices of one mechanism that are looked at.
+/// Largest number of choices examined in one mechanism.
 const MOST: usize = 12;
 
 fn ask(scene: &Scene, c: &Choice, what: Asked) -> Find {
@@ -29,7 +30,7 @@ fn parts(c: &Choice) -> Vec<Part> {
     Part::ALL.into_iter().filter(|p| *p != Part::Path && (turns || *p != Part::Coriolis)).collect()
 }
 
-/// The mechanism of a seed asking for every part of some choices, worked through.
+/// The mechanism of a seed with questions for every part of some choices, solved.
 fn parted(seed: u64) -> Option<(Case, Vec<Choice>, Scene, Worked)> {
     let m = mechanism(seed).filter(|m| m.groups.len() <= 8)?;
     let pose = if m.coordinates_only { emit::Pose::Coordinates } else { emit::Pose::of(seed) };
@@ -55,31 +56,31 @@ fn parted(seed: u64) -> Option<(Case, Vec<Choice>, Scene, Worked)> {
     Some((case, chosen, scene, worked))
 }
 
-/// What is answered of a question: by analysis, and by drawing where it is drawn.
+/// The answer to a question: by analysis, and by drawing if it is drawn.
 fn values(scene: &Scene, worked: &Worked, what: Asked) -> [Option<Vec2>; 2] {
     let vector = |v: Value| if let Value::Vector(v) = v { Some(v) } else { None };
     let Some(r) = worked.results.iter().find(|r| scene.find[r.find].what == what) else { return [None; 2] };
     [vector(r.computed), r.drawn.as_ref().and_then(|d| vector(d.value))]
 }
 
-/// Place, angle and rates of a frame, and the place of the point, as the positions have them.
+/// The place of the point in a frame, by the positions.
 fn seen(scene: &Scene, c: &Choice, now: &Configuration, at: &Configuration) -> Option<Vec2> {
     let place = |at: &Configuration, p: hodograph::scene::PointId| at.points[p.0];
     Some(match (c.frame, c.of.link) {
         (Frame::Point(f), _) => place(at, c.of.point)? - place(at, f.point)?,
         (Frame::Link(l), own) => {
-            // A point that merely lies at the contact is carried by its link.
+            // A point that is only at the contact is carried by its link.
             let p = match own.filter(|l| !scene.links[l.0].points.contains(&c.of.point)) {
                 Some(own) => at.poses[own.0]?.to_world(now.poses[own.0]?.to_local(place(now, c.of.point)?)),
                 None => place(at, c.of.point)?,
             };
-            // In the axes of the frame, turned as they stand now.
+            // In the axes of the frame, in their present direction.
             now.poses[l.0]?.turn(at.poses[l.0]?.to_local(p).to_vec2())
         }
     })
 }
 
-/// The point of the frame that lies at the moving point now, later.
+/// The later place of the frame's point that coincides with the moving point at the instant.
 fn carried(c: &Choice, now: &Configuration, at: &Configuration) -> Option<Point> {
     match c.frame {
         Frame::Link(l) => Some(at.poses[l.0]?.to_world(now.poses[l.0]?.to_local(now.points[c.of.point.0]?))),

@@ -1,4 +1,4 @@
-//! A dead point takes away what rests on it, and nothing else.
+//! A dead centre makes only its dependent questions unanswerable.
 
 use crate::rng::Rng;
 use hodograph::certified::{certify, steps};
@@ -8,8 +8,8 @@ use hodograph::report::{answers, construction};
 use hodograph::scene::{self, Lang, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
-/// A crank-rocker A B C D with a dyad C F G behind it, a dyad F H K behind that, and a dyad B P Q beside it; F in the middle
-/// between C and G (or not).
+/// A crank-rocker A B C D with a dyad C F G behind it, a dyad F H K behind that, and a dyad B P Q
+/// beside it; F is the midpoint of C and G (or not).
 fn scene_of(rng: &mut Rng, in_line: bool, find: &str) -> String {
     let mut whole = |lo: f64, hi: f64| rng.between(lo, hi).round();
     let (b, c, d) =
@@ -48,7 +48,7 @@ fn what_does_not_rest_on_a_dead_point_is_answered_as_without_it() {
         let (alone, without) = worked(&scene_of(&mut Rng::new(seed), true, &format!("{UPSTREAM}, {BESIDE}")));
         let told: Vec<&str> = done.unanswered.iter().map(|u| scene.find[u.find].text.as_str()).collect();
         if told.is_empty() {
-            // C happens to move squarely to CG.
+            // C happens to move perpendicular to CG.
             continue;
         }
         seen += 1;
@@ -60,7 +60,7 @@ fn what_does_not_rest_on_a_dead_point_is_answered_as_without_it() {
         let lines = |scene: &Scene, done: &Worked| -> Vec<String> {
             let text = answers::text(scene, done, &certify(scene, done, 12), 12, Lang::En);
             let words = |l: &str| l.split_whitespace().collect::<Vec<_>>().join(" ");
-            // The scales differ with what else is drawn.
+            // The scales depend on the other drawn quantities.
             text.lines()
                 .filter(|l| !l.contains("unbounded") && !l.contains("differ"))
                 .map(|l| words(l.split('(').next().unwrap()))
@@ -69,7 +69,7 @@ fn what_does_not_rest_on_a_dead_point_is_answered_as_without_it() {
         let (here, there) = (lines(&scene, &done), lines(&alone, &without));
         assert_eq!(here, there, "{all}");
         assert!(certify(&scene, &done, 12).iter().all(|c| c.why.is_none()), "{all}");
-        // What can be drawn is drawn, and told to the last digit.
+        // All possible parts are drawn, and certified to the last digit.
         let told = steps(&scene, &done, None);
         assert_eq!(told.why, None, "{all}");
         let notation = Notation::of_language(Lang::En);
@@ -94,10 +94,11 @@ fn beside_the_line_everything_is_answered() {
     }
 }
 
-/// All that holds a singular block is named, not the first bar beside its guide: a link on two bars and a guide, and on one bar and two guides.
+/// All parts that hold a singular block are named, not only the first bar beside its guide: a link
+/// on two bars and a guide, and on one bar and two guides.
 #[test]
 fn what_holds_a_dead_block_is_named_whole() {
-    // All normals of what holds link 3 go through (5, 0).
+    // All normals of the parts that hold link 3 pass through (5, 0).
     let scene = |legs: &str, guides: &str| {
         format!(
             r#"{{"links": {{"1": ["O", "A"], "2": ["A", "P"], "3": ["P", "Q", "R"]{legs}, "0": ["O", "G"]}}, "ground": "0", "units": {{"length": "m"}},

@@ -1,4 +1,5 @@
-//! Every printed digit is true: what the ladder prints against differences of positions in 640-bit arithmetic.
+//! Every printed digit is true: the ladder's output compared with differences of positions in
+//! 640-bit arithmetic.
 
 use crate::emit::{Ask, Pose, scene as emitted};
 use crate::properties::{mechanism, seeds, style};
@@ -14,14 +15,14 @@ use hodograph::scene::{Asked, Kind, Scene, driver_position, read, templates, wit
 use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Scope, Worked, work};
 
-/// What was compared.
+/// Counts of the comparison.
 #[derive(Default)]
 struct Tally {
     scenes: usize,
     printed: usize,
-    /// Of them, numbers that the steps of the construction tell.
+    /// Numbers among these from the steps of the construction.
     told: usize,
-    /// Numbers printed with fewer digits than asked for.
+    /// Numbers printed with fewer digits than requested.
     short: usize,
     wrong: Vec<String>,
     by_rung: std::collections::BTreeMap<String, usize>,
@@ -42,7 +43,7 @@ impl Tally {
             self.steps(name, scene, &worked);
             for (i, (r, t)) in worked.results.iter().zip(truth).enumerate() {
                 let find = &scene.find[r.find];
-                // Differences of positions tell no force.
+                // Differences of positions give no force.
                 if matches!(find.what, Asked::Force(_)) {
                     continue;
                 }
@@ -67,7 +68,7 @@ impl Tally {
                         };
                         self.printed += 1;
                         self.short += usize::from(certain < *digits);
-                        // Zero is said of what is surely less than this part of what it is measured against.
+                        // Values below this part of their reference may be printed as zero.
                         let whole = if matches!(part, Part::Direction) {
                             1e6
                         } else if matches!(part, Part::Degrees) {
@@ -100,7 +101,7 @@ impl Tally {
         });
     }
 
-    /// What the steps of the construction tell.
+    /// Compares the numbers in the steps of the construction.
     fn steps(&mut self, name: &str, scene: &Scene, worked: &Worked) {
         const PENCIL_MM: f64 = 0.1;
         let printed = steps(scene, worked, Some(PENCIL_MM));
@@ -160,7 +161,7 @@ fn printed_digits_are_true_on_templates() {
         tally.check(t.name, &scene);
         let Some(start) = driver_position(&scene, 0) else { continue };
         for _ in seeds(3) {
-            // Anywhere on its way, as the shortest decimal of a double.
+            // Anywhere in its range, as the shortest decimal of a double.
             let at = if start.abs() > 0.0 { start * rng.between(0.6, 1.4) } else { rng.between(-0.5, 0.5) };
             tally.check(&format!("{} at {at}", t.name), &with_driver_at(&scene, 0, at));
         }
@@ -197,7 +198,7 @@ fn printed_digits_are_true_next_to_a_toggle() {
         let scene = in_si(read(templates::get(t.name).unwrap()).unwrap().value);
         tally.toward(t.name, &scene);
     }
-    // Rocker driven: every four-bar whose driver is no crank has a toggle.
+    // Rocker driven: every four-bar with a driver that is no crank has a toggle.
     for seed in seeds(6) {
         let mut rng = Rng::new(seed + 100);
         let (a, b, c) = (rng.between(0.2, 0.5), rng.between(0.3, 0.9), rng.between(0.3, 0.9));
@@ -214,7 +215,8 @@ fn printed_digits_are_true_next_to_a_toggle() {
     tally.done(1500);
 }
 
-/// Poses by lengths so close to a dead point that `f64` cannot tell them from it: what is printed is true of what is written.
+/// Poses by lengths so close to a dead centre that `f64` cannot distinguish them: the printed
+/// digits are true of the input as written.
 #[test]
 fn printed_digits_are_true_closer_than_f64_can_tell() {
     let mut tally = Tally::default();
@@ -233,7 +235,7 @@ fn printed_digits_are_true_closer_than_f64_can_tell() {
             longer += usize::from(worked.results.iter().any(|r| r.longer.is_some()));
             tally.check(&format!("89.9({nines}) {side}"), &scene);
         }
-        // At the limit as written there is nothing to tell.
+        // At the limit as written, there are no digits to print.
         let text = format!(
             r#"{{"links": {{"1": ["A","B"], "2": ["B","C"], "3": ["C","D"], "4": ["A","D"]}}, "ground": "4", "find": ["omega_3", "v_B"],
             "lengths": {{"AB": "3 m", "BC": "2 m", "CD": "3 m", "AD": "4 m"}}, "side": {{"C": "{side} of BD"}},
@@ -247,7 +249,8 @@ fn printed_digits_are_true_closer_than_f64_can_tell() {
     tally.done(1500);
 }
 
-/// An angle and the same after any number of turns are one pose: the same certified digits, and the same drawing.
+/// An angle with any number of full turns added gives the same pose, the same certified digits, and
+/// the same drawing.
 #[test]
 fn angles_of_many_turns_are_those_within_one() {
     let mut compared = 0;
@@ -265,7 +268,8 @@ fn angles_of_many_turns_are_those_within_one() {
             let expected = printed(&one, &here.value);
             for turns in [1_000_000u128, 300_000_000_000_000, 10u128.pow(24), 10u128.pow(34) + 7] {
                 let many = 360 * turns;
-                // A wheel with another number of teeth does not stand as before after a turn of the driver.
+                // A wheel with another number of teeth is in another position after a turn of the
+                // driver.
                 if !one.rolling.is_empty() {
                     let told = templates::instantiate(t.name, &[(name, &many.to_string())]).and_then(|text| read(&text));
                     let refused = told.is_err_and(|f| f.list.iter().any(|d| d.code == "out-of-range"));
@@ -295,7 +299,7 @@ fn angles_of_many_turns_are_those_within_one() {
 }
 
 impl Tally {
-    /// Poses down to 1e-12 (radians, or of the way) before both toggles.
+    /// Poses down to 1e-12 (radians, or of the travel) before both toggles.
     fn toward(&mut self, name: &str, scene: &Scene) {
         for up in [true, false] {
             let Some(limit) = ends(scene, 0).unwrap_or_default()[usize::from(up)] else { continue };
@@ -307,7 +311,8 @@ impl Tally {
     }
 }
 
-/// The scene without a book's units: the oracle knows SI alone. (Printed numbers times their units: `tests/cli/units.rs`.)
+/// The scene without a book's units: the reference is in SI only. (Printed numbers times their
+/// units: `tests/cli/units.rs`.)
 fn in_si(mut scene: Scene) -> Scene {
     scene.book = Default::default();
     scene

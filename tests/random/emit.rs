@@ -5,25 +5,26 @@ use crate::rng::Rng;
 use hodograph::geom::{Point, Vec2};
 use serde_json::{Map, Value, json};
 
-/// How the pose is told.
+/// The way in which the pose is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pose {
     /// All points by coordinates.
     Coordinates,
     /// Lengths, driver values and a sketch.
     Lengths,
-    /// As lengths, and coordinates for some points besides: may contradict nothing, need not suffice.
+    /// By lengths, with additional coordinates for some points: consistent, but not always
+    /// sufficient.
     Mixed,
 }
 
 impl Pose {
-    /// By coordinates and by lengths in turn.
+    /// Alternates between coordinates and lengths.
     pub fn of(seed: u64) -> Pose {
         if seed.is_multiple_of(2) { Pose::Coordinates } else { Pose::Lengths }
     }
 }
 
-/// What is asked.
+/// The questions of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ask {
     Everything,
@@ -42,7 +43,7 @@ pub struct Style {
 }
 
 pub fn point_name(p: usize, renamed: bool) -> String {
-    // A letter behind the number: no name is the beginning of another followed by a link.
+    // A letter after the number: no name is the beginning of another followed by a link.
     if renamed { format!("Z{}q", 977 * (p + 1) % 1009) } else { format!("P{p}") }
 }
 
@@ -59,7 +60,7 @@ fn radians(x: f64) -> String {
     format!("{x:?} rad")
 }
 
-/// Which points are told by coordinates.
+/// For each point, true if coordinates give it.
 fn told(m: &Mech, style: &Style, rng: &mut Rng) -> Vec<bool> {
     let mut told: Vec<bool> = (0..m.points.len())
         .map(|_| match style.pose {
@@ -114,7 +115,7 @@ pub fn scene(m: &Mech, style: &Style) -> String {
             let [a, b, rest @ ..] = &link.points[..] else { continue };
             let mut length = |p: usize, q: usize| {
                 if told[p] && told[q] {
-                    return; // their distance is told by coordinates, to the last digit only in one of the two
+                    return; // their distance is given by coordinates, to the last digit only in one of the two
                 }
                 if !lengths.contains_key(&format!("{},{}", pn(q), pn(p))) {
                     lengths.insert(format!("{},{}", pn(p), pn(q)), json!(metres(at(p).distance(at(q)))));
@@ -148,7 +149,7 @@ pub fn scene(m: &Mech, style: &Style) -> String {
         }
     }
     let mut guides = Vec::new();
-    // For each straight guide the place from which sliding is counted.
+    // For each straight guide the place from which the travel is measured.
     let mut starts: Vec<Point> = Vec::new();
     for g in &m.guides {
         let mut o = Map::new();
@@ -191,7 +192,7 @@ pub fn scene(m: &Mech, style: &Style) -> String {
                     (Some(pin), through) => {
                         let pose_known = style.pose == Pose::Coordinates;
                         if through.is_none() && pose_known && rng.chance(0.5) {
-                            // It runs through the pin where that is.
+                            // It passes through the pin.
                         } else if through.is_none() && g.on == 0 {
                             let beside = rng.between(-0.3, 0.3) * at(pin).to_vec2().norm();
                             start = at(pin) + *d * beside;
@@ -231,7 +232,7 @@ pub fn scene(m: &Mech, style: &Style) -> String {
             Drive::Slide { guide } => {
                 let g = &m.guides[*guide];
                 o.insert("slide".into(), json!(g.pin.map_or_else(|| ln(g.slider.unwrap()), pn)));
-                // A pin may run in several guides: its slider names the one that is meant.
+                // A pin may run in several guides: its slider names the right one.
                 let often = m.guides.iter().filter(|h| h.pin == g.pin).count() > 1;
                 if let (true, Some(s)) = (often, g.slider) {
                     o.insert("slide".into(), json!(ln(s)));
@@ -299,7 +300,7 @@ fn reorder(v: &mut Value, rng: &mut Rng) {
     }
 }
 
-/// All that can be asked: the same list, in the same order, whatever the names.
+/// All possible questions: the same list, in the same order, with any names.
 fn questions(m: &Mech, style: &Style) -> Vec<String> {
     let pn = |p: usize| point_name(p, style.renamed);
     let ln = |l: usize| link_name(l, style.renamed);

@@ -1,4 +1,5 @@
-//! Random mechanisms under random loads: drawing = rows of the whole mechanism = virtual work, and the digits that are printed of the power of the drivers against 200 bits.
+//! Random mechanisms under random loads: drawing, rows of the whole mechanism and virtual work
+//! agree, and the printed digits of the drivers' power are compared with 200 bits.
 
 use crate::emit::{self, Ask, Pose};
 use crate::free_bodies;
@@ -18,10 +19,10 @@ use hodograph::scene::{self, LinkId, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value as Json, json};
 
-/// Digits that are asked of the power.
+/// Requested digits of the power.
 const DIGITS: usize = 10;
 
-/// The loads of a link: a force and a couple at a point, where its mass lies too.
+/// The loads of a link: a force and a couple at a point, where its mass is too.
 pub struct Load {
     pub link: LinkId,
     pub at: PointId,
@@ -49,7 +50,8 @@ fn loads(scene: &Scene, rng: &mut Rng) -> Vec<Load> {
     all
 }
 
-/// A force that balances the one driver at a point of its link, in a direction that is not that of the driver.
+/// A force that balances the only driver at a point of its link, in a direction other than the
+/// driver's.
 fn balance(scene: &Scene, rng: &mut Rng) -> Option<Json> {
     let [driver] = &scene.drivers[..] else { return None };
     let fixed = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
@@ -64,7 +66,8 @@ fn balance(scene: &Scene, rng: &mut Rng) -> Option<Json> {
     Some(json!({"link": scene.link_name(link), "at": scene.point_name(at), "angle": format!("{:?} deg", rng.between(5.0, 80.0))}))
 }
 
-/// The scene with loads, asked for balancing moments and the reactions of pins between two links.
+/// The scene with loads, with balancing moments and the reactions of pins between two links asked
+/// for.
 fn asked(text: &str, scene: &Scene, loads: &[Load], balance: Option<Json>) -> String {
     let mut json: Json = serde_json::from_str(text).unwrap();
     let name = |l: LinkId| scene.link_name(l).to_owned();
@@ -109,7 +112,7 @@ fn asked(text: &str, scene: &Scene, loads: &[Load], balance: Option<Json>) -> St
     json.to_string()
 }
 
-/// The power of the drivers, which do the opposite work of all loads, in 200 bits.
+/// The power of the drivers, opposite to that of all loads, in 200 bits.
 fn by_work(scene: &Scene, worked: &Worked, loads: &[Load]) -> Option<Big> {
     let motion = truth::differences(scene, worked).ok()?;
     let big = Big::from_f64;
@@ -126,7 +129,8 @@ fn by_work(scene: &Scene, worked: &Worked, loads: &[Load]) -> Option<Big> {
     Some(big(0.0) - power)
 }
 
-/// The force that a question asks for, of the forces of pins on links: `F_a,b` of a pin of two links, `F_Pl` of one of more.
+/// The requested force, from the forces of pins on links: `F_a,b` of a pin of two links, `F_Pl` of
+/// one of more.
 fn of_pin(scene: &Scene, find: &str, all: &[(PointId, LinkId, Vec2<Big>)]) -> Option<Vec2<Big>> {
     let asks = |(p, on, _): &&(PointId, LinkId, Vec2<Big>)| {
         let link = scene.link_name(*on);
@@ -142,7 +146,7 @@ fn degrees(v: Vec2<Big>) -> f64 {
     (v.y.atan2(v.x) * Big::from_f64(180.0) / (Big::from_f64(0.0).atan2(Big::from_f64(-1.0)))).approx()
 }
 
-/// One unit of the last of so many significant digits.
+/// One unit of the last of this number of significant digits.
 fn last_place(value: f64, digits: usize) -> f64 {
     10f64.powi(value.abs().log10().floor() as i32 + 1 - digits as i32)
 }

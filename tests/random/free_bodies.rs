@@ -1,5 +1,6 @@
-//! The reactions of random mechanisms in 640 bits, by Newton's equations of every link and pin, written here anew: accelerations are differences of positions, and no
-//! group, row or polygon takes part.
+//! The reactions of random mechanisms in 640 bits, by Newton's equations of every link and pin,
+//! written independently: accelerations are differences of positions, and no group, row or polygon
+//! is used.
 
 use super::forces::Load;
 use hodograph::answer::Source;
@@ -28,7 +29,7 @@ impl Equations<'_> {
         column
     }
 
-    /// A force of unknown size on a link at a place.
+    /// Adds a force of unknown size on a link at a place.
     fn push(&mut self, column: usize, link: LinkId, at: Point<Big>, along: Vec2<Big>) {
         let Some(row) = self.of_link[link.0] else { return };
         for (k, part) in [along.x, along.y, at.to_vec2().cross(along)].into_iter().enumerate() {
@@ -48,7 +49,7 @@ impl Equations<'_> {
         }
     }
 
-    /// A known force and moment about the origin on a link.
+    /// Adds a known force, and a moment about the origin, on a link.
     fn load(&mut self, link: LinkId, force: Vec2<Big>, moment: Big) {
         let Some(row) = self.of_link[link.0] else { return };
         for (k, part) in [force.x, force.y, moment].into_iter().enumerate() {
@@ -56,7 +57,8 @@ impl Equations<'_> {
         }
     }
 
-    /// The unknowns, by elimination with row pivots; `None` where there are more or fewer of them than equations, or they are not determined.
+    /// Solves for the unknowns by elimination with row pivots; `None` if their number differs from
+    /// that of the equations, or they are not determined.
     fn solved(mut self) -> Option<Vec<Big>> {
         let n = self.rows.len();
         if self.rows[0].len() != n {
@@ -87,7 +89,8 @@ impl Equations<'_> {
     }
 }
 
-/// The force of each pin on each of its moving links; `None` of scenes with cylinders, wheels or links of unknown pose, and where reactions are not determined.
+/// The force of each pin on each of its moving links; `None` for scenes with cylinders, wheels or
+/// links of unknown pose, and where reactions are not determined.
 pub fn reactions(scene: &Scene, worked: &Worked, loads: &[Load]) -> Option<Vec<(PointId, LinkId, Vec2<Big>)>> {
     let motion = hodograph::effort::truth::differences(scene, worked).ok()?;
     let at = &motion.now;
@@ -166,7 +169,7 @@ pub fn reactions(scene: &Scene, worked: &Worked, loads: &[Load]) -> Option<Vec<(
     Some(of_pins.into_iter().map(|(p, link, [x, y])| (p, link, Vec2::new(found[x], found[y]))).collect())
 }
 
-/// The place of what runs in a guide, and the unit vector along it there.
+/// The place of the part that runs in a guide, and the unit vector along the guide there.
 fn tangent(scene: &Scene, g: GuideId, at: &hodograph::position::Configuration<Big>) -> Option<(Point<Big>, Vec2<Big>)> {
     let guide = &scene.guides[g.0];
     let p = guide.pin.or_else(|| scene.links[guide.slider?.0].points.first().copied());
@@ -180,7 +183,8 @@ fn tangent(scene: &Scene, g: GuideId, at: &hodograph::position::Configuration<Bi
     })
 }
 
-/// The unknowns of a guide: of a slot a force square to it, of a straight guide with a slider a couple too, of a curved one a force through its centre.
+/// Adds the unknowns of a guide: for a slot a force perpendicular to it, for a straight guide with
+/// a slider also a couple, for a curved one a force through its centre.
 fn guide(all: &mut Equations, g: GuideId, at: &hodograph::position::Configuration<Big>) -> Option<()> {
     let scene = all.scene;
     let own = &scene.guides[g.0];

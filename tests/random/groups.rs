@@ -1,4 +1,4 @@
-//! The Assur program against the loop equations: group by group as all at once.
+//! The Assur program compared with the loop equations: group by group against all at once.
 
 use crate::emit::{Ask, Pose};
 use crate::properties::{mechanism, seeds, solve, style};
@@ -16,7 +16,8 @@ fn group_by_group_as_all_at_once() {
             let w = &c.worked;
             let again = position::recompute::<f64>(&c.scene, &w.mechanism, &w.demand, &w.configuration)
                 .unwrap_or_else(|f| panic!("seed {seed}: {f}\n{}", c.text));
-            // The same numbers again, or those that the closed forms had lost digits of, rounded from longer ones.
+            // The same numbers, or, where the closed forms had lost digits, numbers rounded from
+            // longer ones.
             let size = w.configuration.extent();
             let off = again.points.iter().zip(&w.configuration.points).filter_map(|(a, b)| Some((*a)?.distance((*b)?)));
             let off = off.fold(0.0, f64::max);
@@ -52,7 +53,7 @@ fn group_by_group_as_all_at_once() {
     assert!(settled * 10 < placed, "{settled} of {placed} ordinary poses count as ones that lost digits");
 }
 
-/// `f32` goes the same way with half the digits.
+/// `f32` gives the same results with half the digits.
 #[test]
 fn single_precision_goes_the_same_way() {
     let scene = hodograph::scene::read(hodograph::scene::templates::get("crank-rocker").unwrap()).unwrap().value;

@@ -1,5 +1,6 @@
-//! Random mechanisms that begin with a cam, gears or a rolling wheel and go on with dyads, told by lengths, teeth and angles as a book tells them: the
-//! places that the next dyad is put at are those of the mechanism so far.
+//! Random mechanisms that begin with a cam, gears or a rolling wheel and continue with dyads, given
+//! by lengths, teeth and angles as in a book: each dyad is attached at places of the mechanism so
+//! far.
 
 use crate::rng::Rng;
 use hodograph::geom::Point;
@@ -14,10 +15,10 @@ struct Growing {
     lengths: Vec<String>,
     sides: Vec<String>,
     guides: Vec<String>,
-    /// Sections that only the beginning has.
+    /// Sections of the beginning only.
     sections: String,
     drivers: String,
-    /// Points that move, on which a dyad can be put.
+    /// Points that move, to which a dyad can be attached.
     movers: Vec<String>,
     turning: Vec<String>,
     named: usize,
@@ -67,7 +68,7 @@ impl Growing {
         )
     }
 
-    /// Where its moving points are (mm).
+    /// The places of its moving points (mm).
     fn places(&self) -> Option<Vec<Point>> {
         let find: Vec<String> = self.movers.iter().flat_map(|p| [format!("x_{p}"), format!("y_{p}")]).collect();
         let scene = match scene::read(self.text(&find)) {
@@ -83,7 +84,8 @@ impl Growing {
         self.movers.iter().map(at).collect()
     }
 
-    /// A rod and a rocker, or a rod and a slider, behind one of its points; `None` where the mechanism so far does not close.
+    /// Attaches a rod and a rocker, or a rod and a slider, to one of its points; `None` if the
+    /// mechanism so far does not close.
     fn dyad(&mut self, rng: &mut Rng) -> Option<()> {
         let places = self.places()?;
         let k = rng.below(places.len());
@@ -107,7 +109,8 @@ impl Growing {
             self.sides.push(format!("\"{joint}\": \"{} of {from},{pivot}\"", if left { "left" } else { "right" }));
             self.turning.push(last);
         } else {
-            // The way of the slider crosses the rod at no small angle; which of the two places is meant a rough one tells.
+            // The slider's path crosses the rod at no small angle; a rough place selects one of the
+            // two intersections.
             let angle = (along.angle() + rng.between(-0.6, 0.6)).to_degrees();
             self.guides.push(format!(
                 "{{\"pin\": \"{joint}\", \"slider\": \"{last}\", \"on\": \"1\", \"through\": [\"{}\", \"{}\"], \"angle\": \"{angle:.1} deg\"}}",
@@ -142,12 +145,12 @@ fn cam(rng: &mut Rng) -> Growing {
     let swings = rng.chance(0.5);
     let base = rng.between(25.0, 40.0);
     let nose = rng.between(0.3, 0.6) * base;
-    // The nose stands out of the circle about the axis.
+    // The nose projects beyond the circle about the axis.
     let far = base - nose + rng.between(4.0, 15.0);
     g.lengths.push(format!("\"OQ\": \"{}\"", mm(far)));
     let kind = rng.below(4);
     let end = match rng.below(4) {
-        // Against a tangent a flat face has no contact.
+        // A flat face has no contact with a tangent.
         3 if kind == 2 => 1,
         end => end,
     };
@@ -290,7 +293,7 @@ fn geared(rng: &mut Rng) -> Growing {
     g
 }
 
-/// A grown mechanism as a text, with all it moves asked for; `None` where what is put together does not close.
+/// A grown mechanism as a text, with all its motions asked for; `None` if it does not close.
 pub fn text(seed: u64) -> Option<String> {
     let mut rng = Rng::new(seed.wrapping_mul(2) + 77);
     let mut g = if seed.is_multiple_of(2) { cam(&mut rng) } else { geared(&mut rng) };
@@ -303,7 +306,7 @@ pub fn text(seed: u64) -> Option<String> {
     Some(g.text(&find))
 }
 
-/// The same, read; `None` also where its cam does not reach its follower.
+/// The grown mechanism, read; `None` also if its cam does not reach its follower.
 pub fn scene(seed: u64) -> Option<(String, Scene)> {
     let text = text(seed)?;
     match scene::read(&text) {

@@ -1,4 +1,5 @@
-//! Groups of class IV and higher: drawn in every way that opens them, and answered from the loop equations, which differences of positions confirm.
+//! Groups of class IV and higher: drawn in every way that opens them, and answered from the loop
+//! equations, which differences of positions confirm.
 
 use hodograph::accuracy::{BAD_DEG, crossings};
 use hodograph::answer::Value;
@@ -36,8 +37,8 @@ fn by_lengths() -> String {
     )
 }
 
-/// With a slider inside: link 5 keeps its direction on a ground guide and carries the slot of E, which runs in another ground
-/// guide. The sketch is rough; nothing of it must be left in the answer.
+/// A group with a slider inside: link 5 keeps its direction on a ground guide and carries the slot
+/// of E, which runs in another ground guide. The sketch is rough and must not affect the answer.
 fn with_slider() -> String {
     r#"{"links": {"1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "4": ["C","E"], "5": ["D"], "6": ["O"]}, "ground": "6",
       "find": ["v_D", "a_D", "omega_2", "alpha_2", "v_E", "x_D"], "units": {"length": "m"},
@@ -74,8 +75,8 @@ fn a_slider_inside_a_higher_group_is_proved() {
     });
 }
 
-/// Two points by lengths give a slider a direction of its own, and nothing says how it stands against its guide: the rough
-/// sketch must not.
+/// Two points by lengths give a slider a direction of its own, and nothing gives its angle to its
+/// guide: the rough sketch must not decide it.
 #[test]
 fn the_direction_of_a_slider_is_not_taken_from_the_sketch() {
     let text = with_slider().replace(r#""5": ["D"]"#, r#""5": ["D", "K"]"#).replace(r#""OA":"#, r#""DK": 1, "OA":"#);
@@ -169,7 +170,8 @@ const SHAPES: [Shape; 4] = [
     ),
 ];
 
-/// Each way in which a plan can open a group gives what the loop equations say, whatever the places; and the best of them is drawn.
+/// Each way in which a plan can open a group agrees with the loop equations, at any places; and the
+/// best of them is drawn.
 #[test]
 fn every_way_to_draw_a_group_gives_the_same() {
     for (shape, links, guides, places, find) in SHAPES {
@@ -188,7 +190,7 @@ fn every_way_to_draw_a_group_gives_the_same() {
             assert!(w.plan.undrawable.is_empty(), "{shape}, seed {seed}: not drawn");
             assert!(w.results.iter().all(|r| r.agreement.is_some_and(|a| a.holds())), "{shape}, seed {seed}: {:?}", w.results);
             let group = w.mechanism.groups.iter().position(|g| matches!(g.core, Core::Higher)).expect("a group without a core");
-            // The flattest crossing of a drawing, in degrees.
+            // The smallest intersection angle of a drawing, in degrees.
             let flattest = |d: &Drawing| crossings(d, 0.0).iter().map(|c| c.angle_deg()).fold(90.0, f64::min);
             let mut best: f64 = 0.0;
             let mut way = 0;
@@ -236,8 +238,9 @@ fn every_way_to_draw_a_group_gives_the_same() {
     }
 }
 
-/// The double butterfly has no link on three legs: two of its links are held by two lines each, and in between lies a dyad. Whatever the
-/// places of its joints, what is drawn by the special points is what the loop equations say, or the note says that it is not drawn.
+/// The double butterfly has no link on three legs: two of its links are held by two lines each,
+/// with a dyad in between. At any places of its joints, the drawing by the special points agrees
+/// with the loop equations, or the note says that it is not drawn.
 #[test]
 fn a_double_butterfly_is_drawn_by_special_points() {
     let (mut drawn, mut left) = (0, 0);

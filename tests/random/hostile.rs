@@ -1,4 +1,4 @@
-//! Hostile input: whatever the bytes are, there is an answer or a diagnosis, soon, and every number is finite.
+//! Hostile input: for any bytes there is soon an answer or a diagnosis, and every number is finite.
 
 use crate::emit::{self, Ask, Pose};
 use crate::properties::{mechanism, seeds, style};
@@ -14,11 +14,12 @@ use serde_json::{Value as Json, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-/// No scene that fits the reader's limits may take longer (measured: the worst takes a tenth of this unoptimised).
+/// Time limit of a scene within the reader's limits (measured: the worst takes a tenth of this
+/// unoptimised).
 const SOON: Duration = Duration::from_secs(20);
 
-/// Reads and works an input; `true` where it was solved. A panic, a number that is not finite or an error without words
-/// prints the input.
+/// Reads and solves an input; true if it was solved. A panic, a non-finite number or an error
+/// without a message prints the input.
 fn survive(input: &[u8], what: &str) -> bool {
     let shown = || String::from_utf8_lossy(&input[..input.len().min(4000)]).into_owned();
     let start = Instant::now();
@@ -46,7 +47,7 @@ fn survive(input: &[u8], what: &str) -> bool {
         ];
         for text in &printed {
             let number = |w: &str| matches!(w.trim_matches(|c: char| !c.is_ascii_alphabetic()), "NaN" | "inf");
-            // A title may say what it likes.
+            // A title may contain anything.
             let told = text.lines().filter(|l| l.contains('=') || l.starts_with('['));
             assert!(!told.flat_map(str::split_whitespace).any(number), "{text}");
         }
@@ -69,7 +70,7 @@ fn survive(input: &[u8], what: &str) -> bool {
     }
 }
 
-/// Valid scenes to spoil: the templates and some random mechanisms.
+/// Valid scenes to be damaged: the templates and some random mechanisms.
 fn sources() -> Vec<String> {
     let mut all: Vec<String> = templates::list().iter().map(|t| templates::get(t.name).unwrap().to_string()).collect();
     for seed in 0..40 {
@@ -109,7 +110,7 @@ fn flipped_bytes() {
                 0 => bytes[i] = rng.next() as u8,
                 1 => bytes[i] ^= 1 << rng.below(7),
                 2 => drop(bytes.remove(i)),
-                // A digit for a digit keeps the text a scene.
+                // Replacing a digit by a digit keeps the text a scene.
                 _ => {
                     let digits: Vec<usize> = (0..bytes.len()).filter(|i| bytes[*i].is_ascii_digit()).collect();
                     if !digits.is_empty() {
@@ -143,7 +144,7 @@ const NUMBERS: [&str; 22] = [
 ];
 const UNITS: [&str; 8] = ["m", "mm", "deg", "rad", "rad/s", "m/s", "m/s^2", "rad/s^2"];
 
-/// One change to a scene that leaves it JSON.
+/// One change to a scene that leaves it valid JSON.
 fn spoil(scene: &mut Json, rng: &mut Rng) {
     let mut all = Vec::new();
     paths(scene, &mut Vec::new(), &mut all);
@@ -162,7 +163,7 @@ fn spoil(scene: &mut Json, rng: &mut Rng) {
         n
     };
     match rng.below(9) {
-        // A quantity, or whatever there is, by an extreme one.
+        // Replaces a quantity, or any value, by an extreme one.
         0 | 1 => {
             let unit = match scene.pointer(&path).and_then(Json::as_str).and_then(|t| t.split_once(' ')) {
                 Some((_, unit)) if rng.chance(0.9) => unit.to_string(),
@@ -170,22 +171,22 @@ fn spoil(scene: &mut Json, rng: &mut Rng) {
             };
             *scene.pointer_mut(&path).unwrap() = json!(format!("{} {unit}", rng.pick(&NUMBERS)));
         }
-        // Taken away.
+        // Removes an entry.
         2 | 3 => match scene.pointer_mut(&parent) {
             Some(Json::Object(o)) => drop(o.shift_remove(&key)),
             Some(Json::Array(a)) => drop(a.remove(key.parse().unwrap())),
             _ => {}
         },
-        // Another name.
+        // Renames it.
         4 | 5 => {
             let n = names(scene);
             if !n.is_empty() && scene.pointer(&path).is_some_and(Json::is_string) {
                 *scene.pointer_mut(&path).unwrap() = json!(n[rng.below(n.len())]);
             }
         }
-        // Something from elsewhere.
+        // Replaces it by a part from elsewhere.
         6 => *scene.pointer_mut(&path).unwrap() = other,
-        // Twice.
+        // Duplicates it.
         7 => {
             if let Some(Json::Array(a)) = scene.pointer_mut(&path) {
                 a.extend(a.clone());
@@ -194,7 +195,7 @@ fn spoil(scene: &mut Json, rng: &mut Rng) {
                 }
             }
         }
-        // One more link, guide or driver over names that there are.
+        // Adds a link, guide or driver with existing names.
         _ => {
             let n = names(scene);
             if n.is_empty() {
@@ -275,11 +276,11 @@ fn nested_and_huge() {
         }
         let scene = json!({"links": links, "ground": "0", "driver": {"link": "1", "omega": "1 rad/s"}, "find": ["omega_2"]});
         assert!(!survive(scene.to_string().as_bytes(), &format!("an open chain of {n} links")));
-        // All on one pin.
+        // All links on one pin.
         let links: serde_json::Map<_, _> = (0..n).map(|i| (format!("{i}"), json!(["A", format!("B{i}")]))).collect();
         let scene = json!({"links": links, "ground": "0", "driver": {"link": "1", "omega": "1 rad/s"}, "find": ["omega_2"]});
         assert!(!survive(scene.to_string().as_bytes(), &format!("{n} links on one pin")));
-        // Everything on everything.
+        // All points on all links.
         let all: Vec<String> = (0..n.min(400)).map(|i| format!("A{i}")).collect();
         let links: serde_json::Map<_, _> = (0..20).map(|i| (format!("{i}"), json!(all))).collect();
         let scene = json!({"links": links, "ground": "0", "driver": {"link": "1", "omega": "1 rad/s"}, "find": ["omega_2"]});

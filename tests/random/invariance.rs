@@ -1,6 +1,7 @@
-//! What must not change an answer: where the mechanism stands, how it is turned, in which unit it is written, what its parts
-//! are called and in which order they are listed. Shifts and turns are written into the scene as arithmetic (`(0.3 m) + 1e6
-//! m`, `x*cos(37.3 deg) - ...`), so that they are exact: the certified intervals must meet, and the printed digits be equal.
+//! Changes that must not affect an answer: place and direction of the mechanism, units, names, and
+//! the order of lists. Shifts and rotations are written into the scene as arithmetic
+//! (`(0.3 m) + 1e6 m`, `x*cos(37.3 deg) - ...`), so that they are exact: the certified intervals
+//! must intersect, and the printed digits be equal.
 
 use crate::emit::{self, Ask, Pose, Style, scene as emitted};
 use crate::mech::Mech;
@@ -92,7 +93,7 @@ fn turned(text: &str) -> String {
 
 fn each(own: u64, mut check: impl FnMut(u64, &Mech, &str)) {
     for seed in seeds(own) {
-        // A driver along an arc counts from an axis of the plane: turning the plane moves it.
+        // A driver along an arc counts from an axis of the plane: rotating the plane moves it.
         let Some(m) = mechanism(seed).filter(|m| !m.coordinates_only && m.groups.len() <= 8) else { continue };
         check(seed, &m, &emitted(&m, &style(Pose::Lengths, Ask::Everything, seed)));
     }
@@ -109,7 +110,7 @@ fn neither_place_nor_turn_changes_a_digit() {
                 continue;
             }
             for ((name, a), (_, b)) in here.iter().zip(certified(&other, &format!("seed {seed} {what} {:?}", m.groups))) {
-                // Places and angles of links are in the frame.
+                // Places and angles of links refer to the frame.
                 if !name.starts_with(['x', 'y', 'p']) {
                     compared += same(seed, &format!("{name} {what}"), a, &b);
                 }
@@ -130,7 +131,7 @@ fn neither_names_nor_order_change_a_digit() {
         if here.len() != there.len() {
             return;
         }
-        // The list of questions may be in another order: every number must be found again.
+        // The questions may be in another order: every number must be found again.
         let all: Vec<_> = there.iter().filter_map(|(_, c)| c.part(Part::Magnitude).or(c.part(Part::Scalar))?.text(DIGITS)).collect();
         for (name, c) in &here {
             let Some(text) = c.part(Part::Magnitude).or(c.part(Part::Scalar)).and_then(|n| n.text(DIGITS)) else { continue };
@@ -142,7 +143,8 @@ fn neither_names_nor_order_change_a_digit() {
     assert!(compared > 1000 / every(8), "{compared}");
 }
 
-/// Lengths, coordinates and speeds times 2^±40, written as a product: bit for bit the same, but for the exponent.
+/// Lengths, coordinates and speeds times 2^±40, written as a product: equal bit for bit, except for
+/// the exponent.
 #[test]
 fn scaling_by_a_power_of_two_changes_no_bit() {
     let mut compared = 0;

@@ -1,5 +1,6 @@
-//! What a result promises is kept: a value lies within its own certificate to the digits on which drawing and analysis are said to
-//! agree, or no agreement is claimed; and a pose next to a singular one is told from it by what is written, however near.
+//! The promises of a result: either a value is within its own certificate to the digits on which
+//! drawing and analysis are said to agree, or no agreement is claimed; and a pose next to a
+//! singular one, however near, is distinguished from it by the input as written.
 
 use crate::emit::{Ask, Pose, scene as emitted};
 use crate::properties::{mechanism, seeds, style};
@@ -14,7 +15,7 @@ use hodograph::scene::{Scene, read, templates, with_driver_at};
 use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Outcome, Scope, Worked, work};
 
-/// What was seen.
+/// Counts of the examined results.
 #[derive(Default, Debug)]
 struct Seen {
     answers: usize,
@@ -24,7 +25,7 @@ struct Seen {
     broken: Vec<String>,
 }
 
-/// The middle of a certificate, where it is known far better than an `f64` can be.
+/// The middle of a certificate, if it is known far better than in `f64`.
 fn certified(c: &Certified) -> Option<Value> {
     let number = |part: Part| {
         let e = c.part(part)?.enclosure();
@@ -44,7 +45,7 @@ fn apart(a: Value, b: Value) -> f64 {
     match (a, b) {
         (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
         (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
-        // The truth of a place is told as the vector to it.
+        // The true value of a place is given as the vector to it.
         (Value::Point(a), Value::Vector(b)) | (Value::Vector(b), Value::Point(a)) => (a.to_vec2() - b).norm(),
         (Value::Point(a), Value::Point(b)) => (a - b).norm(),
         _ => f64::INFINITY,
@@ -74,7 +75,8 @@ impl Seen {
         match (r.agreement, r.longer) {
             (Some(a), _) => {
                 self.agreed += 1;
-                // What is drawn may differ from the analysis by the bound, and the analysis from the truth by half of it.
+                // The drawing may differ from the analysis by the bound, and the analysis from the
+                // truth by half of it.
                 let promised = 2.0 * a.bound.min(Agreement::MOST);
                 if !a.holds() {
                     return Some(format!("they disagree: {a:?}"));
@@ -120,7 +122,7 @@ fn promises_are_kept_in_hard_cases() {
     files.sort();
     for path in files {
         let case: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
-        // What is only counted has no solution.
+        // A case that only counts has no solution.
         if case["expect"].as_array().unwrap().iter().any(|e| !e["find"].is_null()) {
             seen.check(&path.file_stem().unwrap().to_string_lossy(), &scene_of(&case["scene"].to_string()));
         }
@@ -142,18 +144,20 @@ fn promises_are_kept_next_to_toggles() {
             }
         }
     }
-    // The templates differ in how many poses they have.
+    // The templates differ in their number of poses.
     seen.done(if every(8) == 1 { 500 } else { 30 });
 }
 
-/// Change points by lengths, where positions come from circles that touch and accelerations cancel; dead points by coordinates.
+/// Change points by lengths, where positions come from tangent circles and accelerations cancel;
+/// dead centres by coordinates.
 #[test]
 fn promises_are_kept_next_to_singular_poses() {
     let mut seen = Seen::default();
     for k in 1..=15 {
         let h = format!("1e-{k}");
         for side in ["left", "right"] {
-            // A parallelogram or an antiparallelogram beside its change point; a four-bar that folds flat.
+            // A parallelogram or an antiparallelogram near its change point; a four-bar that folds
+            // flat.
             for (ab, bc, cd, ad) in [(1, 2, 1, 2), (2, 3, 5, 4), (1, 3, 3, 1)] {
                 let text = format!(
                     r#"{{"links": {FOUR_BAR}, "ground": "0", "lengths": {{"AB": "{ab} m", "BC": "{bc} m", "CD": "{cd} m", "AD": "{ad} m"}},
@@ -161,7 +165,7 @@ fn promises_are_kept_next_to_singular_poses() {
                 );
                 seen.check(&format!("{ab} {bc} {cd} {ad} at {h} rad, {side}"), &scene_of(&text));
             }
-            // Crank as long as its rod: x = 2 cos θ.
+            // Crank equal to the rod: x = 2 cos θ.
             let text = format!(
                 r#"{{"links": {{"1": ["A"], "2": ["A", "B"], "3": ["B", "C"]}}, "ground": "1", "points": {{"A": [0, 0]}},
                 "lengths": {{"AB": "1 m", "BC": "1 m"}}, "guides": [{{"pin": "C", "slider": "4", "on": "1", "through": "A", "angle": "0 deg"}}],
@@ -197,8 +201,9 @@ fn promises_are_kept_of_random_mechanisms() {
     seen.done(1000);
 }
 
-/// Followers where they leave their cam, and a pin where it leaves the reach of its curved guide: `{h}` rad before that, as the cam turns by `{w}` rad/s.
-/// The angle of the transition is written as it is found: no text of so many digits tells it.
+/// Followers where they leave their cam, and a pin where it leaves the reach of its curved guide:
+/// `{h}` rad before that, with the cam at `{w}` rad/s. The angle of the transition is written as
+/// found: no text of limited digits gives it exactly.
 const LEAVING: [(&str, &str); 5] = [
     (
         "knife edge",
@@ -236,8 +241,8 @@ const LEAVING: [(&str, &str); 5] = [
     ),
 ];
 
-/// Beside a transition a pose is answered whichever way the cam turns, with what drawing and analysis promise one another, or it has no motion and
-/// that is said.
+/// Next to a transition, a pose is answered for either sense of the cam, with the promised
+/// agreement of drawing and analysis, or the answer states that it has no motion.
 #[test]
 fn followers_beside_their_transitions() {
     for (name, text) in LEAVING {
@@ -252,7 +257,7 @@ fn followers_beside_their_transitions() {
                     let find = &scene.find[r.find].text;
                     assert!(r.agreement.is_none_or(|a| a.holds()), "{name}, 1e-{k} rad, {w} rad/s: {find} {:?}", r.agreement);
                 }
-                // As written no pose is the dead centre; the velocity turns round with the cam.
+                // As written, no pose is the dead centre; the velocity reverses with the cam.
                 assert!(done.unanswered.is_empty(), "{name}, 1e-{k} rad: {:?}", done.unanswered);
                 let speed = done.results[0].value().magnitude();
                 assert!(first.is_none_or(|f| (f - speed).abs() <= 1e-6 * speed), "{name}, 1e-{k} rad: {first:?} {speed}");
@@ -319,7 +324,7 @@ fn what_is_written_is_told_from_the_exact_dead_centre() {
                 assert!(c.why.is_none(), "{name} at {h:e}: {} {c:?}", scene.find[r.find].text);
             }
             assert_eq!(scene.find[done.results[0].find].text, first);
-            // Velocities go with 1/h.
+            // Velocities are proportional to 1/h.
             let first = certified(&certify(&scene, &done, 15)[0]).unwrap_or_else(|| panic!("{name} at {h:e}: no certificate"));
             let product = first.magnitude() * h;
             if let Some(last) = last {
@@ -343,7 +348,8 @@ fn a_triad_twelve_sixes_from_its_dead_centre() {
     assert!((omega + 555_555_555_555.67).abs() < 0.006, "{omega:?}");
 }
 
-/// The pin of a slotted lever less than a unit in the last place from the lever's pivot: the lever turns at half the crank's rate.
+/// The pin of a slotted lever less than a unit in the last place from the lever's pivot: the lever
+/// turns at half the crank's angular velocity.
 #[test]
 fn a_pin_within_rounding_of_its_pivot() {
     for beside in ["1e-14", "1e-16", "1e-20", "1e-40"] {
@@ -356,13 +362,13 @@ fn a_pin_within_rounding_of_its_pivot() {
         seen.check(beside, &scene);
         seen.done(5);
     }
-    // On the pivot as written, that is said.
+    // On the pivot as written, the program says so.
     let text = templates::instantiate("slotted-lever", &[("l_AB", "250 mm"), ("phi_1", "-90 deg")]).unwrap();
     let faults = work(&scene_of(&text), Scope::Questions).expect_err("no direction");
     assert!(faults.to_string().contains("lies on the pivot"), "{faults}");
 }
 
-/// Whether positions were found again in longer numbers.
+/// True if positions were found again in longer numbers.
 pub fn settled(scene: &Scene, w: &Worked) -> bool {
     let again = hodograph::position::recompute::<f64>(scene, &w.mechanism, &w.demand, &w.configuration);
     again.is_ok_and(|at| at != w.configuration)

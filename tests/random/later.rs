@@ -1,5 +1,5 @@
-//! A while later: the closed forms of a mechanism that has moved, rolling and all, against Newton's method; what a drawing keeps of
-//! pairs that repeat others; which assembly is meant where nothing is said.
+//! At later times: the closed forms of a mechanism that has moved, including rolling, compared with
+//! Newton's method; drawings with redundant pairs; the default assembly.
 
 use hodograph::analytic::{Solution, solve, third};
 use hodograph::answer::Source;
@@ -10,7 +10,7 @@ use hodograph::position::{later, newton};
 use hodograph::scene::{self, DiagramKind, LinkId, templates};
 use hodograph::worked::{Scope, work};
 
-/// Wheels and racks whose pose is told by lengths and an angle, at every time.
+/// Wheels and racks with poses given by lengths and an angle at every time.
 const ROLLING: [(&str, &str); 5] = [
     (
         "wheel on a coupler",
@@ -52,13 +52,14 @@ const ROLLING: [(&str, &str); 5] = [
     ),
 ];
 
-/// All templates, and those.
+/// All templates, and these.
 fn sources() -> impl Iterator<Item = (&'static str, &'static str)> {
     templates::list().into_iter().map(|t| (t.name, templates::get(t.name).unwrap())).chain(ROLLING)
 }
 
-/// Both start from the pose of the scene and go the way of the drivers; one by circles and lines group after group, with the turning of
-/// wheels counted from the instant, the other by all equations at once.
+/// Both start from the pose of the scene and follow the drivers: one by circles and lines group
+/// after group, with the rotation of wheels counted from the instant, the other by all equations at
+/// once.
 #[test]
 fn closed_forms_go_where_newton_goes() {
     let (mut seen, mut rolled) = (0, 0);
@@ -112,7 +113,8 @@ fn closed_forms_go_where_newton_goes() {
     assert!(seen > 120 && rolled >= 30, "{seen} poses, {rolled} of them with rolling pairs");
 }
 
-/// What holds by itself is kept by a sound drawing too, at both levels, whatever the rates and so the scales are.
+/// Redundant conditions are satisfied by a correct drawing too, at both levels, for any velocities
+/// and scales.
 #[test]
 fn a_sound_drawing_keeps_the_conditions_of_opened_links() {
     let base = r#"{"units": {"length": "m"}, "ground": "1",
@@ -131,8 +133,8 @@ fn a_sound_drawing_keeps_the_conditions_of_opened_links() {
     assert!(levels.iter().all(|n| *n > 0), "{levels:?}");
 }
 
-/// Of two assemblies of which one lays a joint on another one the other is taken, whichever of them the closed form finds first and
-/// however large the mechanism is.
+/// If one of two assemblies places a joint on another, the other assembly is taken, whichever of
+/// the two the closed form finds first and at any size of the mechanism.
 #[test]
 fn an_assembly_that_falls_together_is_not_meant() {
     for size in [1e-3, 1.0, 250.0] {
@@ -153,7 +155,8 @@ fn an_assembly_that_falls_together_is_not_meant() {
     }
 }
 
-/// Where nothing says which assembly is meant, the one that was taken and one that was not are told by a point and its two places.
+/// If the scene does not choose an assembly, a note names the one taken and another one, by a point
+/// and its two places.
 #[test]
 fn an_assembly_by_default_is_told_beside_another_one() {
     let four_bar = r#"{"links": {"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "0": ["A", "D"]}, "ground": "0", "units": {"length": "m"},
@@ -177,7 +180,8 @@ fn an_assembly_by_default_is_told_beside_another_one() {
     }
 }
 
-/// The third derivatives of all links are what their accelerations change by in time, at drivers of constant rate.
+/// The third derivatives of all links are the time derivatives of their accelerations, at constant
+/// driver speed.
 #[test]
 fn third_derivatives_are_the_slopes_of_the_accelerations() {
     let mut seen = 0;
@@ -187,7 +191,8 @@ fn third_derivatives_are_the_slopes_of_the_accelerations() {
         let Ok(w) = work(&scene, Scope::Figure) else { continue };
         let w = w.value;
         let rate = scene.drivers.iter().map(|d| d.rate.value.abs()).fold(0.0, f64::max);
-        // Their followers have the third derivative of their law, see `tests/cams.rs`; Newton's method goes on along an arc.
+        // Their followers have the third derivative of their law, see `tests/cams.rs`; Newton's
+        // method continues along an arc.
         let by_law =
             |c: &hodograph::scene::Cam| c.disc.as_ref().is_some_and(|t| matches!(t.disc.motion, hodograph::cam::Motion::Law { .. }));
         if scene.cams.iter().any(by_law) || rate == 0.0 || w.demand.level < Level::Acceleration || !w.solution.singular.is_empty() {

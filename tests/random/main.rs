@@ -1,8 +1,8 @@
-//! Random mechanisms and hostile input: what must hold of every scene, not only of those that somebody thought of.
+//! Random mechanisms and hostile input: properties of every scene, not only of chosen ones.
 //!
-//! Seeds are fixed, so that a run says the same everywhere. For a longer hunt: `HODOGRAPH_SEEDS=100 cargo test
-//! --test random -- --nocapture` takes a hundred times as many.
-//! Without it and without `HODOGRAPH_WIDE=1` a part of them is taken.
+//! Seeds are fixed, so that every run gives the same result. For a longer search,
+//! `HODOGRAPH_SEEDS=100 cargo test --test random -- --nocapture` takes a hundred times as many.
+//! Without it and without `HODOGRAPH_WIDE=1`, a part of them is taken.
 
 mod asked;
 mod bad;

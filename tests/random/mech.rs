@@ -1,13 +1,13 @@
 //! Random mechanisms, grown group by group.
 //!
-//! The pose comes first: every point is put somewhere at random, and lengths, guides and driver values are read off it.
-//! Two streams of random numbers are kept apart: one decides the topology, the other the places, so that one topology can be had
-//! with many geometries. A group whose unknown directions cross badly gets other places.
+//! The pose comes first: every point gets a random place, and lengths, guides and driver values are
+//! read off it. Separate random streams decide topology and places, so that one topology can have
+//! many geometries. Groups with poor intersections of unknown directions get other places.
 
 use crate::rng::Rng;
 use hodograph::geom::{Point, Vec2};
 
-/// Below this sine (of a dyad's crossing; for a triad the normalised determinant) a group is drawn anew.
+/// Below this sine (dyad's intersection; triad's normalised determinant) a group is redrawn.
 const GOOD_ANGLE: f64 = 0.25;
 const SHORTEST: f64 = 0.2;
 
@@ -46,13 +46,13 @@ pub struct Driver {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Link {
     pub points: Vec<usize>,
-    /// Takes no further points: a block, a lever known by its pivot and slot, a part of a cylinder.
+    /// True if it takes no further points: a block, a lever with pivot and slot, a cylinder part.
     pub closed: bool,
-    /// Named in `links` (a block with one pin need not be).
+    /// True if it is named in `links` (a block with one pin need not be).
     pub listed: bool,
-    /// Only coordinates give its angle or place: it slides without turning and has more than one point.
+    /// True if only coordinates place it: it translates and has more than one point.
     pub by_coordinates: bool,
-    /// Cylinder parts have no place of their own to carry anything.
+    /// True for cylinder parts, which have no place of their own to carry anything.
     pub follower: bool,
 }
 
@@ -63,18 +63,18 @@ pub struct Mech {
     pub links: Vec<Link>,
     pub guides: Vec<Guide>,
     pub drivers: Vec<Driver>,
-    /// Lengths and driver values cannot tell this one's pose: coordinates are needed.
+    /// True if lengths and driver values cannot give its pose: coordinates are needed.
     pub coordinates_only: bool,
     /// Groups grown, by name.
     pub groups: Vec<&'static str>,
 }
 
-/// How a leg holds its group, for the quality of the pose.
+/// The way in which a leg holds its group, for the quality of the pose.
 #[derive(Clone, Copy)]
 enum Force {
     /// Along the line of two points.
     Bar(usize, usize),
-    /// Square to a guide, at its pin.
+    /// Perpendicular to a guide, at its pin.
     Normal(usize),
 }
 
@@ -91,11 +91,11 @@ pub struct Grower {
     pub m: Mech,
     topology: Rng,
     geometry: Rng,
-    /// Links that are known and can carry more.
+    /// Range of links that are known and can carry more.
     fresh: (usize, usize),
 }
 
-/// What may be grown, with the group's share.
+/// The kinds of group that may be grown, each with its share.
 pub const KINDS: &[(&str, f64)] = &[
     ("crank", 0.4),
     ("rrr", 2.0),
@@ -146,7 +146,7 @@ impl Grower {
                 return false;
             }
         }
-        // A driver names its pin; where that runs in several guides, a block tells which is meant.
+        // A driver names its pin; if that runs in several guides, a block identifies one.
         for d in self.m.drivers.clone() {
             let Drive::Slide { guide } = d.kind else { continue };
             if let (Some(pin), None) = (self.m.guides[guide].pin, self.m.guides[guide].slider)
@@ -176,7 +176,7 @@ impl Grower {
             _ => self.glide(),
         };
         self.m.groups.push(kind);
-        // Of drivers whether they are accelerated is topology, how much is not.
+        // Topology decides which drivers are accelerated, not by how much.
         for d in &mut self.m.drivers[drivers..] {
             d.rate = self.geometry.between(0.5, 2.0) * self.geometry.pick(&[-1.0, 1.0]);
             d.acceleration = d.acceleration.map(|_| self.geometry.between(-2.0, 2.0));
@@ -272,7 +272,7 @@ impl Grower {
         }
     }
 
-    // What topology is made of.
+    // Parts of the topology.
 
     fn new_point(&mut self, on: &[usize]) -> usize {
         self.m.points.push(Point::ORIGIN);
@@ -288,7 +288,7 @@ impl Grower {
         self.m.links.len() - 1
     }
 
-    /// A link that is known and may carry points or guides.
+    /// A known link that may carry points or guides.
     fn known_link(&mut self, not: &[usize]) -> usize {
         if self.topology.chance(0.35) && !not.contains(&0) {
             return 0;
@@ -298,11 +298,11 @@ impl Grower {
     }
 
     fn known(&self) -> usize {
-        // Links made by the group under way are not known; they are taken away by the caller through `not`.
+        // Links of the current group are not known; the caller excludes them through `not`.
         self.m.links.len()
     }
 
-    /// A known point: one that is there, or a new one on a known link.
+    /// A known point: an existing one, or a new one on a known link.
     fn site(&mut self, not: &[usize]) -> usize {
         let old = self.fresh.0;
         let on_no = |m: &Mech, p: usize| not.iter().all(|l| !m.links[*l].points.contains(&p));
@@ -444,7 +444,7 @@ impl Grower {
         Check::Two(Force::Normal(g), Force::Normal(h))
     }
 
-    /// A link that slides without turning on a known one, and is held once more.
+    /// A link that slides without turning on a known one, with one more constraint.
     fn rpp(&mut self) -> Check {
         let x = self.new_link(&[]);
         let on = self.known_link(&[x]);
@@ -454,7 +454,7 @@ impl Grower {
             let c = self.new_point(&[x]);
             self.add_guide(Some(c), Some(x), on, Shape::Line(Vec2::ZERO))
         } else if self.topology.chance(0.25) && on != 0 && !self.m.guides.iter().any(|g| g.slider == Some(on)) {
-            // The same the other way round: the known link slides in a guide of the unknown one.
+            // The reverse: the known link slides in a guide of the unknown one.
             self.m.coordinates_only = true;
             self.add_guide(None, Some(on), x, Shape::Line(Vec2::ZERO))
         } else {
@@ -556,7 +556,7 @@ impl Grower {
             self.block(c)
         };
         let shape = if arc {
-            // Arc length is counted in the frame of the carrier, which only coordinates tell from outside.
+            // Arc length counts in the carrier's frame, which only coordinates give.
             self.m.coordinates_only |= on != 0;
             Shape::Arc(self.new_point(&[on]))
         } else {
@@ -582,7 +582,7 @@ impl Grower {
         Check::Two(Force::Bar(c, a), other)
     }
 
-    /// A pin driven along a slot of a link that is itself to be found.
+    /// A pin driven along a slot of a link that is itself unknown.
     fn ram(&mut self) -> Check {
         let (a, b) = self.sites();
         let x = self.new_link(&[a]);
@@ -613,7 +613,7 @@ impl Grower {
 }
 
 impl Mech {
-    /// Every place and direction mapped: `turn` (a unit vector), then stretched, then shifted.
+    /// Maps every place and direction: `turn` (a unit vector), then stretched, then shifted.
     pub fn mapped(&self, turn: Vec2, stretch: f64, shift: Vec2) -> Mech {
         let mut m = self.clone();
         for p in &mut m.points {

@@ -1,5 +1,5 @@
-//! Poses beside singular ones: the answers go over into those of the singular pose, and no number is large, or short of
-//! digits, without a word.
+//! Poses near singular ones: the answers converge to those of the singular pose, and no number is
+//! large or short of digits without a remark.
 
 use crate::properties::seeds;
 use crate::rng::Rng;
@@ -8,7 +8,8 @@ use hodograph::answer::Value;
 use hodograph::geom::Vec2;
 use hodograph::worked::Outcome;
 
-/// The crank passes the rocker's turning back with the motion that the rocker's drive gives it: its jerk vanishes there.
+/// The crank passes the rocker's reversal with the motion of the rocker's drive: its jerk vanishes
+/// there.
 #[test]
 fn accelerations_at_a_limit_agree_with_the_other_drive() {
     let omega = (1.0f64 / 0.7).sqrt();
@@ -59,7 +60,8 @@ fn both_motions_are_limits_of_those_nearby() {
     }
 }
 
-/// Poses by coordinates near a dead point: the answers grow with 1/h, are true to the last digits however near, and are told.
+/// Poses by coordinates near a dead centre: the answers grow with 1/h, are true to the last digits
+/// at any distance, and are printed.
 #[test]
 fn near_a_dead_point() {
     for f in FRAMES {
@@ -72,7 +74,7 @@ fn near_a_dead_point() {
             let (ab, bc, dc) = (Vec2::new(2.0, 0.0), Vec2::new(5.0, 5.0 * h), Vec2::new(3.0, 4.0 + 5.0 * h));
             let expected = dc.perp().dot(bc) / ab.perp().dot(bc);
             let got = number(done.results[0].value());
-            // Shifted coordinates are rounded where they are.
+            // Shifted coordinates are rounded at their own size.
             let rounding = 1e-15 * if f.shift == Vec2::ZERO { 1.0 } else { 8.0 };
             let longer = done.results[0].longer.is_some();
             let bound = if longer { 1e-14 } else { 4.0 * rounding / h };
@@ -102,7 +104,7 @@ impl CrankRocker {
         let sense = if rng.chance(0.5) { 1.0 } else { -1.0 };
         let longest = coupler.max(rocker).max(ground);
         let sum = crank + coupler + rocker + ground;
-        // The crank the shortest, and with margin: no change point near by.
+        // The crank is the shortest, with a margin: no change point is near.
         let fits = crank < 0.9 * coupler.min(rocker).min(ground) && 2.0 * (crank + longest) < 0.97 * sum;
         fits.then_some(CrankRocker { crank, coupler, rocker, ground, sense })
     }
@@ -124,7 +126,8 @@ impl CrankRocker {
         [("A", 0.0, 0.0), ("B", b.x, b.y), ("C", c.x, c.y), ("D", self.ground, 0.0)]
     }
 
-    /// α₃ for ω₁ = 1: a_C along AC is −a ω² (σ + a/b), made by α₃ on the part of DC square to AC.
+    /// α₃ for ω₁ = 1: a_C along AC is −a ω² (σ + a/b), produced by α₃ on the component of DC
+    /// perpendicular to AC.
     fn alpha(&self) -> f64 {
         let u = Vec2::from_angle(self.angle());
         let dc = u * self.reach() - Vec2::new(self.ground, 0.0);
@@ -147,7 +150,8 @@ impl CrankRocker {
     }
 }
 
-/// Of `o`, whether it is too large to be more than rounding at a pose that rounding has moved off its dead point.
+/// True if `o` is too large for rounding alone at a pose that rounding has moved off its dead
+/// centre.
 fn huge(o: &Outcome) -> bool {
     number(o.value()).abs() > 1e4
 }

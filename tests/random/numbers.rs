@@ -1,5 +1,6 @@
-//! The numbers themselves: whatever is inside the operands of a ball is inside its result, and nothing much wider; plain numbers of
-//! every length say the same. The truth is 300-bit arithmetic on single points.
+//! The kinds of number: a result ball contains the result of every point of its operands and is
+//! hardly wider; plain numbers of every length agree. The reference is 300-bit arithmetic on single
+//! points.
 
 use crate::rng::Rng;
 use hodograph::number::ball::{Ball, Middle};
@@ -11,12 +12,13 @@ fn points((mid, radius): (f64, f64)) -> [f64; 3] {
     [mid, mid - radius, mid + radius]
 }
 
-/// The broken power, logarithm and exponential: only balls of decided width have them, and double-double has none.
+/// Real power, logarithm and exponential: only balls with a fixed precision have them, and
+/// double-double has none.
 const TRANSCENDENT: [&str; 3] = ["x^y", "ln x", "eˣ"];
 
 type Operation<N> = (&'static str, fn(N, N) -> N);
 
-/// Operations of two numbers that are well away from zero and positive.
+/// Operations on two positive numbers well away from zero.
 fn operations<N: Real>() -> Vec<Operation<N>> {
     vec![
         ("x + y", |x, y| x + y),
@@ -40,7 +42,8 @@ fn operations<N: Real>() -> Vec<Operation<N>> {
     ]
 }
 
-/// Pairs of balls as (middle, radius), wide ones and narrow ones among them, none with zero inside. Their ends are numbers of `f64`.
+/// Pairs of balls as (middle, radius), wide and narrow, none containing zero. Their ends are `f64`
+/// numbers.
 fn pairs(seed: u64, count: usize) -> Vec<[(f64, f64); 2]> {
     let mut rng = Rng::new(seed);
     let mut one = |k: usize| {
@@ -50,7 +53,8 @@ fn pairs(seed: u64, count: usize) -> Vec<[(f64, f64); 2]> {
     (0..count).map(|k| [one(k), one(k / 7)]).collect()
 }
 
-/// What an operation makes of single points of two balls: an interval of hardly any width for each pair of points.
+/// The results of an operation on single points of two balls: an almost exact interval for each
+/// pair of points.
 fn truths(operation: fn(Ball<Big>, Ball<Big>) -> Ball<Big>, [x, y]: [(f64, f64); 2]) -> Vec<Enclosure> {
     within(300, || {
         let number = |x: f64| Ball::exact(Big::from_f64(x));
@@ -73,7 +77,8 @@ where
     }
     let narrow = |(mid, radius): (f64, f64)| radius <= 0.06 * mid;
     if narrow(x) && narrow(y) {
-        // Of narrow balls the bound is of the first order, which the corners show; at an extreme of a sine they show nothing.
+        // For narrow balls the bound is of first order, which the corners show; at an extreme of a
+        // sine they show nothing.
         let spread = truths.iter().map(|t| (t.approx - seen.approx).abs()).fold(0.0, f64::max);
         let turned = if name.contains("sin") || name.contains("cos") { 2.0 * x.1 } else { 0.0 };
         let most = 8.0 * spread + turned + 1e-14 * (1.0 + seen.approx.abs());
@@ -81,7 +86,7 @@ where
     }
 }
 
-/// Wide operands too: what holds to first order only is found there.
+/// Wide operands too: they reveal results that hold to first order only.
 #[test]
 fn what_is_inside_the_operands_is_inside_the_result() {
     for pair in pairs(7, 98) {
@@ -94,8 +99,8 @@ fn what_is_inside_the_operands_is_inside_the_result() {
     }
 }
 
-/// Balls that reach zero, the ones that only touch it among them, have no quotient by them, no angle, and a root that
-/// reaches down to zero; what is less than zero all through is known to be.
+/// Balls that reach zero, including those that only touch it, give no quotient and no angle, and a
+/// root that reaches down to zero; a ball entirely below zero is recognised as such.
 #[test]
 fn balls_that_reach_zero() {
     fn check<M: Middle>(kind: &str)
@@ -144,7 +149,8 @@ fn balls_that_reach_zero() {
     within(150, || check::<Big>("long"));
 }
 
-/// Exact where the value is a binary fraction, and enclosed a hair beside it, however many turns away.
+/// Exact where the value is a binary fraction, and enclosed slightly beside it, after any number of
+/// turns.
 #[test]
 fn sines_at_special_angles_and_a_hair_beside_them() {
     fn exact<N: Certain>(kind: &str) {
@@ -154,7 +160,7 @@ fn sines_at_special_angles_and_a_hair_beside_them() {
                 let (s, c) = N::from_f64(at).sin_cos_degrees();
                 let right = [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][quarter as usize];
                 assert_eq!(((s.approx(), s.radius()), (c.approx(), c.radius())), ((right.0, 0.0), (right.1, 0.0)), "{kind}: {at}°");
-                // The sine of 30° beside a whole number of half turns is a half, or the cosine.
+                // The sine of 30° plus a whole number of half turns is a half, or the cosine.
                 for off in [-60.0, -30.0, 30.0, 60.0] {
                     let (s, c) = N::from_f64(at + off).sin_cos_degrees();
                     let halves = [s, c].into_iter().filter(|x| x.approx().abs() == 0.5 && x.radius() == 0.0).count();
@@ -192,7 +198,8 @@ fn sines_at_special_angles_and_a_hair_beside_them() {
     }
 }
 
-/// A decimal is enclosed whatever it is: zeros in all their spellings, numbers at the ends of the range of `f64`.
+/// Any decimal is enclosed: zeros in all their spellings, numbers at the ends of the range of
+/// `f64`.
 #[test]
 fn decimals_are_inside_what_is_read_of_them() {
     fn read<N: Certain>(text: &str) -> Option<Enclosure> {
@@ -209,7 +216,7 @@ fn decimals_are_inside_what_is_read_of_them() {
     }
 }
 
-/// Single, double and long numbers without an error of their own: the same value to their last digits.
+/// Single, double and long numbers without error bounds give the same value to their last digits.
 #[test]
 fn plain_numbers_of_every_length_say_the_same() {
     fn all<N: Real>(x: f64, y: f64) -> Vec<f64> {

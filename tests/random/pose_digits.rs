@@ -1,6 +1,8 @@
-//! Every printed digit of instantaneous centres, of curvature and of composite motion is true: against geometry in 640-bit arithmetic ([`crate::poses`]).
+//! Every printed digit of instantaneous centres, of curvature and of composite motion is true:
+//! compared with geometry in 640-bit arithmetic ([`crate::poses`]).
 //!
-//! `HODOGRAPH_SEEDS=5 cargo test --test random pose_digits -- --nocapture` compares some 36 000 numbers.
+//! `HODOGRAPH_SEEDS=5 cargo test --test random pose_digits -- --nocapture` compares some 36 000
+//! numbers.
 
 use crate::compared::{Compared, asking};
 use crate::emit::{Ask, Pose, scene as emitted};
@@ -14,10 +16,11 @@ use hodograph::scene::quantity::Frame;
 use hodograph::scene::{Scene, read};
 use hodograph::worked::{Scope, work};
 
-/// The error of differences, as a part of what they tell.
+/// The error of differences, as a part of their value.
 const OFF: f64 = 1e-45;
 
-/// Scenes of all kinds that go on by themselves: random linkages, and mechanisms with gears, cams and rolling wheels.
+/// Scenes of all kinds with a complete motion: random linkages, and mechanisms with gears, cams and
+/// rolling wheels.
 fn texts(own: u64) -> impl Iterator<Item = (String, String)> {
     seeds(own).filter_map(|seed| match seed % 4 {
         0 => crate::grown::text(seed / 4).map(|text| (format!("grown {}", seed / 4), text)),

@@ -1,5 +1,6 @@
-//! Instantaneous centres, what belongs to a pole, curvature of paths and parts of composite motion, by geometry alone: poles of small finite turns, circles
-//! through three places, differences of places seen in a frame. No formula with velocities or accelerations is used.
+//! Instantaneous centres, quantities of a pole, curvature of paths and parts of composite motion,
+//! by geometry alone: poles of small finite rotations, circles through three places, differences of
+//! places seen in a frame. No formula with velocities or accelerations is used.
 
 use hodograph::answer::Value;
 use hodograph::effort::truth::Differences;
@@ -23,14 +24,14 @@ fn number(x: f64) -> Big {
     Big::from_f64(x)
 }
 
-/// Before, now and after.
+/// Values before, at and after the instant.
 type Three<T> = [T; 3];
 
-/// Turn and shift from the axes of a link to those of another.
+/// Rotation and displacement from the axes of one link to those of another.
 type Relative = (V, V);
 
 impl Oracle<'_> {
-    /// The answer; `None` where this file has no formula, or where there is none.
+    /// The answer; `None` if this file has no formula, or there is no answer.
     pub fn answer(&self, what: &Asked) -> Option<Value<Big>> {
         match what {
             Asked::InstantCentre(c) => Some(Value::Point(self.centre(c)?)),
@@ -46,7 +47,7 @@ impl Oracle<'_> {
         Some([f(&self.d.before)?, f(&self.d.now)?, f(&self.d.after)?])
     }
 
-    /// The pose of a link; barrel and rod of a cylinder each stand on their own pin, along its line.
+    /// The pose of a link; barrel and rod of a cylinder are each on their own pin, along its line.
     fn pose(&self, at: &Configuration<Big>, l: LinkId) -> Option<Pose<Big>> {
         if l == self.scene.ground {
             return Some(Pose::ground());
@@ -122,7 +123,7 @@ impl Oracle<'_> {
         })
     }
 
-    /// The place of a point as a frame sees it, in axes that lie as those of the frame do now.
+    /// The place of a point as seen from a frame, in axes with the frame's present direction.
     fn seen(&self, of: OnLink, frame: Frame) -> Option<Three<V>> {
         let moving = self.places(of)?;
         match frame {
@@ -171,10 +172,11 @@ impl Oracle<'_> {
     }
 }
 
-/// The point about which a link is turned from one pose to another: in its own axes, and in those of the other.
+/// The point about which a link rotates from one pose to another: in its own axes, and in those of
+/// the other.
 fn turned_about(a: Relative, b: Relative) -> Option<(V, V)> {
     let turn = b.0 - a.0;
-    // Links that do not turn against one another have no pole.
+    // Links without relative rotation have no pole.
     if turn.norm().approx() < 1e-100 {
         return None;
     }

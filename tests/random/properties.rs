@@ -16,7 +16,7 @@ use hodograph::scene::{self, DiagramKind, DriverKind, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// A mechanism read from text and worked through.
+/// A mechanism read from text and solved.
 pub struct Case {
     pub seed: u64,
     pub text: String,
@@ -25,7 +25,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// Everything that is needed to see what went wrong.
+    /// Panics with everything that is needed to see the error.
     fn fail(&self, what: impl std::fmt::Display) -> ! {
         panic!("seed {}: {what}\n{}", self.seed, self.text)
     }
@@ -44,7 +44,7 @@ impl Case {
         self.worked.construction.polygon(DiagramKind::of(level)).map_or(0.0, |p| p.largest())
     }
 
-    /// The size against which a level's vectors are judged: where all vanish, what the motion makes of the mechanism's size.
+    /// The size by which a level's vectors are judged: if all vanish, that of the driver's motion.
     fn scale(&self, level: Level) -> f64 {
         let (v, extent) = (self.largest(Level::Velocity), self.worked.configuration.extent().max(1e-300));
         if level == Level::Acceleration { self.largest(level).max(v * v / extent) } else { v }
@@ -55,10 +55,10 @@ impl Case {
     }
 }
 
-/// Seeds whose chain of groups has become worse conditioned than this are judged by the agreement's own bound only.
+/// Seeds with a worse conditioned chain of groups are judged only by the agreement's own bound.
 const WELL: f64 = 1e4;
 
-/// Reads and works a text; a panic names the seed and shows the scene.
+/// Reads and solves a text; a panic names the seed and shows the scene.
 pub fn worked(seed: u64, text: &str) -> Result<(Scene, Worked), Faults> {
     let run = || {
         let scene = scene::read(text)?.value;
@@ -103,7 +103,7 @@ fn difference(a: Value, b: Value) -> f64 {
     }
 }
 
-/// The mechanism that was grown, place by place: the reader and the position solver put it together again.
+/// The grown mechanism is found again, place by place, by the reader and the position solver.
 #[test]
 fn the_pose_is_found_again() {
     for pose in [Pose::Coordinates, Pose::Lengths] {
@@ -124,7 +124,7 @@ fn the_pose_is_found_again() {
     }
 }
 
-/// Ruler and paper against the loop equations, for every question.
+/// Ruler and paper agree with the loop equations, for every question.
 #[test]
 fn drawing_agrees_with_the_loop_equations() {
     let mut worst = [(0.0f64, 0, String::new()), (0.0, 0, String::new())];
@@ -162,7 +162,7 @@ pub struct Motion {
     pub at: Vec<Configuration>,
 }
 
-/// Central differences with steps h, 2h, 4h, twice extrapolated: the error left goes with h⁶.
+/// Central differences with h, 2h, 4h, extrapolated twice: the error is proportional to h⁶.
 const STEPS: [f64; 7] = [0.0, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0];
 
 impl Motion {
@@ -200,7 +200,7 @@ fn extrapolate(h: Vec2, h2: Vec2, h4: Vec2) -> Vec2 {
     a + (a - b) * (1.0 / 15.0)
 }
 
-/// Both ways against how the positions move when the drivers do.
+/// Both methods agree with the change of positions when the drivers move.
 #[test]
 fn vectors_are_differences_of_positions() {
     let (mut worst_v, mut worst_a, mut cases) = (0.0f64, 0.0f64, 0);
@@ -212,7 +212,7 @@ fn vectors_are_differences_of_positions() {
         let (v, a) = (c.largest(Level::Velocity), c.largest(Level::Acceleration));
         let rates = c.worked.construction.rates.iter().filter(|r| r.on == DiagramKind::Velocity);
         let omega = rates.map(|r| r.value.abs()).fold(v / extent, f64::max);
-        // Where a motion is strongly amplified its higher derivatives swamp any difference formula.
+        // If a motion is strongly amplified, its higher derivatives spoil any difference formula.
         if c.worked.solution.condition > 2e2 || omega > 20.0 {
             continue;
         }
@@ -252,9 +252,9 @@ fn vectors_are_differences_of_positions() {
     assert!(cases > 40 / every(8), "only {cases} cases were fit for differences");
 }
 
-/// What a term is, from the configuration and the loop equations alone.
+/// A term by the configuration and the loop equations alone.
 struct Expected {
-    /// The vector, where its magnitude follows from the level below.
+    /// The vector, if its magnitude follows from the level below.
     vector: Option<Vec2>,
     /// Its line.
     direction: Vec2,
@@ -269,7 +269,7 @@ impl Oracle<'_> {
         let (w, d) = (&self.c.worked, &self.c.worked.construction.diagram);
         match w.plan.vertex(v).spot {
             Spot::Point(p) => w.configuration.point(p),
-            // A special point lies nowhere but on the diagram.
+            // A special point exists only on the diagram.
             Spot::Special(_) => d.origin + d.spots[v.0].unwrap().to_vec2() * d.mu,
         }
     }
@@ -333,7 +333,7 @@ impl Oracle<'_> {
                     }
                     TermKind::SlideNormal => {
                         let Path::Arc { centre, radius } = path else { self.c.fail("a curved part on a straight guide") };
-                        // Toward the centre as seen from the carrier; the other way round as seen from the runner.
+                        // Toward the centre seen from the carrier; reversed from the runner.
                         let carrier = self.c.scene.guides[guide.0].on;
                         let v = self.c.worked.plan.vertex(t.of);
                         let carried = match (v.on, v.spot) {
@@ -352,7 +352,7 @@ impl Oracle<'_> {
     }
 }
 
-/// Each edge as its term says, each chain from its start to its target, each vertex where the loop equations put it.
+/// Edges agree with their terms, chains lead to their targets, vertices are at their true places.
 #[test]
 fn every_edge_keeps_its_word() {
     let (mut edges, mut images, mut vertices) = (0, 0, 0);
@@ -379,7 +379,7 @@ fn every_edge_keeps_its_word() {
                     edges += 1;
                     for t in &e.terms {
                         let x = oracle.expected(level, t);
-                        // Between a special point and a joint that it falls upon there is no line.
+                        // Between a special point and a coincident joint there is no line.
                         if (oracle.place(t.of) - oracle.place(t.to)).norm() < 1e-7 * c.worked.configuration.extent()
                             && matches!(t.kind, TermKind::Relative | TermKind::Tangential)
                         {
@@ -396,7 +396,7 @@ fn every_edge_keeps_its_word() {
                         }
                     }
                 }
-                // The board draws the edges of an equation chain after chain, first the known ones, then one for each unknown line.
+                // The board draws edges chain by chain: known ones, then one per unknown line.
                 let mut rest = polygon.edges.iter().filter(|e| !e.between);
                 for group in plan.steps(DiagramKind::of(level)) {
                     for step in group.steps(group.drawn(c.worked.construction.acts.chosen[group.group])) {
@@ -422,7 +422,7 @@ fn every_edge_keeps_its_word() {
                                     (oracle.place(*target) - oracle.place(*a)).divide_by(oracle.place(*b) - oracle.place(*a)),
                                     (image(target) - image(a)).divide_by(image(b) - image(a)),
                                 );
-                                // Where the link does not turn its image is a point, and has no form.
+                                // Without rotation the image is a single point.
                                 let base = (image(b) - image(a)).norm() * polygon.mu;
                                 if base > 1e-3 * largest && (link - drawn).norm() * base > near * (1.0 + link.norm()) {
                                     c.fail(format!("{level:?} image of {target:?} is not similar to its link: {link:?} {drawn:?}"));
@@ -471,7 +471,7 @@ fn compare(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, Va
         let kind = text.split('_').next().unwrap_or("");
         a.results().filter(|r| r.0.split('_').next() == Some(kind)).map(|r| r.2.magnitude()).fold(0.0, f64::max)
     };
-    // What vanishes is compared with what does not.
+    // Vanishing values are compared with those that do not vanish.
     let motion = a.results().filter(|r| !r.0.starts_with(['x', 'y'])).map(|r| r.2.magnitude()).fold(0.0, f64::max);
     for ((text, drawn, computed), (_, other_drawn, other)) in a.results().zip(b.results()) {
         for (was, is) in [(drawn, other_drawn), (computed, other)] {
@@ -487,7 +487,7 @@ fn compare(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, Va
     worst
 }
 
-/// How a quantity goes with the length unit.
+/// True if the quantity is proportional to the length unit.
 fn goes_with_length(text: &str) -> bool {
     !(text.starts_with("omega") || text.starts_with("alpha"))
 }
@@ -505,12 +505,12 @@ fn a_power_of_two_changes_no_digit() {
                     v => v.map(|x| x * stretch),
                 };
                 let near = 1e-9 * is.magnitude() + 1e-11 * scale(Value::Scalar(1.0)).magnitude();
-                // Positions that `f64` loses digits of are those of the decimals as written, and 2^k times a decimal is another one.
+                // Positions short of digits use the written decimals, which 2^k changes.
                 let written = || settled(&c.scene, &c.worked) || settled(&b.scene, &b.worked);
                 if scale(was) != is && (difference(scale(was), is) > near || !written()) {
                     c.fail(format!("2^{k} changes {text} from {was:?} to {is:?}\n{}\nand", b.text));
                 }
-                // The paper's scales are 1, 2, 2.5, 5 × 10^k: what is read off it is rounded otherwise.
+                // The paper's scales are 1, 2, 2.5, 5 × 10^k: a reading is rounded differently.
                 let (d, e) = (difference(scale(drawn), other_drawn), difference(scale(was), scale(drawn)));
                 if d > 4.0 * e + near {
                     c.fail(format!("2^{k} changes the drawn {text} from {drawn:?} to {other_drawn:?}"));
@@ -549,7 +549,7 @@ fn turning_and_shifting_the_whole() {
     println!("worst change by turning {turned:.1e}, by shifting {shifted:.1e}");
 }
 
-/// As [`compare`]; what `map` makes NaN is not compared.
+/// Compares like [`compare`], without values for which `map` gives NaN.
 fn compare_skipping(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, Value) -> Value) -> f64 {
     let keep = |text: &str, v: Value| match map(text, v) {
         Value::Scalar(s) if s.is_nan() => v,
@@ -628,7 +628,7 @@ fn only_what_is_asked_is_done() {
     });
 }
 
-/// One joint is asked: only the groups that it rests on are placed and planned.
+/// For a question on one joint, only the groups that it depends on are placed and planned.
 #[test]
 fn only_the_groups_upstream_are_solved() {
     for seed in seeds(200) {

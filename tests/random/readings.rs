@@ -1,5 +1,6 @@
-//! What the paper says is what was drawn: every reading is the distance of two marks, every name one vector, and three ways that share
-//! no definition of a part (edges, rows of the loop equations, formulas of relative motion) say the same of it.
+//! Readings agree with the drawing: every reading is the distance of two points, every name denotes
+//! one vector, and three methods without a common definition of a part (edges, rows of the loop
+//! equations, formulas of relative motion) agree on it.
 
 use crate::emit;
 use crate::properties::{mechanism, seeds, style};
@@ -20,7 +21,8 @@ use hodograph::scene::{self, Asked, DiagramKind, DriverKind, Find, Lang, LinkId,
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::BTreeMap;
 
-/// Everything relative that can be asked: on each link, at each guide in both senses, along each cylinder, across links.
+/// All possible relative questions: on each link, at each guide in both senses, along each
+/// cylinder, across links.
 fn relative_questions(scene: &Scene) -> Vec<Asked> {
     let pin = |point| OnLink { point, link: None };
     let moving = |p: &OnLink| !scene.links[scene.ground.0].points.contains(&p.point);
@@ -54,7 +56,7 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
             all.extend(&parts(a, b)[..2]);
         }
     }
-    // A place of contact is a point of both links, and of none by itself.
+    // A place of contact is a point of both links, and of neither alone.
     let by_itself = |p: &OnLink| scene.rolling.iter().all(|pair| !pair.at.contains(&p.point));
     let points = (0..scene.points.len()).map(|p| pin(hodograph::scene::PointId(p)));
     let movers: Vec<OnLink> = points.filter(moving).filter(by_itself).collect();
@@ -72,7 +74,7 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
     all
 }
 
-/// As a question is written.
+/// The text of a question.
 fn text(scene: &Scene, what: &Asked) -> String {
     let name = |p: &OnLink| format!("{}{}", scene.point_name(p.point), p.link.map_or("", |l| scene.link_name(l)));
     let symbol = what.entry().symbol;
@@ -83,7 +85,7 @@ fn text(scene: &Scene, what: &Asked) -> String {
     }
 }
 
-/// The scene with everything relative asked besides.
+/// The scene with all relative questions in addition.
 fn asking_all(mut scene: Scene) -> Scene {
     for what in relative_questions(&scene) {
         let text = text(&scene, &what);
@@ -103,7 +105,7 @@ fn scale(worked: &Worked, on: DiagramKind) -> f64 {
     }
 }
 
-/// Edges, rows and formulas agree; every length is the distance of two marks that are there.
+/// Edges, rows and formulas agree; every length is the distance of two existing points.
 fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
     let mut read = 0;
     for r in &worked.results {
@@ -146,7 +148,7 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
     read
 }
 
-/// No two vectors bear one name, and an answer is called as the drawing calls it.
+/// No two vectors have one name, and an answer has the name that the drawing gives it.
 fn check_names(name: &str, scene: &Scene, worked: &Worked) {
     for lang in [Lang::En, Lang::Zh] {
         let notation = Notation::of_language(lang);
@@ -183,7 +185,7 @@ fn check_names(name: &str, scene: &Scene, worked: &Worked) {
                     call(symbol.to_string(), m.marks[1].1 - m.marks[0].1);
                 }
             }
-            // Marks are told apart, too.
+            // Points have distinct names, too.
             let mut letters: BTreeMap<String, Mark> = BTreeMap::new();
             for (m, _) in p.edges.iter().flat_map(|e| [e.from, e.to]) {
                 let letter = mark(&w, on, &m);
@@ -232,7 +234,8 @@ fn readings_of_random_mechanisms_are_edges() {
     assert!(read > 3000 / every(8), "only {read} readings were checked");
 }
 
-/// Every length that a sheet prints is the distance of two marks in its SVG, found there by their names.
+/// Every length that a sheet prints is the distance of two points in its SVG, found there by their
+/// names.
 #[test]
 fn printed_lengths_are_distances_in_the_svg() {
     let mut found = 0;
@@ -279,7 +282,8 @@ fn printed_lengths_are_distances_in_the_svg() {
     assert!(found > 1000 / every(8), "only {found} lengths were found");
 }
 
-/// The parts of the motion of a cylinder's ends are asked in words of a scene, and read off edges.
+/// The parts of the motion of a cylinder's ends can be asked for in a scene, and are read off
+/// edges.
 #[test]
 fn parts_of_a_cylinder_can_be_asked() {
     let text = templates::get("excavator").unwrap();

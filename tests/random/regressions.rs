@@ -1,4 +1,5 @@
-//! Scenes that were once solved wrongly, refused, or not survived; found by random mechanisms and made small.
+//! Scenes that once failed (wrong answers, refusals, panics), found by random mechanisms and
+//! reduced.
 
 use hodograph::geom::Point;
 use hodograph::scene;
@@ -21,7 +22,8 @@ fn refused(text: &str, code: &str) {
     assert!(faults.list.iter().any(|d| d.code == code), "no {code} in {faults}");
 }
 
-/// The drawing gave a block on a curved guide the turning of its carrier. 3-4-5: the pin 5 from the centre.
+/// A block on a curved guide turns with the radius, not with its carrier. 3-4-5: the pin is 5 from
+/// the centre.
 #[test]
 fn a_block_on_a_curved_guide_turns_with_the_radius() {
     let scene = |find: &str| {
@@ -33,14 +35,15 @@ fn a_block_on_a_curved_guide_turns_with_the_radius() {
         .replace(r#""B": ["4 m", "3 m"]"#, r#""B": ["4 m", "2 m"], "C": ["4 m", "3 m"]"#)
     };
     let done = solved(&scene(r#""omega_3", "alpha_3""#));
-    // v_C is square to KC; its part along x is −ω·AC = −2, so |v_C| = 2·5/3 and ω₃ = 2/3.
+    // v_C is perpendicular to KC; its component along x is −ω·AC = −2, so |v_C| = 2·5/3 and ω₃ =
+    // 2/3.
     let omega = done.results[0].value().magnitude();
     assert!((omega - 2.0 / 3.0).abs() < 1e-14, "{omega}");
-    // A point of the block elsewhere: the block's turning is found before it is used.
+    // A point of the block elsewhere: the block's angular velocity is found before it is used.
     solved(&scene(r#""a_B3", "v_A3""#));
 }
 
-/// The turning of a link with two slots over one pin was measured between that pin and itself.
+/// The angular velocity of a link with two slots over one pin needs two different points.
 #[test]
 fn two_slots_over_one_pin() {
     solved(
@@ -51,7 +54,7 @@ fn two_slots_over_one_pin() {
     );
 }
 
-/// A ram whose stroke only coordinates tell.
+/// A ram with its stroke given by coordinates only.
 #[test]
 fn a_ram_by_coordinates() {
     let done = solved(
@@ -62,7 +65,7 @@ fn a_ram_by_coordinates() {
     assert_eq!(done.configuration.points[2], Some(Point::new(2.0, 2.0)));
 }
 
-/// A guide without a pin, given at the instant on a moving link, was never placed: a panic on the board.
+/// A guide without a pin, given at the instant on a moving link, must be placed.
 #[test]
 fn a_guide_without_a_pin_on_a_moving_link() {
     solved(
@@ -73,7 +76,7 @@ fn a_guide_without_a_pin_on_a_moving_link() {
     );
 }
 
-/// A guide along two points that coincide, on a link that coordinates place all the same: a panic on the board.
+/// A guide along two coincident points, on a link placed by coordinates.
 #[test]
 fn a_guide_along_coincident_points() {
     refused(
@@ -84,7 +87,8 @@ fn a_guide_along_coincident_points() {
     );
 }
 
-/// A mechanism of a single point had no size against which a place could be judged; its pin has no unknowns but its own.
+/// A mechanism of a single point has no size against which a place can be judged; its pin has only
+/// its own unknowns.
 #[test]
 fn a_single_driven_slider() {
     for find in [r#""v_A", "a_A""#, r#""v_A", "omega_2""#] {
@@ -101,7 +105,7 @@ fn a_single_driven_slider() {
     );
 }
 
-/// Fixed points that are asked for lie in the pole of the drawing as well.
+/// Fixed points that are asked for coincide with the pole of the drawing.
 #[test]
 fn a_fixed_point_is_drawn() {
     solved(
@@ -110,11 +114,12 @@ fn a_fixed_point_is_drawn() {
     );
 }
 
-/// An assembly near the end of what two of a triad's legs can reach was lost: 3, 4 and 3 stretched out but for a hair.
+/// An assembly near the end of the reach of two of a triad's legs is found: 3, 4 and 3, almost
+/// stretched.
 #[test]
 fn a_triad_whose_legs_are_almost_stretched() {
     for hair in [1e-1f64, 1e-2, 1e-3, 1e-4] {
-        // A and B are lifted by 3·sin(hair), AB stays level; C lies 3 above B, W 4 above C.
+        // A and B are lifted by 3·sin(hair), AB stays level; C is 3 above B, W 4 above C.
         let (s, c) = (3.0 * libm::sin(hair), 3.0 * libm::cos(hair));
         let text = format!(
             r#"{{"links": {{"0": ["U", "V", "W"], "1": ["A", "B", "C"], "3": ["V", "B"], "4": ["W", "C"]}}, "ground": "0",
@@ -136,7 +141,7 @@ fn a_triad_whose_legs_are_almost_stretched() {
     }
 }
 
-/// A link that slides on a curved guide turns about its centre; the drawing kept its direction.
+/// A link that slides on a curved guide turns about the guide's centre.
 #[test]
 fn a_link_on_a_curved_guide_is_a_pin_joint() {
     let scene = |links: &str, guides: &str| {
@@ -150,7 +155,7 @@ fn a_link_on_a_curved_guide_is_a_pin_joint() {
     solved(&scene(r#""3": ["K", "C", "D"]"#, ""));
 }
 
-/// A guide on the barrel of a cylinder was never placed: a panic on the board.
+/// A guide on the barrel of a cylinder is refused.
 #[test]
 fn a_cylinder_part_carries_nothing() {
     refused(
@@ -162,7 +167,8 @@ fn a_cylinder_part_carries_nothing() {
     );
 }
 
-/// The acceleration of a point of a block on a curved guide asked for the block's ω, which nothing had found: a panic on the board.
+/// The acceleration of a point of a block on a curved guide needs the block's ω, which the plan
+/// must find.
 #[test]
 fn a_point_of_a_block_on_a_curved_guide_is_found_with_its_turning() {
     for asked in ["a_K4", "ae_K/4", "a_C4"] {

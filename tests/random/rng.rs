@@ -1,4 +1,5 @@
-//! A small generator of random numbers, so that a seed in a failure message means the same mechanism everywhere.
+//! A small random generator, so that a seed in a failure message gives the same mechanism
+//! everywhere.
 
 use crate::wide::every;
 
@@ -22,7 +23,7 @@ impl Rng {
         z ^ (z >> 31)
     }
 
-    /// In [a, b).
+    /// A number in [a, b).
     pub fn between(&mut self, a: f64, b: f64) -> f64 {
         a + (b - a) * ((self.next() >> 11) as f64 / (1u64 << 53) as f64)
     }
@@ -51,7 +52,8 @@ impl Rng {
     }
 }
 
-/// How many seeds a test takes: `HODOGRAPH_SEEDS` times its own number for a long hunt, else its own number or a part of it.
+/// The seeds of a test: `HODOGRAPH_SEEDS` times its own number for a long search, else its own
+/// number or a part of it.
 pub fn seeds(own: u64) -> std::ops::Range<u64> {
     match std::env::var("HODOGRAPH_SEEDS").ok().and_then(|n| n.parse::<u64>().ok()) {
         Some(times) => 0..own * times,

@@ -1,5 +1,5 @@
-//! Random mechanisms with gears, planets and rolling wheels, grown on dyads: the drawing, the loop equations, differences of positions and
-//! the theory of a rolling contact say the same.
+//! Random mechanisms with gears, planets and rolling wheels, attached to dyads: the drawing, the
+//! loop equations, differences of positions and the theory of rolling contact agree.
 
 use crate::properties::{seeds, worked};
 use crate::rng::Rng;
@@ -11,7 +11,7 @@ use hodograph::position::newton;
 use hodograph::scene::{Contours, Scene};
 use hodograph::worked::Worked;
 
-/// A circle that gears may mesh with: the link, its centre, its radius.
+/// A circle with which gears may mesh: the link, its centre, its radius.
 #[derive(Clone, Copy)]
 struct Wheel {
     link: usize,
@@ -19,7 +19,7 @@ struct Wheel {
     radius: f64,
 }
 
-/// What has been grown: link 0 is ground.
+/// The mechanism so far: link 0 is ground.
 #[derive(Default)]
 struct Grown {
     points: Vec<Point>,
@@ -65,7 +65,7 @@ impl Grown {
             return;
         }
         let (arm, radius, inside) = (rng.pick(&arms), rng.between(0.4, 1.5), rng.chance(0.3));
-        // Inside: the new one is a ring about the old.
+        // Internal: the new one is a ring about the existing one.
         let radius = if inside { on.radius + radius } else { radius };
         let distance = if inside { radius - on.radius } else { radius + on.radius };
         let centre = self.point(self.points[on.centre] + rng.direction() * distance);
@@ -128,7 +128,7 @@ impl Grown {
         let wheel = self.link(vec![centre, end]);
         let radius = rng.between(0.3, 0.8);
         let at = self.contact([0, wheel]);
-        // The centre's way runs nearly along the rod, so that the two loci cross well.
+        // The centre's path is nearly along the rod, so that the two loci intersect well.
         let way = along.rotate_by(Vec2::from_angle(rng.between(-0.8, 0.8)));
         let head = format!("\"wheel\": \"{wheel}\", \"centre\": \"P{centre}\", \"radius\": \"{radius:?} m\", \"at\": \"{at}\"");
         let track = match rng.below(3) {
@@ -158,7 +158,8 @@ impl Grown {
         self.wheels.push(Wheel { link: rocker, centre: joint, radius: rng.between(0.3, 0.8) });
     }
 
-    /// Three links from a moving point to the ground, the first in mesh with the last while neither is known before the other.
+    /// Three links from a moving point to the ground, the first in mesh with the last while neither
+    /// is known before the other.
     fn waiting(&mut self, rng: &mut Rng) {
         let from = self.mover(rng);
         loop {
@@ -224,7 +225,7 @@ fn grown(seed: u64) -> (Grown, String) {
     g.link(vec![pivot]);
     g.link(vec![pivot, end]);
     g.wheels.push(Wheel { link: 1, centre: pivot, radius: rng.between(0.5, 1.5) });
-    // A wheel that stands still about the same pivot: planets on the crank roll on it.
+    // A fixed wheel about the same pivot: planets on the crank roll on it.
     g.wheels.push(Wheel { link: 0, centre: pivot, radius: rng.between(0.5, 1.5) });
     for _ in 0..1 + rng.below(5) {
         match rng.below(5) {
@@ -239,7 +240,7 @@ fn grown(seed: u64) -> (Grown, String) {
         g.dyad(&mut rng);
         g.belted(&mut rng);
     }
-    // Of every other one a pair is found as a whole.
+    // In every second one, a pair is solved as a whole.
     if seed % 2 == 1 {
         g.waiting(&mut rng);
     }
@@ -247,7 +248,7 @@ fn grown(seed: u64) -> (Grown, String) {
     (g, text)
 }
 
-/// Poses in which a locus crosses another this badly are grown, and judged by the agreement's own bound only.
+/// Poses with a worse intersection of loci are grown, but judged only by the agreement's own bound.
 const WELL: f64 = 1e4;
 
 fn size(v: Value) -> f64 {
@@ -286,7 +287,7 @@ fn each(own: u64, mut check: impl FnMut(u64, &Grown, &Scene, &Worked)) {
     assert!(solved * 20 > tried * 19, "{solved} of {tried} solved");
 }
 
-/// What is drawn is what the loop equations say.
+/// The drawing agrees with the loop equations.
 #[test]
 fn rolling_is_drawn_as_it_is_computed() {
     each(150, |seed, _, scene, w| {
@@ -307,7 +308,8 @@ fn rolling_is_drawn_as_it_is_computed() {
     });
 }
 
-/// Velocities and accelerations are differences of the positions that Newton's method finds, wheels rolled and all.
+/// Velocities and accelerations agree with differences of the positions by Newton's method,
+/// including rolled wheels.
 #[test]
 fn rolling_moves_as_its_rates_say() {
     const STEP: f64 = 1e-4;
@@ -338,7 +340,8 @@ fn rolling_moves_as_its_rates_say() {
     });
 }
 
-/// At a contact both points have one velocity, and their accelerations differ by (ω₂ − ω₁)² ρ₁ρ₂/(ρ₁ + ρ₂) along the normal.
+/// At a contact both points have the same velocity, and their accelerations differ by (ω₂ − ω₁)²
+/// ρ₁ρ₂/(ρ₁ + ρ₂) along the normal.
 #[test]
 fn contacts_roll() {
     let mut contacts = 0;
@@ -364,7 +367,7 @@ fn contacts_roll() {
             let delta = match pair.contours {
                 Contours::Circles { .. } => r1 * r2 / (r1 + r2),
                 Contours::Track { .. } => r2,
-                // Its ends are two places: see tests/wheels/belts.rs.
+                // Its ends are at two places: see tests/wheels/belts.rs.
                 Contours::Belt { .. } => continue,
             };
             let n = w.configuration.normal(scene, hodograph::scene::RollingId(r)).unwrap();

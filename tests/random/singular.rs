@@ -1,4 +1,5 @@
-//! Poses that are singular: each has its answer or its diagnosis, whichever way the scene is turned, scaled and shifted.
+//! Singular poses: each has its answer or its diagnosis, for any rotation, scale and shift of the
+//! scene.
 
 use hodograph::analytic::SingularKind;
 use hodograph::answer::Value;
@@ -8,19 +9,20 @@ use hodograph::scene::quantity::Meaning;
 use hodograph::scene::{self, DriverKind, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
-/// A turn, a scale and a shift of all coordinates, as they are written: products and sums of short decimals, so that a pose that
-/// is singular stays singular to the last digit of any number.
+/// A rotation, a scale and a shift of all coordinates as written: products and sums of short
+/// decimals, so that a singular pose stays singular to the last digit of any number.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
-    /// Cosine and sine of the turn.
+    /// Cosine and sine of the rotation.
     turn: [&'static str; 2],
-    /// The turn itself.
+    /// The rotation angle.
     pub angle: &'static str,
     pub scale: f64,
     pub shift: Vec2,
 }
 
-/// As written; turned, scaled and shifted, where `f64` leaves the pose singular to the last digits only.
+/// The frame as written, and others (rotated, scaled and shifted) in which `f64` leaves the pose
+/// singular only to its last digits.
 pub const FRAMES: [Frame; 4] = [
     Frame { turn: ["1", "0"], angle: "0 rad", scale: 1.0, shift: Vec2::ZERO },
     Frame { turn: ["0.8", "0.6"], angle: "atan(0.75)", scale: 0.37, shift: Vec2::new(0.3, -1.1) },
@@ -29,7 +31,7 @@ pub const FRAMES: [Frame; 4] = [
 ];
 
 impl Frame {
-    /// The same to another scale, not turned.
+    /// The frame to another scale, not rotated.
     pub fn scaled(scale: f64) -> Frame {
         Frame { scale, ..FRAMES[0] }
     }
@@ -68,7 +70,8 @@ pub fn run(text: &str) -> Result<(Scene, Worked, Vec<hodograph::diag::Diagnostic
     if unanswered.is_empty() {
         return Ok((scene, done.value, done.notes));
     }
-    // Told as such, every question in one list or the other, and what the drivers give is answered.
+    // Reported as such, every question in one list or the other, and the quantities given by the
+    // drivers are answered.
     assert_eq!(unanswered.len() + results.len(), scene.find.len(), "{text}");
     for u in unanswered {
         let refused = u.refused().expect("it rests on a part without a motion");
@@ -89,11 +92,11 @@ pub fn number(v: Value) -> f64 {
     }
 }
 
-/// What a scene of the table must come to.
+/// The expected result of a scene of the table.
 enum Verdict {
-    /// Answers, of the questions in order; on the other motion too, where there is one.
+    /// Answers to the questions in order; also on the other motion, if there is one.
     Answers(Option<SingularKind>, [f64; 6], Option<[f64; 6]>),
-    /// A diagnosis of this code that says these words.
+    /// A diagnosis with this code and these words.
     Says(&'static str, &'static [&'static str]),
 }
 
@@ -150,11 +153,12 @@ fn four_bars_in_line() {
     let dead: &[&str] = &["link 1 (AB)", "link 2 (BC)", "lie in line at B", "driver link 3", "unbounded"];
     let omega = (1.0f64 / 0.7).sqrt();
     let table: Vec<(&str, Four, u8, f64, f64, Verdict)> = vec![
-        // a_C along the line: −2·100·(1 + 2/5) = −280, over the arm square to it, 4.
+        // a_C along the line: −2·100·(1 + 2/5) = −280, over the arm perpendicular to it, 4.
         ("rocker at its limit", LIMIT, 1, 10.0, 0.0, Answers(None, [10.0, -4.0, 0.0, 0.0, 42.0, 70.0], None)),
         ("rocker drives in the dead point", LIMIT, 3, 1.0, 0.0, Says("dead-centre", dead)),
         ("rocker at rest in the dead point", LIMIT, 3, 0.0, 0.0, Answers(Some(Rest), [0.0; 6], None)),
-        // ω₁ as the crank has it where α₃ = 1: 10 √(1/70); ω₂ = −0.4 ω₁. α₁: the rocker's jerk vanishes.
+        // ω₁ as with the crank driving, where α₃ = 1: 10 √(1/70); ω₂ = −0.4 ω₁. α₁: the rocker's
+        // jerk vanishes.
         (
             "rocker turns back at its limit",
             LIMIT,
@@ -202,7 +206,8 @@ fn four_bars_in_line() {
             Answers(Some(ChangePoint), [1.0, 0.0, 1.0, 0.0, 0.0, 0.0], Some([1.0, 1.0, 0.0, 0.0, 0.0, 0.0])),
         ),
         ("kite", KITE, 1, 1.0, 0.0, Answers(Some(ChangePoint), [1.0, -2.0, -1.0, 0.0, 0.0, 0.0], Some([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]))),
-        // The other motion is coupler and rocker turning as one about B and D while the crank stands: not with this driver.
+        // In the other motion, coupler and rocker turn as one about B and D while the crank is at
+        // rest: impossible with this driver.
         ("kite folded", KITE_FOLDED, 1, 3.0, 0.0, Answers(Some(ChangePoint), [3.0, 1.0, 2.0, 0.0, 0.0, 0.0], None)),
         ("kite folded off the line", COINCIDENT, 1, 1.0, 0.0, Says("dead-centre", &["B and D coincide", "driver link 1"])),
         ("kite folded off the line, at rest", COINCIDENT, 1, 0.0, 0.0, Says("undetermined", &["link 2 and link 3 can move"])),
@@ -217,7 +222,7 @@ fn four_bars_in_line() {
     }
 }
 
-/// The same by lengths and angles: circles that touch, exactly or to the last digit.
+/// Four-bars in line by lengths and angles: circles that touch, exactly or to the last digit.
 #[test]
 fn four_bars_in_line_by_lengths() {
     use SingularKind::ChangePoint;
@@ -234,7 +239,7 @@ fn four_bars_in_line_by_lengths() {
     let (para, anti) = ([1.0, 0.0, 1.0], [1.0, 0.5, -0.5]);
     let half = |rest: &str| scene(0.1, 0.3, 0.1, 0.3, &crank("180 deg", rest));
     check("by default", &half(""), &two(para, anti));
-    // Just after half a turn the parallelogram's C lies to the right of BD.
+    // Just after half a turn the parallelogram's C is to the right of BD.
     check("by side", &half(r#", "side": {"C": "right of BD"}"#), &two(para, anti));
     check("by the other side", &half(r#", "side": {"C": "left of BD"}"#), &two(anti, para));
     check("by sketch", &half(r#", "sketch": {"C": ["0.2 m", "-0.05 m"]}"#), &two(para, anti));
@@ -245,7 +250,8 @@ fn four_bars_in_line_by_lengths() {
     check("dead point by lengths", &scene(0.3, 0.6, 0.83, 1.1, rocker), &dead);
 }
 
-/// Equal crank and rod: at a quarter turn the rod is square to the guide, and the slider may run on or stay.
+/// Crank equal to the rod: at a quarter turn the rod is perpendicular to the guide, and the slider
+/// may move on or stay.
 #[test]
 fn an_isosceles_slider_crank() {
     for f in FRAMES {
@@ -262,7 +268,7 @@ fn an_isosceles_slider_crank() {
         assert!(close(values[1], -1.0, 1.0) && close(values[2], 2.0 * f.scale, f.scale), "{values:?}\n{text}");
         assert!(close(others[1], 1.0, 1.0) && others[2] == 0.0, "{others:?}\n{text}");
         assert!(done.solution.singular[0].words.en.contains("link 2 (BC) lies square to the guide of C"), "{:?}", done.solution.singular);
-        // Driven by the slider it is the dead point of crank and rod.
+        // Driven by the slider, it is the dead centre of crank and rod.
         let text = text.replace(
             r#""driver": {"link": "1", "omega": "1 rad/s", "alpha": "0 rad/s^2"}"#,
             r#""driver": {"slide": "C", "velocity": "1 m/s"}"#,
@@ -281,7 +287,8 @@ fn an_isosceles_slider_crank() {
     }
 }
 
-/// A second parallelogram behind the first: each change point keeps its kind, and each may be passed the other way.
+/// A second parallelogram behind the first: each change point keeps its kind, and each may be
+/// passed in the other way.
 #[test]
 fn two_parallelograms_in_line() {
     let links = r#"{"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "5": ["C", "F"], "6": ["G", "F"], "0": ["A", "D", "G"]}"#;
@@ -293,7 +300,8 @@ fn two_parallelograms_in_line() {
         let expected = [2.0, 0.0, 2.0, 3.0];
         assert!(values.iter().zip(expected).all(|(a, b)| close(*a, b, 3.0)), "{values:?}\n{text}");
         assert_eq!(done.solution.singular.len(), 2);
-        // The first passed the other way turns the third link at −2 times the rate; the second then keeps that.
+        // The first, passed in the other way, turns the third link at −2 times the angular
+        // velocity; the second then keeps that.
         let first: Vec<f64> = done.results.iter().map(|o| number(o.others[0])).collect();
         assert!(close(first[0], -4.0, 4.0) && close(first[2], -4.0, 4.0) && close(first[3], -6.0, 6.0), "{first:?}\n{text}");
         let second: Vec<f64> = done.results.iter().map(|o| number(o.others[1])).collect();
@@ -302,7 +310,7 @@ fn two_parallelograms_in_line() {
     }
 }
 
-/// The three legs of a triad's link meet in one point (5, 0).
+/// The three legs of a triad's link intersect in one point (5, 0).
 #[test]
 fn a_triad_whose_legs_meet_in_a_point() {
     let links = r#"{"1": ["O", "A"], "2": ["A", "P"], "3": ["P", "Q", "R"], "4": ["G", "Q"], "5": ["H", "R"], "0": ["O", "G", "H"]}"#;
@@ -313,7 +321,8 @@ fn a_triad_whose_legs_meet_in_a_point() {
         points.extend(legs);
         let text = scene_in(f, links, &points, &format!("{}, {find}", drive(1, 1.0, 0.0)));
         check("crank across", &text, &Verdict::Says("dead-centre", &["link 2 (AP)", "link 4 (GQ)", "link 5 (HR)", "driver link 1"]));
-        // The crank in line with its leg moves A square to it: the pose is a limit of none, two motions lead through.
+        // The crank in line with its leg moves A perpendicular to it: the pose is not a limit, two
+        // motions pass through.
         points[0] = ("O", 5.2, -1.0);
         let text = scene_in(f, links, &points, &format!("{}, {find}", drive(1, 1.0, 0.0)));
         match run(&text) {

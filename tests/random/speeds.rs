@@ -1,5 +1,5 @@
-//! Singular poses whatever drives them: at all speeds, from rest and at rest, where both motions are one, and where the pose is singular
-//! only to the root of its rounding.
+//! Singular poses with any driver: at all speeds, from rest and at rest, where both motions
+//! coincide, and where the pose is singular only to the root of its rounding.
 
 use crate::singular::{FOUR_BAR, FRAMES, Frame, RATES, close, drive, number, run, scene_in};
 use hodograph::analytic::SingularKind;
@@ -8,7 +8,8 @@ use hodograph::worked::{Scope, Worked, work};
 
 type Four = [(&'static str, f64, f64); 4];
 
-/// Two motions lead through each: parallelograms both ways in line, a rhombus, a kite, 2 + 5 = 3 + 4.
+/// Two motions pass through each: parallelograms both ways in line, a rhombus, a kite, 2 + 5 = 3 +
+/// 4.
 const CHANGE_POINTS: [Four; 5] = [
     [("A", 0.0, 0.0), ("B", 1.0, 0.0), ("C", 4.0, 0.0), ("D", 3.0, 0.0)],
     [("A", 0.0, 0.0), ("B", -1.0, 0.0), ("C", 2.0, 0.0), ("D", 3.0, 0.0)],
@@ -21,12 +22,12 @@ fn worked(text: &str) -> Worked {
     run(text).unwrap_or_else(|e| panic!("{e}\n{text}")).1
 }
 
-/// Values and those of the other motion.
+/// The values, and those of the other motion.
 fn rates(done: &Worked) -> Vec<[f64; 2]> {
     done.results.iter().map(|o| [number(o.value()), o.others.first().map_or(f64::NAN, |v| number(*v))]).collect()
 }
 
-/// Time runs as fast as one likes: rates go with the driver's, accelerations with its square.
+/// At any speed: velocities are proportional to the driver's, accelerations to its square.
 #[test]
 fn change_points_are_the_same_at_every_speed() {
     for points in CHANGE_POINTS {
@@ -51,8 +52,9 @@ fn change_points_are_the_same_at_every_speed() {
     }
 }
 
-/// Two sliders on parallel guides, joined by a rod as long as the guides are apart: (x − t)² = 0. The rod can only go along, and what
-/// is second order in the pose tells velocities, but no acceleration.
+/// Two sliders on parallel guides, joined by a rod as long as the distance of the guides: (x − t)²
+/// = 0. The rod can only translate; this second-order condition gives velocities, but no
+/// acceleration.
 #[test]
 fn two_motions_that_are_one() {
     for turn in 0..40 {
@@ -70,7 +72,7 @@ fn two_motions_that_are_one() {
             let all = text(r#""v_B", "v_A", "omega_1""#);
             let values: Vec<f64> = worked(&all).results.iter().map(|o| number(o.value())).collect();
             assert!(close(values[0], k, k) && close(values[1], k, k) && values[2].abs() < 1e-6 * k, "{values:?}\n{all}");
-            // Accelerations do not follow; velocities stand.
+            // Accelerations do not follow; velocities are answered.
             let both = text(r#""v_B", "a_B""#);
             let scene = scene::read(&both).unwrap().value;
             let done = work(&scene, Scope::Figure).unwrap_or_else(|e| panic!("{e}\n{both}")).value;
@@ -81,8 +83,8 @@ fn two_motions_that_are_one() {
     }
 }
 
-/// Lengths whose sums are equal but for the rounding of their roots: the pose that they give is true to the root of that, and so are both
-/// motions.
+/// Lengths with equal sums except for the rounding of their roots: the pose is accurate to the root
+/// of that rounding, and so are both motions.
 #[test]
 fn change_points_by_lengths_that_are_rounded() {
     let mut rounded = 0;
@@ -104,7 +106,7 @@ fn change_points_by_lengths_that_are_rounded() {
             let done = worked(&lengths);
             let size = exact.iter().flatten().fold(1.0f64, |m, v| m.max(v.abs()));
             for (got, exact) in rates(&done).iter().zip(&exact) {
-                // The other motion may have changed places with the one that is meant.
+                // The other motion may have changed places with the intended one.
                 let off = |k: usize| (got[k] - exact[k]).abs();
                 assert!(off(0) < 1e-5 * size && off(1) < 1e-5 * size, "{got:?}, by coordinates {exact:?}\n{lengths}");
             }
@@ -114,7 +116,7 @@ fn change_points_by_lengths_that_are_rounded() {
     assert!(rounded > 3, "{rounded} poses are rounded");
 }
 
-/// Where nothing drives nothing moves, whichever order is asked.
+/// Without a driving motion nothing moves, at any order.
 #[test]
 fn at_rest_nothing_moves() {
     for points in CHANGE_POINTS {
@@ -125,7 +127,7 @@ fn at_rest_nothing_moves() {
     }
 }
 
-/// A sketch beside a change point says which motion is meant, whichever the two are.
+/// A sketch near a change point selects the motion.
 #[test]
 fn the_sketch_tells_the_motions_apart() {
     let frame = Frame::scaled(1.0);
@@ -134,7 +136,7 @@ fn the_sketch_tells_the_motions_apart() {
         let length = |a: usize, b: usize| (points[a].1 - points[b].1).abs();
         let (c, d) = (points[2].1, points[3].1);
         for way in [0, 1] {
-            // C has gone farther this way than the other.
+            // C has moved farther this way than the other.
             let ahead = 0.05 * (all[2][way] - all[2][1 - way]) * (c - d);
             let text = format!(
                 r#"{{"links": {FOUR_BAR}, "ground": "0", "lengths": {{"AB": "{} m", "BC": "{} m", "CD": "{} m", "AD": "{} m"}},

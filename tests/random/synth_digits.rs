@@ -1,4 +1,5 @@
-//! Every printed digit of a design is true: against closed formulas in 640-bit arithmetic ([`crate::synth_truth`]).
+//! Every printed digit of a design is true: compared with closed formulas in 640-bit arithmetic
+//! ([`crate::synth_truth`]).
 
 use crate::properties::seeds;
 use crate::rng::Rng;
@@ -16,12 +17,12 @@ use hodograph::synthesis::{read, solve};
 /// A kind of tasks: its name, and one of them.
 type Kinds = (&'static str, fn(&mut Rng) -> Task);
 
-/// Digits with which designs are printed.
+/// Digits of printed designs.
 const DIGITS: usize = 6;
-/// A candidate is the one whose numbers are nearer than this part of them.
+/// A candidate is identified by numbers with a smaller relative difference than this.
 const NEAR: f64 = 1e-7;
 
-/// A number as it is printed, without its unit and its sign, and the same of the true one.
+/// The printed and the true number, without unit and sign.
 fn texts(book: &Book, n: &Number, truth: Big) -> Option<[String; 2]> {
     let printed = value(book, n);
     // From 10 m on metres are printed, with four digits.
@@ -29,7 +30,7 @@ fn texts(book: &Book, n: &Number, truth: Big) -> Option<[String; 2]> {
         return None;
     }
     let bare = printed.trim_end_matches('°').trim_end_matches(" mm").trim_start_matches('-').to_owned();
-    // A difference a thousand million times less than its terms is zero, or has no digit.
+    // A difference of 10⁻⁹ of its terms or less is zero, or has no digit.
     let truth = match n.kind {
         Some(Kind::Length) => truth * Big::from_f64(1000.0),
         Some(Kind::Angle) => truth * Big::from_f64(180.0) / Big::pi(),
@@ -41,7 +42,7 @@ fn texts(book: &Book, n: &Number, truth: Big) -> Option<[String; 2]> {
     Some([bare, text.trim_start_matches('-').to_owned()])
 }
 
-/// True if a number lies midway between two of the last digit, one of which is printed.
+/// True if a number is midway between two values of the last digit, one of which is printed.
 fn is_a_half(told: &str, truth: &str) -> bool {
     let decimals = told.split_once('.').map_or(0, |(_, d)| d.len() as i32);
     let off = (told.parse::<f64>().unwrap() - truth.parse::<f64>().unwrap()).abs() * 10f64.powi(decimals);

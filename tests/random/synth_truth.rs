@@ -39,7 +39,7 @@ fn centre([a, b, c]: [V; 3]) -> V {
     b + (p.perp() * q.norm2() - q.perp() * p.norm2()) * (whole(1) / (whole(2) * p.cross(q)))
 }
 
-/// Both crossings of two circles.
+/// Both intersections of two circles.
 fn crossings(a: V, ra: Big, b: V, rb: Big) -> [V; 2] {
     let way = b - a;
     let d = way.norm();
@@ -62,7 +62,7 @@ impl Position {
         (at - self.0).divide_by(self.1)
     }
 
-    /// The pole of the turn to another position.
+    /// The pole of the rotation to another position.
     fn pole(self, to: Position) -> V {
         let own = -(to.0 - self.0).divide_by(to.1 - self.1);
         self.out(own)
@@ -86,7 +86,7 @@ fn mm(p: &[Number; 2]) -> String {
     format!(r#"["{} mm", "{} mm"]"#, p[0].0, p[1].0)
 }
 
-/// Three positions of a coupler, its pins or its pivots given.
+/// Three positions of a coupler, with its pins or its pivots given.
 pub fn body(rng: &mut Rng) -> Task {
     let ranges = [[[-5.0, 5.0], [-5.0, 5.0]], [[30.0, 70.0], [15.0, 45.0]], [[70.0, 120.0], [60.0, 110.0]]];
     let origins = ranges.map(|r| pair(rng, r));
@@ -242,7 +242,8 @@ pub fn crank_rocker(rng: &mut Rng) -> Task {
             let a = V::zero();
             let pivot = V::new(d, whole(0));
             let first = pivot + Vec2::from_angle(Big::pi() - angle) * c;
-            // C₂ lies on the ray AC₁ turned by θ either way, at both crossings with the rocker's circle.
+            // C₂ is on the ray AC₁ turned by θ either way, at both intersections with the rocker's
+            // circle.
             let rays = [theta, -theta].map(|t| first.rotate_by(Vec2::from_angle(t)) * (whole(1) / first.norm()));
             let on = |u: V| {
                 let (along, aside) = (pivot.dot(u), pivot.cross(u));
@@ -257,7 +258,8 @@ pub fn crank_rocker(rng: &mut Rng) -> Task {
         let (s, co) = half(angle).sin_cos();
         let radius = c * s / theta.sin_cos().0;
         let off = radius * theta.sin_cos().1;
-        // A sees both ends under θ: on an arc about a point of the middle line, on either side of the chord.
+        // A sees both ends under θ: it is on an arc about a point of the middle line, on either
+        // side of the chord.
         let middles = [c * co + off, c * co - off].map(|y| V::new(whole(0), y));
         let all = middles.into_iter().flat_map(|m| crossings(m, radius, V::zero(), d));
         all.filter(|a| a.x.approx().is_finite()).map(|a| linkage(a, V::zero(), ends)).collect()
@@ -265,7 +267,8 @@ pub fn crank_rocker(rng: &mut Rng) -> Task {
     Task { text, truth: Box::new(truth) }
 }
 
-/// The quick-return linkages whose formulas stand in books: slider-crank, slotted lever, shaper, Whitworth; and the press by the limits of its rocker.
+/// The quick-return linkages with textbook formulas: slider-crank, slotted lever, shaper,
+/// Whitworth; and the press by the limits of its rocker.
 pub fn quick_return(rng: &mut Rng) -> Task {
     let k = Number(format!("1.{:03}", 100 + rng.below(850)));
     let kind = rng.below(5);
@@ -327,7 +330,8 @@ pub fn quick_return(rng: &mut Rng) -> Task {
     Task { text, truth: Box::new(truth) }
 }
 
-/// Two positions of a coupler with its pins, a pivot of each on a line: where that meets the middle line of the pin's two places.
+/// Two positions of a coupler with its pins, and a line for each pivot: the pivot is where it
+/// intersects the middle line of the pin's two places.
 pub fn two_positions(rng: &mut Rng) -> Task {
     let origins = [pair(rng, [[-5.0, 5.0], [-5.0, 5.0]]), pair(rng, [[30.0, 60.0], [15.0, 45.0]])];
     let angles = [[0.0, 10.0], [25.0, 45.0]].map(|r| Number::of(rng, r[0], r[1]));

@@ -1,5 +1,5 @@
-//! What the steps of a construction tell, found without drawing anything: from differences of positions in long numbers, and
-//! from what each term means.
+//! The numbers in the steps of a construction, found without drawing: from differences of positions
+//! in long numbers, and from the meaning of each term.
 
 use hodograph::answer::Source;
 use hodograph::certified::steps::What;
@@ -14,7 +14,8 @@ use hodograph::position::{Configuration, Path};
 use hodograph::scene::{DiagramKind, DriverKind, LinkId, Scene};
 use hodograph::worked::Worked;
 
-/// One number: of which action of which polygon, which, its value, and what is nothing beside it.
+/// One number: its polygon, its action, its kind, its value, and the limit below which it counts as
+/// zero.
 pub struct Told {
     pub level: DiagramKind,
     pub action: usize,
@@ -29,10 +30,10 @@ struct Oracle<'a> {
     d: &'a Differences<Big>,
 }
 
-/// Below this a length on paper (mm) is told as zero.
+/// Smaller lengths on paper (mm) are printed as zero.
 const NOTHING_MM: f64 = 1.001e-9;
 
-/// Every number that is told, in a region of long numbers.
+/// Every number in the steps, in a region of long numbers.
 pub fn told(scene: &Scene, w: &Worked, d: &Differences<Big>, pencil_mm: f64) -> Vec<Told> {
     let o = Oracle { scene, w, d };
     let mut out = Vec::new();
@@ -61,7 +62,7 @@ pub fn told(scene: &Scene, w: &Worked, d: &Differences<Big>, pencil_mm: f64) -> 
 impl Oracle<'_> {
     fn numbers(&self, level: Level, p: &Polygon, action: usize, pencil_mm: f64) -> Vec<(What, Big, f64)> {
         let mu = Big::from_decimal(&shortest(p.mu));
-        // What a trial draws is true of no motion.
+        // A trial drawing belongs to no motion.
         let tried = |v: &VertexId| self.w.plan.vertex(*v).trial.is_some();
         let drawn = |i: &usize| p.edges[*i].terms.iter().any(|t| tried(&t.of));
         let in_trial = match &p.actions[action] {
@@ -184,13 +185,13 @@ impl Oracle<'_> {
         }
     }
 
-    /// A term as it is defined.
+    /// A term by its definition.
     fn term(&self, level: Level, t: &Term) -> Vec2<Big> {
         let arm = self.place(t.of) - self.place(t.to);
         let two = Big::from_f64(2.0);
         let between = |level| self.vector(level, t.of) - self.vector(level, t.to);
         let coriolis = |turning: Body, v: Vec2<Big>| v.perp() * (two * self.turning(Level::Velocity, turning));
-        // What of a vector is along a line.
+        // The component of a vector along a line.
         let along = |v: Vec2<Big>, u: Vec2<Big>| u * (v.dot(u) / u.norm2());
         match (t.kind, t.by) {
             (TermKind::Relative, By::Turning(Body::Cylinder(_))) => along(between(level), arm.perp()),
@@ -212,7 +213,7 @@ impl Oracle<'_> {
             (TermKind::Coriolis, By::Guide { guide, .. }) => coriolis(Body::Link(self.scene.guides[guide.0].on), between(Level::Velocity)),
             (TermKind::SlideNormal, By::Guide { guide, .. }) => self.slide_normal(t, guide, between(Level::Velocity)),
             (TermKind::Slide, By::Guide { .. }) if level == Level::Velocity => between(level),
-            // Of the relative acceleration, less Coriolis' part, what is along the guide.
+            // The component along the guide of the relative acceleration less the Coriolis part.
             (TermKind::Slide, By::Guide { guide, .. }) => {
                 let carrier = Body::Link(self.scene.guides[guide.0].on);
                 let rest = between(level) - coriolis(carrier, between(Level::Velocity));
@@ -225,13 +226,13 @@ impl Oracle<'_> {
 
     fn slide_normal(&self, t: &Term, guide: hodograph::scene::GuideId, v: Vec2<Big>) -> Vec2<Big> {
         let Path::Arc { centre, radius } = self.d.now.guide(guide) else { panic!("a curved part on a straight guide") };
-        // Only its length is told: v²/ρ, toward the centre or away from it.
+        // Only its length is printed: v²/ρ, toward the centre or away from it.
         let inward = centre - self.place(t.of);
         inward * (v.norm2() / (radius * inward.norm()))
     }
 }
 
-/// What is told of two lines crossed.
+/// The numbers of two intersecting lines.
 fn crossing(u: Vec2<Big>, w: Vec2<Big>, mu: Big, pencil_mm: f64) -> [(What, Big, f64); 3] {
     let (sine, cosine) = (absolute(u.cross(w)), absolute(u.dot(w)));
     let angle = sine.atan2(cosine) * Big::from_f64(180.0) / Big::pi();

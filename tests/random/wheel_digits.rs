@@ -1,5 +1,6 @@
-//! Every printed digit of gear trains, belts and rolling wheels is true: against ratios of teeth, crossings of circles and lines and differences of these in
-//! 640-bit arithmetic ([`crate::wheel_truth`]).
+//! Every printed digit of gear trains, belts and rolling wheels is true: compared with ratios of
+//! teeth, intersections of circles and lines and differences of these in 640-bit arithmetic
+//! ([`crate::wheel_truth`]).
 
 use crate::compared::{Compared, by_text};
 use crate::properties::seeds;
@@ -10,7 +11,7 @@ use hodograph::number::within;
 use hodograph::scene::read;
 use hodograph::worked::{Scope, work};
 
-/// The error of the truth, as a part of what it tells.
+/// The error of the true value, relative to it.
 const OFF: f64 = 1e-60;
 
 fn compare(what: &str, own: u64, least: usize, make: impl Fn(&mut Rng) -> Told) {

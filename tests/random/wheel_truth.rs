@@ -1,5 +1,6 @@
-//! Random gear trains, belts and rolling wheels with their scenes, and all that is asked of them by formulas of this file in long numbers: ratios of teeth,
-//! crossings of circles and lines, differences of these.
+//! Random gear trains, belts and rolling wheels with their scenes, and their answers by formulas of
+//! this file in long numbers: ratios of teeth, intersections of circles and lines, differences of
+//! these.
 
 use crate::cam_truth::{Number, whole};
 use crate::rng::Rng;
@@ -9,13 +10,14 @@ use hodograph::number::{Big, Real};
 
 type V = Vec2<Big>;
 
-/// A scene and what is true of it, by the texts of its questions; the latter in a region of long numbers.
+/// A scene and its true answers, by the texts of its questions; the latter in a region of long
+/// numbers.
 pub struct Told {
     pub text: String,
     pub truth: Box<dyn Fn() -> Vec<(String, Value<Big>)>>,
 }
 
-/// Answers that grow.
+/// A growing list of answers.
 #[derive(Default)]
 struct Answers(Vec<(String, Value<Big>)>);
 
@@ -39,7 +41,8 @@ impl Answers {
     }
 }
 
-/// Velocity and acceleration of a point so far from one that moves so, on a link that turns so.
+/// Velocity and acceleration of a point at `arm` from a point with a known motion, on a link with
+/// this angular velocity and acceleration.
 fn carried([v, a]: [V; 2], [omega, alpha]: [Big; 2], arm: V) -> [V; 2] {
     [v + arm.perp() * omega, a + arm.perp() * alpha - arm * (omega * omega)]
 }
@@ -67,7 +70,7 @@ fn driver(link: &str, [omega, alpha]: &[Number; 2]) -> String {
     format!(r#"{{"link": "{link}", "omega": "{} rad/s", "alpha": "{} rad/s^2"}}"#, omega.0, alpha.0)
 }
 
-/// Sun, planet, ring and arm: which of them stands still, and which are driven.
+/// Sun, planet, ring and arm: one of them is fixed, and others are driven.
 pub fn planetary(rng: &mut Rng) -> Told {
     let (sun, planet) = (12 + rng.below(50), 12 + rng.below(50));
     let (module, phi, first, second) = (Number::of(rng, 1.0, 6.0), Number::of(rng, -170.0, 170.0), rate(rng), rate(rng));
@@ -141,10 +144,11 @@ pub fn planetary(rng: &mut Rng) -> Told {
         all.moves("E4", carried(pin, wheel, out_of * r));
         all.place("P_2,4", out_of * small);
         all.place("P_4,5", out_of * (a + r));
-        // On the line of centres, where the planet's point rests.
+        // On the line of centres, where the planet's point is at rest.
         let pole = a - arm[0] * a / wheel[0];
         all.place("P_1,4", out_of * pole);
-        // The pole stays at its distance from O, and goes round with the arm: u = ω₃ × OP, PJ = −i u/ω₄.
+        // The pole stays at its distance from O, and rotates with the arm: u = ω₃ × OP, PJ = −i
+        // u/ω₄.
         all.place("J_4", out_of * (pole + pole * arm[0] / wheel[0]));
         let d = pole * arm[0] / wheel[0];
         all.scalar("d_4", if d.approx() < 0.0 { -d } else { d });
@@ -215,7 +219,7 @@ pub fn in_a_row(rng: &mut Rng) -> Told {
         let r: Vec<Big> = (0..4).map(|k| radius(&m[k / 2], teeth[k])).collect();
         all.moves("K2", carried(rested(), two, along * r[0]));
         all.moves("K3", carried(rested(), three, along * -r[1]));
-        // The wheel in a ring touches it beyond its own centre, seen from the ring's.
+        // A wheel in a ring touches it beyond its own centre, seen from that of the ring.
         let way = if inside { -next } else { next };
         all.moves("L3", carried(rested(), three, way * r[2]));
         all.moves("L4", carried(rested(), four, if inside { way * r[3] } else { way * -r[3] }));
@@ -226,7 +230,7 @@ pub fn in_a_row(rng: &mut Rng) -> Told {
     Told { text, truth: Box::new(truth) }
 }
 
-/// The steps of differences.
+/// The step of differences.
 fn step() -> Big {
     Big::from_f64(2f64.powi(-180))
 }
@@ -237,7 +241,7 @@ pub fn drawn(rng: &mut Rng) -> Told {
     let (phi, turns, lean) = (Number::of(rng, 0.0, 360.0), rate(rng), Number::of(rng, -40.0, 40.0));
     let (x, y, track) = (Number::of(rng, -20.0, 20.0), Number::of(rng, -40.0, -20.0), Number::of(rng, 150.0, 220.0));
     let kind = rng.below(3);
-    // The middle of a round track lies below or above the way of the centre.
+    // The middle of a round track is below or above the path of the centre.
     let middle = [Number::of(rng, 100.0, 160.0), Number::of(rng, 120.0, 160.0)];
     let below = rng.chance(0.5);
     let middle = [middle[0].clone(), Number(format!("{}{}", if below { "-" } else { "" }, middle[1].0))];
@@ -308,7 +312,7 @@ pub fn drawn(rng: &mut Rng) -> Told {
         let [p, s] = [turn(before), turn(after)];
         let of_rod = [(s - p) / (h + h), (s + p) / (h * h)];
         all.rates("3", of_rod);
-        // Without slip: the centre goes on by ω r along the track.
+        // Without slip: the centre moves by ω r along the track.
         let (r, n) = (r.metres(), now[2]);
         let of_wheel = [0, 1].map(|k| c[k].dot(n.perp()) / r);
         all.rates("4", of_wheel);

@@ -1,4 +1,4 @@
-//! The same through time, where drivers move by laws of it.
+//! The comparison through time, with drivers that move by laws of time.
 
 use super::moved::{Single, solved};
 use super::scenes::{askable, read};
@@ -10,7 +10,7 @@ use hodograph::sweep::follow::course::over_a_turn;
 use hodograph::sweep::timed::Timed;
 use serde_json::{Value as Json, json};
 
-/// A scene whose drivers without a law have gone on at their rates for a time (s).
+/// A scene after a time (s), in which drivers without a law have moved on at their rates.
 fn gone_on(mut json: Json, plain: &Scene, time: f64) -> Json {
     for (i, d) in plain.drivers.iter().enumerate().filter(|(_, d)| d.law.is_none()) {
         let own = match &mut json["driver"] {
@@ -36,7 +36,7 @@ fn gone_on(mut json: Json, plain: &Scene, time: f64) -> Json {
 /// Compares every question of a scene at eight times.
 pub fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
     let Ok(plain) = scene::read(json.to_string()) else { return };
-    // Coordinates tell one instant only.
+    // Coordinates give one instant only.
     if !plain.value.has_laws_of_time() || !plain.value.is_told_everywhere() {
         return;
     }
@@ -61,7 +61,8 @@ pub fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
         let (timed, _) = Timed::new(&placed, [Some(from), Some(to)]).unwrap();
         let table = timed.table(times.clone());
         let found = rows(&table, &times);
-        // The motion ends in a limit: from there on no time has a row, while solve may find another assembly.
+        // The motion ends at a limit: later times have no row, while `solve` may find another
+        // assembly.
         let ended = |k: usize| {
             let outward: Vec<usize> = if times[k] < plain.instant() { (0..=k).collect() } else { (k..times.len()).collect() };
             outward.iter().all(|k| found[*k].is_none()) && found.iter().any(Option::is_some)
@@ -72,7 +73,8 @@ pub fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
                 continue;
             }
             let here = |what: &str| format!("{name} at {t} s: {what}");
-            // Where not everything can be assembled, what does not need it is answered by itself.
+            // If some parts cannot be assembled, the questions that do not need them are answered
+            // alone.
             let alone = if single.is_none() && row.is_some() { at(t, std::slice::from_ref(&f.text)) } else { None };
             let expected = single.as_ref().or(alone.as_ref());
             let expected = expected.and_then(|s| Some((s.answers.get(&f.text)?.as_ref()?, s.condition)));

@@ -1,8 +1,11 @@
-//! A sweep says what `solve` says: every quantity that a scene can ask, at eight positions of each of its drivers, against the scene that is written
-//! for that position and solved by itself. Told are the driver's position, the coordinates of what moves, and roughly where joints are.
+//! A sweep agrees with `solve`: every quantity that a scene can ask for, at eight positions of each
+//! of its drivers, is compared with the scene that is written for that position and solved alone.
+//! That scene is given the driver's position, the coordinates of moving points, and rough places of
+//! joints.
 //!
-//! One scene of 24 is looked at. `HODOGRAPH_SAYS=all cargo test --test says` looks at all 550;
-//! `HODOGRAPH_SAYS=3/8` at the third of eight parts of them, `HODOGRAPH_SAYS=cam` at those whose name has this in it.
+//! One scene of 24 is examined. `HODOGRAPH_SAYS=all cargo test --test says` examines all 550;
+//! `HODOGRAPH_SAYS=3/8` the third of eight parts of them, `HODOGRAPH_SAYS=cam` those with this in
+//! their names.
 
 mod in_time;
 mod moved;
@@ -28,43 +31,44 @@ use serde_json::Value as Json;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// What stands for all scenes.
+/// The word for all scenes.
 const ALL: &str = "all";
 
-/// The scenes that are asked for: all, those with a part of a name, or nothing for a sample.
+/// The requested scenes: all, those with a part of a name, or an empty text for a sample.
 fn asked() -> String {
     std::env::var("HODOGRAPH_SAYS").unwrap_or_default()
 }
 
-/// The part of all scenes that is asked for, `3/8`: which, and of how many.
+/// The requested part of all scenes, `3/8`: its number, and the number of parts.
 fn part(asked: &str) -> Option<(usize, usize)> {
     let (k, n) = asked.split_once('/')?;
     k.parse().ok().zip(n.parse().ok()).filter(|(_, n)| *n > 0)
 }
 
-/// Scenes that are always looked at: questions without a value in some rows, beyond a change point; a ratio of links that turn by rounding; a point of a
-/// frame that is its pole; a cam behind wheels that says how it stands.
+/// Scenes that are always examined: questions without a value in some rows, beyond a change point;
+/// a ratio of links that turn by rounding only; a point of a frame that is its pole; a cam behind
+/// wheels with a given angle.
 const ALWAYS: [&str; 4] = ["third-crank", "cases/hit-7.17", "problems/scissor-lift", "problems/cam-shaft-behind-ring-gear"];
 
 /// Positions of a driver.
 const POSITIONS: usize = 8;
 
-/// Where the first of them lies, as a part of the step: no multiple of what people write.
+/// The place of the first position, as a part of the step: not a multiple of usual numbers.
 const OFF: f64 = 0.37;
 
-/// So many times the mechanism's size is beyond every paper.
+/// Distances beyond every paper, as a multiple of the mechanism's size.
 const FAR: f64 = 1e9;
 
-/// What was compared, and what differs.
+/// Counts and differences of the comparison.
 #[derive(Default)]
 struct Tally {
     faults: Vec<String>,
     scenes: usize,
     compared: usize,
-    /// Positions that the scene's words cannot say, and those next to a singular pose.
+    /// Positions that the scene's format cannot express, and those next to a singular pose.
     unsaid: usize,
     singular: usize,
-    /// Scenes and drivers of which nothing was compared.
+    /// Scenes and drivers without any comparison.
     idle: Vec<String>,
 }
 
@@ -79,16 +83,18 @@ impl Tally {
         self
     }
 
-    /// Compares a number of a table with what is expected; `size` is that of what has its unit, `largest` the largest number of the answer.
+    /// Compares a number of a table with the expected one; `size` is the size of quantities with
+    /// its unit, `largest` the largest number of the answer.
     fn check(&mut self, what: &dyn Fn() -> String, unit: &str, [got, expected]: [f64; 2], [size, largest]: [f64; 2], condition: f64) {
         self.compared += 1;
         let off = (got - expected).abs();
         let off = if unit == "rad" { off.min((off - TAU).abs()) } else { off };
-        // The radius of a straight piece is rounding of infinity.
+        // The radius of a straight piece is infinite up to rounding.
         if unit == "m" && got.abs().min(expected.abs()) > FAR * size {
             return;
         }
-        // What lies far off is a crossing of lines that are nearly parallel, which rounding moves along them.
+        // A distant place is an intersection of nearly parallel lines, which rounding moves along
+        // them.
         let far = size.max(largest);
         let allowed = 1e-9 * far * (2.0 + 1e-3 * far / size.max(f64::MIN_POSITIVE)) * (1e-2 * condition).max(1.0);
         if off > allowed || got.is_nan() {
@@ -97,9 +103,9 @@ impl Tally {
     }
 }
 
-/// The size of what has a unit: that of the mechanism and its drivers.
+/// The size of quantities with a unit: that of the mechanism and its drivers.
 fn size(unit: &str, scene: &Scene, extent: f64) -> f64 {
-    // What stands still has the rate that it gets, once it has moved by its own size.
+    // A driver at rest is judged by its velocity after moving by its own size.
     let own = |d: &scene::Driver, rate: f64| rate.abs() / if d.kind.turns() { 1.0 } else { extent };
     let rate = |d: &scene::Driver| own(d, d.rate.value).max(own(d, d.acceleration.as_ref().map_or(0.0, |a| a.value)).sqrt());
     let rate = scene.drivers.iter().map(rate).fold(0.0f64, f64::max);
@@ -113,13 +119,13 @@ fn size(unit: &str, scene: &Scene, extent: f64) -> f64 {
     }
 }
 
-/// The rows of a table by the value of what is swept.
+/// The rows of a table by the value of the swept variable.
 fn rows(table: &Table, values: &[f64]) -> Vec<Option<usize>> {
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(1e-3);
     values.iter().map(|v| table.columns[0].values.iter().position(|x| near(*x, *v))).collect()
 }
 
-/// Eight values of a driver: of a turn, or of the way that it can go.
+/// Eight values of a driver: within a turn, or within its travel.
 fn values(swept: &Scene, m: &Mechanism, placed: &Placed, driver: usize) -> Vec<f64> {
     let now = station::position_now(swept, &placed.at, driver);
     let [low, high] = if swept.drivers[driver].kind.turns() {
@@ -130,7 +136,7 @@ fn values(swept: &Scene, m: &Mechanism, placed: &Placed, driver: usize) -> Vec<f
     (0..POSITIONS).map(|k| low + (high - low) * (k as f64 + OFF) / POSITIONS as f64).collect()
 }
 
-/// The numbers of an answer; none where there is none.
+/// The numbers of an answer; empty if there is none.
 fn values_of<'a>(single: Option<&'a Single>, find: &Find) -> &'a [f64] {
     single.and_then(|s| s.answers.get(&find.text)?.as_deref()).unwrap_or_default()
 }
@@ -139,7 +145,7 @@ fn asking(scene: &Scene, find: &[Find]) -> Scene {
     Scene { find: find.to_vec(), ..scene.clone() }
 }
 
-/// The same scene swept by each of the ways of the program.
+/// The scene swept in each of the ways of the program.
 fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&'static str, Table)> {
     let placed = match Placed::new(scene, m) {
         Ok(placed) => placed,
@@ -165,13 +171,13 @@ fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&
     out
 }
 
-/// Whether a driver gets to a value, or to one whole turns from it.
+/// True if a driver reaches a value, or one that differs by whole turns.
 fn goes_there(range: &Range, value: f64, turns: bool) -> bool {
     let [low, high] = range.bounds();
     range.full() || if turns { low <= value + TAU * ((high - value) / TAU).floor() } else { (low..=high).contains(&value) }
 }
 
-/// Compares every question of a scene, its driver at eight places.
+/// Compares every question of a scene, with its driver at eight places.
 fn compare(name: &str, json: &Json, tally: &mut Tally) {
     let Ok(plain) = scene::read(json.to_string()).map(|s| s.value) else { return };
     if plain.drivers.is_empty() || plain.has_laws_of_time() {
@@ -199,7 +205,7 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
     for driver in (0..plain.drivers.len()).filter(|d| !swept.is_led(*d)) {
         let before = tally.compared;
         let values = values(&swept, &m, &placed, driver);
-        // Where everything is, to tell what the single scenes are told.
+        // All places, to be written into the single scenes.
         let of_places = |f: &&Find| ["x_", "y_", "phi_"].iter().any(|s| f.text.starts_with(s));
         let places: Vec<Find> = swept.find.iter().filter(of_places).cloned().collect();
         let scene = asking(&swept, &places);
@@ -222,7 +228,8 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
             };
             let places = swept.points.iter().filter_map(place).collect();
             let mut turned: BTreeMap<String, f64> = swept.links.iter().filter_map(turn).collect();
-            // A rack of one point has no angle to ask for: it turns with the way from the wheel's centre to the contact.
+            // A rack of one point has no angle to ask for: it turns with the direction from the
+            // wheel's centre to the contact.
             for [link, centre, contact] in moved::touching(json) {
                 let way = |table: &Table, row: usize| {
                     let number = |axis: &str, p: &str| table.column(&format!("{axis}_{p}"))?.values.get(row).copied();
@@ -255,7 +262,8 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
         let range = extreme::limits(&swept, &m, driver).map(|l| l.range);
         let reached = |value: f64| range.as_ref().map_or(true, |range| goes_there(range, value, swept.drivers[driver].kind.turns()));
         let compiled = |f: &Find| compile(&swept, &m, &placed.at, Some(driver), std::slice::from_ref(f)).is_ok();
-        // What every position answers is asked together, apart by whether it has a kernel; all else by itself.
+        // Questions answered in every position are asked together, separated by whether they have a
+        // kernel; all others are asked alone.
         let everywhere = |f: &Find| singles.iter().flatten().all(|s| s.answers.get(&f.text).is_some_and(Option::is_some));
         let (whole, parts): (Vec<Find>, Vec<Find>) = swept.find.iter().cloned().partition(everywhere);
         let (kernels, others): (Vec<Find>, Vec<Find>) = whole.into_iter().partition(compiled);
@@ -278,7 +286,8 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
                         tally.singular += 1;
                         continue;
                     }
-                    // A place or a radius beyond the paper is rounding of infinity: a straight path, a link that does not turn.
+                    // A place or a radius beyond the paper is infinite up to rounding: a straight
+                    // path, a link that does not turn.
                     let off_paper = |v: &f64| v.is_finite() && v.abs() > FAR * extent;
                     let off_paper_in_row = || at[k].is_some_and(|row| table.columns[1..].iter().any(|c| off_paper(&c.values[row])));
                     if group[0].what.kind() == scene::Kind::Length
@@ -286,13 +295,14 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
                     {
                         continue;
                     }
-                    // Where the motion does not lead solve may find another assembly.
+                    // Outside the range of the motion `solve` may find another assembly.
                     if at[k].is_none() && !reached(values[k]) {
                         tally.unsaid += 1;
                         continue;
                     }
                     let (Some(single), Some(row)) = (answered, at[k]) else {
-                        // What cannot be read at a position is not told there by the file; the mechanism may go there all the same.
+                        // A position that the file cannot express may still be reached by the
+                        // mechanism.
                         if answered.is_some() != at[k].is_some() && (answered.is_some() || single.is_ok()) {
                             let told = if at[k].is_some() { "a row that solve refuses" } else { "no row, solve answers" };
                             let notes: Vec<_> = table.notes.iter().map(|n| n.message.en.as_str()).collect();
@@ -331,7 +341,8 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
     }
 }
 
-/// The extremes of `limits` hold all positions that solve finds between them, are told once, and there the output stands still.
+/// The extremes of `limits` contain all positions that `solve` finds between them, are listed once,
+/// and the output is at rest there.
 fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles: &[Result<Single, String>], tally: &mut Tally) {
     let Ok(placed) = Placed::new(swept, m) else { return };
     let extent = placed.at.extent();
@@ -379,7 +390,7 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
         }
         let lowest = s.extremes.iter().map(|e| e.output).fold(f64::INFINITY, f64::min);
         let Some(stroke) = s.stroke else {
-            // What has no extreme position goes on in one sense.
+            // An output without an extreme position moves in one sense only.
             let rates: Vec<f64> = singles.iter().flatten().filter(|s| s.condition < 1e6).filter_map(rate_of).collect();
             let least = 1e-9 * rates.iter().fold(0.0f64, |a, r| a.max(r.abs()));
             if s.extremes.is_empty() && limits.range.full() && rates.iter().any(|r| *r > least) && rates.iter().any(|r| *r < -least) {

@@ -1,4 +1,4 @@
-//! A scene that is written for another position of its driver, and solved by itself.
+//! A scene that is written for another position of its driver, and solved alone.
 
 use hodograph::analytic;
 use hodograph::diag::Faults;
@@ -9,11 +9,12 @@ use hodograph::sweep::{Placed, station};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
 
-/// The answers of the loop equations to a scene as it stands, infinite ones too; `None` of what is not defined there.
+/// The answers of the loop equations to a scene as it is, including infinite ones; `None` where an
+/// answer is not defined.
 pub struct Single {
     pub answers: BTreeMap<String, Option<Vec<f64>>>,
     pub condition: f64,
-    /// Where the driver stands.
+    /// The position of the driver.
     pub value: f64,
 }
 
@@ -33,10 +34,10 @@ pub fn solved(scene: &Scene, driver: Option<usize>) -> Result<Single, Faults> {
     Ok(Single { answers, condition, value: driver.map_or(0.0, |d| station::position_now(scene, &placed.at, d)) })
 }
 
-/// The links that carry a track or a rack, each with the key of its list and what names it there.
+/// The links that carry a track or a rack, each with the key of its list and of its name there.
 const CARRYING: [(&str, &str); 2] = [("rolling", "on"), ("gears", "rack")];
 
-/// The racks of a file that have a named contact, each with the centre of its wheel and the contact.
+/// The racks of a file with a named contact, each with the centre of its wheel and the contact.
 pub fn touching(json: &Json) -> Vec<[String; 3]> {
     let named = |pair: &Json| {
         let all = [&pair["rack"], &pair["centres"][0], &pair["at"]].map(|v| v.as_str().map(str::to_owned));
@@ -46,44 +47,46 @@ pub fn touching(json: &Json) -> Vec<[String; 3]> {
     json["gears"].as_array().into_iter().flatten().filter_map(named).collect()
 }
 
-/// A scene of the file's own words that is told to stand elsewhere.
+/// A scene of the file that is to be written for another position.
 pub struct Moved<'a> {
     pub json: &'a Json,
     pub plain: &'a Scene,
     pub driver: usize,
-    /// Where everything is.
+    /// All places.
     pub at: &'a Configuration,
-    /// Where the driver stands.
+    /// The position of the driver.
     pub now: f64,
 }
 
 impl Moved<'_> {
-    /// Whether the scene says where its driver stands.
+    /// True if the scene states the driver's position.
     pub fn told(&self) -> bool {
         self.plain.drivers[self.driver].kind.position().is_some()
     }
 
-    /// Whether a point that moves is given by coordinates.
+    /// True if coordinates give a moving point.
     fn posed(&self, p: usize) -> bool {
         let fixed = self.plain.links[self.plain.ground.0].points.iter().any(|q| q.0 == p);
         let written = self.json["points"].get(&self.plain.points[p].name).is_some();
         written && !fixed && matches!(self.plain.points[p].place, Place::At(_))
     }
 
-    /// Whether the sides of a joint are of lines of its own link.
+    /// True if the sides of a joint refer to lines of its own link.
     fn is_made_so(&self, joint: &str) -> bool {
         let mut own = self.plain.sides.iter().filter(|s| self.plain.point_name(s.point) == joint);
         own.all(|s| self.plain.links.iter().any(|l| [s.point, s.from, s.to].iter().all(|p| l.points.contains(p))))
     }
 
-    /// The driver that turns the link of a guide whose direction the coordinates of its pin show, as no angle of that driver is told.
+    /// The driver that turns the link of a guide, if the coordinates of the guide's pin show its
+    /// direction and no angle of that driver is given.
     fn shown_beside(&self, g: GuideId) -> Option<usize> {
         let (guide, ground) = (&self.plain.guides[g.0], self.plain.ground);
         let silent = |d: &scene::Driver| d.kind.turned() == Some((guide.on, ground)) && d.kind.angle().is_none();
         self.plain.drivers.iter().position(silent).filter(|_| guide.pin.is_some_and(|p| self.posed(p.0)))
     }
 
-    /// The scene with its driver at `value`, the points at their places and the links turned by so much; `None` where its words cannot say it.
+    /// The scene with its driver at `value`, the points at their places and the links turned by
+    /// these angles; `None` if its format cannot express it.
     pub fn at(&self, value: f64, places: &BTreeMap<String, [f64; 2]>, turned: &BTreeMap<String, f64>) -> Option<Json> {
         let (plain, mut json) = (self.plain, self.json.clone());
         let posed: Vec<usize> = (0..plain.points.len()).filter(|p| self.posed(*p)).collect();
@@ -109,8 +112,8 @@ impl Moved<'_> {
             let name = &plain.points[p].name;
             json["points"][name] = written(*places.get(name)?);
         }
-        // A side tells the assembly of the instant; a motion may carry the joint to the other one, so that its place is told instead. Those of
-        // three points of one link say how it is made.
+        // A side gives the assembly of the instant; a motion may carry the joint to the other side,
+        // so that its place is given instead. Sides of three points of one link describe its shape.
         if let Some(mut sides) = json.as_object_mut()?.remove("side").and_then(|sides| sides.as_object().cloned()) {
             sides.retain(|joint, _| self.is_made_so(joint));
             let joints = self.json["side"].as_object()?.keys().filter(|joint| !sides.contains_key(*joint));
@@ -130,7 +133,8 @@ impl Moved<'_> {
             let turn = || turned.get(plain.link_name(guide.on));
             let angle = match direction {
                 Direction::Instant(angle) => angle.value.radians() + turn()?,
-                // A slot that its pin shows is told by its angle: the pin may have come to the other side of the pivot.
+                // A slot shown by its pin is given by its angle: the pin may have moved to the
+                // other side of the pivot.
                 Direction::Own => match (self.shown_beside(GuideId(g)), self.at.guides[g]) {
                     (Some(d), Some(Path::Line { direction, .. })) => {
                         direction.angle() + if d == self.driver { value - self.now } else { 0.0 }
@@ -141,7 +145,7 @@ impl Moved<'_> {
             };
             json["guides"].get_mut(g)?["angle"] = json!(format!("{angle:?} rad"));
         }
-        // So is how a track or a rack lies on its link.
+        // So is the position of a track or a rack on its link.
         for (key, on) in CARRYING {
             for pair in json.get_mut(key).and_then(Json::as_array_mut).into_iter().flatten() {
                 let (Some(link), Some(angle), None) = (pair[on].as_str(), pair["angle"].as_str(), pair.get("line")) else { continue };
@@ -150,7 +154,7 @@ impl Moved<'_> {
                 }
             }
         }
-        // Where the load of a rope hangs, or a rack stands that slides, is told by the coordinates of its pin alone.
+        // The load of a rope, or a sliding rack, is placed by the coordinates of its pin alone.
         let of = |key: &str, on: &str| {
             let pairs = self.json[key].as_array().into_iter().flatten();
             pairs.filter_map(|pair| pair[on].as_str().map(str::to_owned)).collect::<Vec<_>>()
@@ -165,7 +169,7 @@ impl Moved<'_> {
                 json["points"][name] = written(*places.get(name)?);
             }
         }
-        // How a cam behind wheels stands is told for the pose.
+        // The angle of a cam behind wheels is given for the pose.
         for (i, cam) in plain.cams.iter().enumerate() {
             if let (Some(angle), Some(t)) = (json["cams"][i]["angle"].as_str().map(str::to_owned), &cam.disc) {
                 json["cams"][i]["angle"] = json!(format!("({angle}) + ({:?} rad)", t.way * (value - self.now)));

@@ -1,4 +1,4 @@
-//! The scenes that are swept, and every question that they can ask.
+//! The scenes that are swept, and all their possible questions.
 
 use hodograph::diag::Faults;
 use hodograph::mechanism::Mechanism;
@@ -6,7 +6,7 @@ use hodograph::position;
 use hodograph::scene::{self, LinkId, PointId, Scene, templates};
 use serde_json::{Value as Json, json};
 
-/// The templates, the cases, the problems, and scenes that once were swept wrongly.
+/// The templates, the cases, the problems, and scenes with past faults in sweeps.
 pub fn scenes() -> Vec<(String, Json)> {
     let read = |path: &str| std::fs::read_to_string(path).unwrap();
     let parsed = |text: &str| serde_json::from_str::<Json>(text).unwrap();
@@ -43,9 +43,10 @@ pub fn read(json: &Json, find: &[String]) -> Result<Scene, Faults> {
     Mechanism::new(&scene).map(|_| scene)
 }
 
-/// Every question that the scene can ask: all symbols, with all points, links, pairs and frames for which they are taken.
+/// Every possible question of the scene: all symbols, with all points, links, pairs and frames that
+/// they accept.
 pub fn askable(json: &Json, plain: &Scene) -> Vec<String> {
-    // Not the points of the linkage that stands for a cam, which is another at every piece.
+    // Not the points of the equivalent linkage of a cam, which is another one on every piece.
     let file = json.to_string();
     let own = |name: &&str| plain.cams.is_empty() || is_named(&file, name);
     let points: Vec<&str> = plain.points.iter().map(|p| p.name.as_str()).filter(own).collect();
@@ -87,19 +88,20 @@ pub fn askable(json: &Json, plain: &Scene) -> Vec<String> {
     out
 }
 
-/// Whether a link has a line: a wheel, say, that has none lies as the plane does in every scene that is written, and turns in a sweep.
+/// True if a link has a line. A link without one, such as a wheel, has the direction of the plane
+/// in every written scene, and turns in a sweep.
 pub fn has_line(scene: &Scene, l: LinkId, file: &str) -> bool {
     let own = |p: &&PointId| scene.cams.is_empty() || is_named(file, scene.point_name(**p));
     let touches = scene.cams.iter().any(|c| c.cam == l || c.follower == l);
     scene.links[l.0].points.iter().filter(own).count() > 1 || !touches && position::guide_of(scene, l).is_some()
 }
 
-/// Whether a file names a point, by itself or in a pair of points.
+/// True if a file names a point, alone or in a pair of points.
 pub fn is_named(file: &str, point: &str) -> bool {
     file.contains(&format!("\"{point}\""))
 }
 
-/// Whether a question is about the axes of a link that has no line.
+/// True if a question refers to the axes of a link that has no line.
 pub fn is_of_no_line(scene: &Scene, question: &str, file: &str) -> bool {
     let Some((symbol, of)) = question.split_once('_') else { return false };
     let link = match symbol {
@@ -110,7 +112,7 @@ pub fn is_of_no_line(scene: &Scene, question: &str, file: &str) -> bool {
     (0..scene.links.len()).map(LinkId).any(|l| scene.link_name(l) == link && !has_line(scene, l, file))
 }
 
-/// Those of some questions that can be asked.
+/// The questions of a list that the scene accepts.
 pub fn taken(json: &Json, mut all: Vec<String>, out: &mut Vec<String>) {
     if all.is_empty() {
         return;

@@ -1,8 +1,9 @@
-//! Whether the figures of `--figure composite` and `--figure attempts` can be read: every template, in both languages, in the pose of its file and
-//! at 24 positions of its driver.
+//! Legibility of the figures of `--figure composite` and `--figure attempts`: every template, in
+//! both languages, in the pose of its file and at 24 positions of its driver.
 //!
-//! The gate looks at one of the positions, another one for each template; all of them:
-//! `HODOGRAPH_WIDE=1 HODOGRAPH_EXTRA=all cargo test --test sheet read -- --nocapture`. One template: `HODOGRAPH_ONLY=shaper`.
+//! The gate examines one of the positions, another one for each template; all of them:
+//! `HODOGRAPH_WIDE=1 HODOGRAPH_EXTRA=all cargo test --test sheet read -- --nocapture`. One
+//! template: `HODOGRAPH_ONLY=shaper`.
 
 use crate::legible::{SMALLEST_MM, look, poses};
 use crate::wide::every;
@@ -13,7 +14,7 @@ use hodograph::paper::style::Style;
 use hodograph::scene::{self, DiagramKind, Lang, templates};
 use hodograph::worked::{Scope, work};
 
-/// Of the 24 positions the gate looks at one for each template.
+/// The position of the 24 that the gate examines, another one for each template.
 fn rotation() -> usize {
     24 / every(8)
 }
@@ -45,7 +46,7 @@ fn every_page_can_be_read(name: &str) {
                 let wanted = Wanted { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
                 let drawn = match (entry.draw)(&wanted) {
                     Ok(drawn) => drawn.value,
-                    // A named mistake may change nothing elsewhere than in the pose of the file.
+                    // A named mistake may be possible only in the pose of the file.
                     Err(_) if k > 0 => continue,
                     Err(f) => panic!("{} pose {k}: {f}", template.name),
                 };
@@ -79,7 +80,7 @@ fn wrong_solutions_can_be_read() {
     every_page_can_be_read("attempts");
 }
 
-/// A rocker that is a plate holds its roller at a corner: the whole rim is seen, over the plate.
+/// A rocker that is a plate holds its roller at a corner: the whole rim is visible, over the plate.
 #[test]
 fn a_roller_lies_over_the_plate_that_holds_it() {
     let changes = [
@@ -100,7 +101,8 @@ fn a_roller_lies_over_the_plate_that_holds_it() {
     assert!(plate.is_some() && plate < roller, "plate {plate:?}, roller {roller:?}");
 }
 
-/// In a style of colours every moving link that has a number has one colour, of its number as of its lines, and no two share one.
+/// In a coloured style every moving link with a number has one colour for number and lines, and no
+/// two links share one.
 #[test]
 fn twelve_links_have_twelve_colours() {
     let scene = scene::read(templates::get("excavator").unwrap()).unwrap().value;

@@ -1,4 +1,5 @@
-//! Fonts of one's own: whatever is drawn in a style is set in the fonts of that style, and nothing else is.
+//! The author's fonts: everything drawn in a style is set in the fonts of that style, and nothing
+//! else is.
 
 use std::time::{Duration, Instant};
 
@@ -43,7 +44,8 @@ fn vectors_are_bold_in_vector_equations_alone() {
     assert!(bold > 10 && plain > 10, "{bold} bold, {plain} plain");
 }
 
-/// Letters that come from a bundled font of words or quantities, and how many come from one's own.
+/// Letters from a bundled font for words or quantities, and the number of letters from the author's
+/// fonts.
 fn letters<'a>(items: impl IntoIterator<Item = &'a Item>) -> (Vec<String>, usize) {
     let (mut bundled, mut own) = (Vec::new(), 0);
     for item in items {
@@ -91,7 +93,7 @@ fn every_label_is_set_in_the_fonts_of_its_style() {
         let (bundled, own) = letters(items);
         assert!(bundled.is_empty() && own > 0, "{what}: {own} in one's own, but {bundled:?}");
     }
-    // The next figure of the same program knows nothing of it.
+    // The next figure of the same program does not use them.
     let usual = sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap();
     assert_eq!(letters(&usual.items).1, 0);
 }

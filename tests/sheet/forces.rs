@@ -1,4 +1,5 @@
-//! Figures of forces: free bodies with force polygons, and Zhukovsky's lever, at positions of the driver all around.
+//! Figures of forces: free bodies with force polygons, and Zhukovsky's lever, at driver positions
+//! all around.
 
 use crate::legible::{look, poses};
 use crate::wide::every;

@@ -1,5 +1,6 @@
-//! Whether the figures of gears and cams can be read: teeth, Kutzbach's plan and the figures of `hodograph cam`, in 24 positions of the
-//! driver and both languages. No label lies on another, none beside the paper.
+//! Legibility of the figures of gears and cams: teeth, Kutzbach's plan and the figures of
+//! `hodograph cam`, at 24 positions of the driver and in both languages. No label overlaps another,
+//! none is beyond the paper.
 //!
 //! The table: `cargo test --test sheet geared -- --nocapture`
 
@@ -16,7 +17,7 @@ use hodograph::worked::{Scope, work};
 
 use super::legible::{Found, look, poses};
 
-/// Type of these figures at the size in which they are drawn (mm).
+/// Type size in these figures (mm).
 const SMALLEST_MM: f64 = 1.5;
 
 fn judge(name: &str, figure: &Figure, faults: &mut Vec<String>) -> Found {
@@ -42,7 +43,7 @@ fn geared_figures_can_be_read() {
                 for name in ["gears", "kutzbach"] {
                     let entry = list::named(name).unwrap();
                     let wanted = Wanted { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
-                    // Pairs by radii have no teeth.
+                    // Pairs given by radii have no teeth.
                     let Ok(pages) = (entry.draw)(&wanted) else { continue };
                     for (page, figure) in pages.value {
                         judge(&format!("{} pose {k} {lang:?} {page}", t.name), &figure, &mut faults);
@@ -82,7 +83,7 @@ fn figures_of_cams_can_be_read() {
     assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Whether the words below the profile name a line, in both languages, exactly where it is drawn.
+/// The words below the profile name a line, in both languages, exactly where it is drawn.
 #[test]
 fn legends_of_cams_name_what_is_drawn() {
     let lines = [
@@ -111,7 +112,7 @@ fn legends_of_cams_name_what_is_drawn() {
     assert!(seen.iter().all(|s| s[0] > 0 && s[1] > 0), "each line is drawn in some and not in others: {seen:?}");
 }
 
-/// Groups drawn apart, of every template.
+/// The groups of every template, drawn apart.
 #[test]
 fn groups_drawn_apart_can_be_read() {
     let (mut faults, mut drawn) = (Vec::new(), 0);

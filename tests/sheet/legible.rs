@@ -1,7 +1,8 @@
-//! Whether every sheet can be read, whatever the pose: all templates at 24 positions of their driver, in both languages and
-//! both notation profiles.
+//! Legibility of every sheet in any pose: all templates at 24 positions of their driver, in both
+//! languages and both notation profiles.
 //!
-//! `HODOGRAPH_WIDE=1` looks at all positions, else a part of them is looked at. The table: `HODOGRAPH_WIDE=1 cargo test --test sheet every_pose -- --nocapture`
+//! `HODOGRAPH_WIDE=1` examines all positions, otherwise a part of them is examined. The table:
+//! `HODOGRAPH_WIDE=1 cargo test --test sheet every_pose -- --nocapture`
 
 use crate::wide::every;
 use hodograph::figure::list::{self, Extras, Wanted};
@@ -17,14 +18,14 @@ use hodograph::worked::{Scope, work};
 
 /// Positions of the driver.
 const POSES: usize = 24;
-/// The smallest type, printed on A4 (a sheet that is larger is made smaller for it); on A3 where there are more links than
-/// `A4_LINKS`, or force polygons too.
+/// The smallest type, printed on A4 (a larger sheet is reduced to it); on A3 with more links than
+/// `A4_LINKS`, or with force polygons.
 pub const SMALLEST_MM: f64 = 2.2;
 const A4_LINKS: usize = 7;
-/// A label that a line only grazes is read all the same.
+/// A label that a line only grazes is still legible.
 const GRAZE_MM: f64 = 0.3;
 
-/// What was found on sheets.
+/// Findings on sheets.
 #[derive(Clone, Copy, Default)]
 pub struct Found {
     sheets: usize,
@@ -68,7 +69,7 @@ impl Found {
     }
 }
 
-/// The part of its size at which a sheet fits on the paper, upright or across; never larger than it is.
+/// The factor by which a sheet is reduced to the paper, upright or across; at most 1.
 fn printed(figure: &Figure, links: usize) -> f64 {
     let [long, short] = if links > A4_LINKS { [420.0, 297.0] } else { [297.0, 210.0] };
     let fits = |w: f64, h: f64| (w / figure.width_mm).min(h / figure.height_mm);
@@ -103,7 +104,7 @@ pub fn look(figure: &Figure, links: usize) -> Found {
     found
 }
 
-/// Length of a segment inside a box, by halving: another way than the one that places the labels.
+/// Length of a segment inside a box, by halving: independent of the placement of labels.
 fn clipped(a: Point, b: Point, r: Rect) -> f64 {
     const PIECES: usize = 200;
     let inside = |p: Point| r.min.x <= p.x && p.x <= r.max.x && r.min.y <= p.y && p.y <= r.max.y;
@@ -116,7 +117,8 @@ fn clipped(a: Point, b: Point, r: Rect) -> f64 {
     hits as f64 / PIECES as f64 * d.norm()
 }
 
-/// The scene at positions of its first driver all around, or between its limits, or at a part of them.
+/// The scene at positions of its first driver all around or between its limits, or a part of these
+/// positions.
 pub fn poses(scene: &Scene) -> Vec<Scene> {
     let Some(start) = driver_position(scene, 0) else { return vec![scene.clone()] };
     let turns = matches!(scene.drivers[0].kind, DriverKind::Turn { .. });
@@ -170,7 +172,8 @@ fn every_pose_can_be_read() {
     assert!(faults.is_empty(), "{} sheets:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// The centres of every template at all positions: no label on another, none off the paper.
+/// Checks the centres of every template at all positions: no label overlaps another, none is off
+/// the paper.
 #[test]
 fn every_centre_can_be_read() {
     let only = std::env::var("HODOGRAPH_ONLY").unwrap_or_default();
@@ -181,7 +184,8 @@ fn every_centre_can_be_read() {
             continue;
         }
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
-        // The sixty-six centres of twelve links are more than is looked at; the eighteen that an eight-bar finds stand on pages of five.
+        // The sixty-six centres of twelve links are too many to examine; the eighteen that an
+        // eight-bar finds are on pages of five.
         if scene.links.len() > A4_LINKS && t.name != "double-butterfly" {
             continue;
         }

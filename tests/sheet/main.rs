@@ -1,6 +1,8 @@
-//! A whole sheet from symbols, labels and placement to ink: the look of a textbook's page, in English and Chinese.
+//! A whole sheet from symbols, labels and placement to the drawing: the look of a textbook page, in
+//! English and Chinese.
 //!
-//! The numbers are those of a four-bar linkage solved by hand on the sheet; nothing here computes them from a scene.
+//! The numbers are those of a four-bar linkage solved by hand on the sheet; nothing here computes
+//! them from a scene.
 
 mod extra;
 mod fonts;
@@ -52,7 +54,7 @@ const ENGLISH: Words = Words {
 const CHINESE: Words =
     Words { lang: "zh", configuration: "(a) 机构位置图", polygon: "(b) 速度多边形", direction: "方向", magnitude: "大小" };
 
-/// Items, what labels keep off, and the labels that want a place.
+/// Items, obstacles for labels, and the labels to be placed.
 #[derive(Default)]
 struct Board {
     items: Vec<Item>,
@@ -172,7 +174,7 @@ fn fourbar(words: &Words) -> (Figure, Vec<Placement>) {
     board.finish(words)
 }
 
-/// Every symbol once, each turned, on one sheet.
+/// Every symbol once, each rotated, on one sheet.
 fn symbols() -> Figure {
     let mut items = Vec::new();
     let at = |x: f64, y: f64| Point::new(x, y);
@@ -295,10 +297,10 @@ fn symbol_sheet() {
     assert!(svg.contains(r#"class="ground hatch""#));
 }
 
-/// How far vectors are moved aside at most.
+/// Largest displacement of a vector drawn aside.
 const ASIDE_MM: f64 = 5.0;
 
-/// What must hold for every sheet; returns what does not.
+/// Checks the properties of every sheet; returns the faults.
 fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, figure: &Figure) -> Vec<String> {
     let mut faults = Vec::new();
     let mut fault = |text: String| faults.push(format!("{name}: {text}"));
@@ -342,7 +344,8 @@ fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, f
                 _ => None,
             })
             .collect();
-        // Vectors that lie over one another are drawn side by side: as long and as directed, moved square to themselves.
+        // Coincident vectors are drawn side by side: with the same length and direction, displaced
+        // perpendicular to themselves.
         let shows = |(from, to): &(Point, Point), e: [Point; 2]| {
             let [off, end_off] = [*from - (pole + e[0].to_vec2()), *to - (pole + e[1].to_vec2())];
             let along = (e[1] - e[0]).unit().expect("an edge has a length").dot(off);

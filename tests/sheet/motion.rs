@@ -1,4 +1,4 @@
-//! Pictures of motion: what they show is what a sweep tells, and they can be read.
+//! Pictures of motion: they show the values of a sweep, and they are legible.
 
 use super::legible::{SMALLEST_MM, look};
 use super::wide::every;
@@ -35,7 +35,8 @@ fn points(scene: &Scene, names: &[&str]) -> Vec<PointId> {
     names.iter().map(of).collect()
 }
 
-/// The vectors of the figure come from the loop equations pose by pose, those of a sweep from the compiled program.
+/// The vectors of the figure come from the loop equations in each pose, those of a sweep from the
+/// compiled program.
 #[test]
 fn hodographs_are_what_a_sweep_tells() {
     let mut compared = 0;
@@ -51,7 +52,7 @@ fn hodographs_are_what_a_sweep_tells() {
         let placed = Placed::new(&asked, &mechanism).unwrap();
         let per_value = station::angle_per_value(&asked, &placed.at, 0);
         for mark in &moved.marks {
-            // At a limit there are no rates.
+            // At a limit there are no velocities.
             if mark.vectors.iter().flatten().any(Option::is_none) {
                 continue;
             }
@@ -69,7 +70,8 @@ fn hodographs_are_what_a_sweep_tells() {
                     (column(format!("a_{n}.x")), a.x, a.norm()),
                     (column(format!("a_{n}.y")), a.y, a.norm()),
                 ] {
-                    // Next to a limit the place of the driver decides no more than half of the digits.
+                    // Next to a limit the place of the driver determines no more than half of the
+                    // digits.
                     let Some(expected) = column else { continue };
                     let bounded = moved.limits.iter().any(|l| *l);
                     let tolerance = if bounded { 1e-5 } else { 1e-9 };
@@ -82,7 +84,7 @@ fn hodographs_are_what_a_sweep_tells() {
     assert!(compared > 400, "{compared}");
 }
 
-/// Ends of a bounded travel are the limits that sweeps locate.
+/// Ends of a bounded travel are the limits found by sweeps.
 #[test]
 fn paths_end_at_the_limits_of_the_driver() {
     let (scene, worked) = open("class-iii-six-bar");
@@ -112,7 +114,7 @@ fn readable(name: &str, figure: &Figure, links: usize, at_full_size: bool) {
     assert_eq!(ids.len(), all, "{name}: names are not unique");
 }
 
-/// With the mechanism in one position and in several.
+/// Checked with the mechanism in one position and in several.
 #[test]
 fn paths_can_be_read() {
     for (k, (name, names)) in POINTS.into_iter().enumerate() {
@@ -124,7 +126,8 @@ fn paths_can_be_read() {
     }
 }
 
-/// Poses through a turn, or from limit to limit: to one set of scales, read at the size of their paper.
+/// Poses through a turn, or from limit to limit: to one set of scales, legible at the size of their
+/// paper.
 #[test]
 fn sheets_of_poses_can_be_read() {
     for (name, lang) in [("crank-rocker", Lang::En), ("shaper", Lang::Zh), ("class-iii-six-bar", Lang::En), ("five-bar", Lang::Zh)] {
@@ -138,7 +141,8 @@ fn sheets_of_poses_can_be_read() {
     }
 }
 
-/// Without a paper of its own the table of any template is printed on A4, or on A3: nothing is cut off, and no page has a single row.
+/// With the default paper, the table of any template is printed on A4 or A3: nothing is cut off,
+/// and no page has a single row.
 #[test]
 fn tables_of_poses_are_printed_on_a4_or_a3() {
     let mut formats = [0; 2];
@@ -159,7 +163,7 @@ fn tables_of_poses_are_printed_on_a4_or_a3() {
     assert!(formats[0] > formats[1], "{formats:?}");
 }
 
-/// Only the first drawing of a column has the names of its vectors and links; letters of points have all of them.
+/// Only the first drawing of a column names its vectors and links; all drawings name their points.
 #[test]
 fn names_stand_in_the_first_row() {
     let (scene, worked) = open("crank-rocker");
@@ -174,7 +178,7 @@ fn names_stand_in_the_first_row() {
     }
 }
 
-/// A fixed paper makes pages; one that is too small is refused.
+/// A fixed paper size gives several pages; one that is too small is refused.
 #[test]
 fn a_fixed_paper_makes_pages() {
     let (mut scene, worked) = open("slider-crank");

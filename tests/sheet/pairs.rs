@@ -1,4 +1,4 @@
-//! The figure shows the pairs that the scene names: what is a block and what a lever, with the rates that are given.
+//! The figure shows the pairs that the scene names: blocks and levers, with the given velocities.
 
 use hodograph::figure::mechanism::mechanism;
 use hodograph::geom::Point;
@@ -15,7 +15,7 @@ fn drawn(text: &str) -> Vec<Item> {
     mechanism(&Style::default(), &scene, &worked, &Notation::of_language(Lang::En)).items
 }
 
-/// The links that are drawn as blocks, by number in the scene.
+/// The links drawn as blocks, by their numbers in the scene.
 fn blocks(items: &[Item]) -> Vec<String> {
     let mut names: Vec<String> =
         items.iter().filter(|i| i.class.ends_with("slider")).map(|i| i.id.trim_start_matches("mechanism-").to_owned()).collect();
@@ -33,7 +33,8 @@ fn written(items: &[Item]) -> Vec<&str> {
     items.iter().filter_map(label).collect()
 }
 
-/// A lever that is its pivot and a slot, the block on it in a guide of the ground or on a wire.
+/// A lever that consists of its pivot and a slot, with the block in a guide of the ground or on a
+/// wire.
 const LEVER: &str = r#"{"links": {"1": ["O"], "2": ["O"]}, "ground": "1", "points": {"O": [0, 0]},
     "guides": [{"pin": "B", "slider": "3", "on": "2", "through": "O"},
                {"pin": "B", "slider": "4", "on": "1", "through": ["300 mm", 0], "angle": "90 deg"}],
@@ -100,7 +101,7 @@ fn oblique_guides_have_names_of_their_own() {
     assert_eq!((names.len(), different.len()), (4, 4), "{names:?}");
 }
 
-/// A cam of constant breadth between two faces: both touch it, the one that only repeats the other dashed.
+/// A cam of constant breadth between two faces: both touch it, and the redundant one is dashed.
 #[test]
 fn a_yoke_has_two_faces() {
     let yoke = r#"{"links": {"1": ["O"], "2": ["O", "B"]}, "ground": "1", "points": {"O": [0, 0]}, "lengths": {"OB": "20 mm"},
@@ -128,7 +129,8 @@ fn a_yoke_has_two_faces() {
     assert!(faces.iter().any(|f| f.0 > 0.0 && f.1 == Dash::Solid) && faces.iter().any(|f| f.0 < 0.0 && f.1 == Dash::Dashed), "{faces:?}");
 }
 
-/// The disc of Oldham's coupling is one body with an arm in each slot: no joint where they meet, no block on the second shaft.
+/// The disc of Oldham's coupling is one body with an arm in each slot: no joint where they meet, no
+/// block on the second shaft.
 #[test]
 fn a_block_in_two_slots_is_a_cross() {
     let items = drawn(templates::get("oldham-coupling").unwrap());
@@ -143,7 +145,7 @@ fn a_block_in_two_slots_is_a_cross() {
     assert_eq!([bars(1), bars(3)], [1, 1], "levers 2 and 4");
 }
 
-/// The same coupling as two blocks that turn about the shafts, through which the arms of 3 slide.
+/// Oldham's coupling as two blocks that turn about the shafts, through which the arms of 3 slide.
 const TURNED_BLOCKS: &str = r#"{"links": {"1": ["A", "D"], "2": ["A"], "3": ["C"], "4": ["D"]}, "ground": "1", "lengths": {"AD": "40 mm"},
     "points": {"C": ["40 mm*cos(50 deg)^2", "40 mm*cos(50 deg)*sin(50 deg)"]},
     "guides": [{"pin": "A", "slider": "2", "on": "3", "through": "C", "angle": "50 deg"},
@@ -158,7 +160,7 @@ fn a_driven_block_has_its_arrow_and_two_guides_of_a_link_two_names() {
     assert!(["t_{3A}", "t_{3D}"].iter().all(|t| written.contains(t)), "{written:?}");
 }
 
-/// The number of the ground stands at a hatching, on every template that has a fixed pivot.
+/// The ground's number is at a hatching, on every template with a fixed pivot.
 #[test]
 fn the_number_of_the_ground_is_at_its_hatching() {
     let mut seen = 0;

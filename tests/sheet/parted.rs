@@ -1,4 +1,4 @@
-//! Two links that lie over one another are seen as two, whatever the pose.
+//! Two links that overlap are distinguishable in any pose.
 
 use crate::wide::every;
 use hodograph::figure::mechanism::mechanism;
@@ -10,9 +10,9 @@ use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::scene::{driver_position, with_driver_at};
 use hodograph::worked::{Scope, work};
 
-/// White is seen between two bars of 0.7 mm whose middles are so far apart.
+/// White space is visible between two bars of 0.7 mm with their middles at this distance.
 const APART_MM: f64 = 0.8;
-/// Bars that share less meet at a joint.
+/// Bars that overlap over a shorter length meet at a joint.
 const OVER_MM: f64 = 4.5;
 
 type Bar = (Option<usize>, Point, Point);
@@ -25,7 +25,8 @@ fn bars(items: &[Item]) -> Vec<Bar> {
     items.iter().filter_map(bar).collect()
 }
 
-/// How far two bars are from one another where they run side by side, by trying places; `None` where they do not.
+/// The distance of two bars where they run side by side, found by trying places; `None` where they
+/// do not.
 fn least_apart((_, a, b): Bar, (_, c, d): Bar) -> Option<f64> {
     const PLACES: usize = 400;
     let off = |p: Point| {

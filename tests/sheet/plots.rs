@@ -1,4 +1,5 @@
-//! Plots, with axes of numbers and of powers of ten: all on the paper, no name on another.
+//! Plots with axes of numbers and of powers of ten: everything is on the paper, and no name
+//! overlaps another.
 
 use std::time::{Duration, Instant};
 
@@ -61,7 +62,7 @@ fn plots_stay_on_the_paper_and_their_names_apart() {
                 faults.extend(faults_of(page, &format!("curves {} {lang:?} page {k}", style.name)));
             }
             let figure = curves::figure(&scene, &diagram, &style, lang);
-            // More lines than kinds of dashes are told apart all the same.
+            // More lines than kinds of dashes are still distinguishable.
             let mut strokes: Vec<String> = Vec::new();
             for item in figure.items.iter().filter(|i| i.class == "curve" && i.id.starts_with("panel-0-")) {
                 if let Shape::Polyline { stroke: Some(s), .. } = item.shape {

@@ -1,5 +1,6 @@
-//! A width that is asked for is kept: every template, at widths from a narrow column to a page of A4, either stands on a page that is
-//! exactly so wide, in type that can be read and with a word on what was left out, or is not drawn and the message says what it needs.
+//! A requested width is kept: every template, at widths from a narrow column to an A4 page, is
+//! either drawn on a page of exactly this width, in legible type and with a note on omitted items,
+//! or not drawn, with a message on the width needed.
 
 use super::legible::SMALLEST_MM;
 use hodograph::diag::Warned;
@@ -26,7 +27,8 @@ fn a_width_is_kept_or_refused() {
         let scene = scene::read(templates::get(template.name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         for k in 0..2 {
-            // The sheet, and one of the others; each at another width and in the other language.
+            // The sheet and one of the other figures, each at another width and in the other
+            // language.
             let name = if k == 0 { FIGURES[0] } else { FIGURES[1 + t % (FIGURES.len() - 1)] };
             let width = WIDTHS_MM[(t + k) % WIDTHS_MM.len()];
             let options = Options::of_language(if (t + k) % 2 == 0 { Lang::En } else { Lang::Zh });
@@ -47,7 +49,7 @@ fn a_width_is_kept_or_refused() {
                         if smallest_type(figure) * 0.7 < SMALLEST_MM - 1e-9 {
                             faults.push(format!("{what}: type of {} mm", smallest_type(figure)));
                         }
-                        // What stands on the usual sheet and not on this one is told.
+                        // Items that the full sheet has and this one lacks are reported.
                         let named = |f: &Figure, word: &str| f.items.iter().any(|i| i.id.contains(word) || i.class.contains(word));
                         let told = notes.iter().any(|n| n.code == "left-out");
                         let usual = (list::named(name).unwrap().draw)(&wanted).unwrap().value;
@@ -72,7 +74,7 @@ fn a_width_is_kept_or_refused() {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Items by class whose letters add up.
+/// Number of letters in the items of a class.
 fn written(f: &Figure, class: &str) -> usize {
     let of_class = f.items.iter().filter(|i| i.class.split(' ').any(|c| c == class));
     of_class.map(|i| if let Shape::Label { label, .. } = &i.shape { label.plain().trim().chars().count() } else { 0 }).sum()

@@ -1,4 +1,4 @@
-//! `diff` finds what changed and nothing else, and keeps its bounds.
+//! `diff` finds exactly the changes, and keeps its bounds.
 
 use std::process::Command;
 
@@ -39,7 +39,7 @@ fn a_moved_vector_is_found_with_its_millimetres() {
     assert!(v.moved_mm[0] == 0.0 && (v.moved_mm[1] - 0.5).abs() < 2e-3, "{:?}", v.moved_mm);
     assert!(found.moved.is_empty() && found.texts.is_empty() && found.added.is_empty() && found.removed.is_empty());
     assert!(found.pixels.over > 20 && found.pixels_differ);
-    // Within a tolerance it is where it was; the pixels are counted and decide nothing.
+    // Within a tolerance an item has not moved; the pixels are counted and decide nothing.
     let wide = Options { tolerance_mm: 0.6, pixels: None, ..Options::default() };
     let found = compare(&written(&old), &written(&new), &wide).unwrap();
     assert!(found.is_empty() && found.pixels.over > 20, "{found:?}");
@@ -79,7 +79,7 @@ fn png_files_are_compared_by_their_pixels() {
     let [left, top, right, bottom] = found.pixels.bounds.unwrap();
     assert!(found.pixels.over > 50 && right > left && bottom > top && found.vectors.is_empty(), "{found:?}");
     let made = picture(&draw(&old), &draw(&new), &Options::default()).unwrap();
-    // The picture shows in red what only the first figure has.
+    // The picture shows in red the items of the first figure only.
     let Picture::Png(raster) = Picture::read(made).unwrap() else { panic!("a PNG") };
     let red = (left..right).flat_map(|x| (top..bottom).map(move |y| (x, y))).filter(|(x, y)| {
         let [r, g, b] = raster.at(*x, *y);
@@ -89,7 +89,7 @@ fn png_files_are_compared_by_their_pixels() {
     assert_eq!(compare(&draw(&old), &written(&old), &Options::default()).unwrap_err().code, "diff-kinds");
 }
 
-/// Files that would take time or memory without bound, and files that are no figures, are refused.
+/// Files that would take time or memory without bound, and files that are not figures, are refused.
 #[test]
 fn hostile_files_are_refused_at_once() {
     let root = |inner: &str| {
@@ -113,7 +113,7 @@ fn hostile_files_are_refused_at_once() {
         let fault = Picture::read(text.clone().into_bytes()).err();
         assert_eq!(fault.map(|d| d.code), Some("diff-input"), "{}", &text[..text.len().min(120)]);
     }
-    // The header of a PNG of 60 000 by 60 000 pixels, and nothing behind it.
+    // The header of a PNG of 60 000 by 60 000 pixels, without data.
     let mut huge = png::render(&root(""), 100.0).unwrap();
     huge[16..24].copy_from_slice(&[0, 0, 0xea, 0x60, 0, 0, 0xea, 0x60]);
     assert_eq!(Picture::read(huge).unwrap_err().code, "diff-input");

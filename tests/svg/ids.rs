@@ -12,7 +12,8 @@ use hodograph::worked::{Scope, Worked, work};
 
 use crate::wide::every;
 
-/// Labels may be left out, lines of text break elsewhere, and an inset is drawn where labels found no place: these items differ between languages.
+/// Labels may be omitted, lines of text break elsewhere, and an inset is drawn if labels do not
+/// fit: these items differ between languages.
 const WORDS: &[&str] = &[
     "label",
     "leader",
@@ -50,7 +51,7 @@ fn faults(name: &str, figure: &Figure) -> Vec<String> {
     out
 }
 
-/// The sheet of a scene in a language and notation, and the other figures where they are wanted.
+/// The sheet of a scene in a language and notation, and the other figures if `others`.
 fn figures(scene: &Scene, worked: &Worked, (lang, notation): (Lang, &str), others: bool) -> Vec<(String, Figure)> {
     let options = Options { notation: Notation::named(notation).unwrap(), ..Options::of_language(lang) };
     let vectors = |on| Extras { vectors: Some(on), dimensions: true, ..Extras::default() };
@@ -67,14 +68,15 @@ fn figures(scene: &Scene, worked: &Worked, (lang, notation): (Lang, &str), other
     out
 }
 
-/// Faults of a scene's figures in all languages and notations, and how many items were compared.
+/// Faults of a scene's figures in all languages and notations, and the number of items compared.
 fn compared(name: &str, text: &str) -> (Vec<String>, usize) {
     let scene = scene::read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value;
     let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
     let ids = |f: &Figure| -> BTreeSet<String> { f.items.iter().filter(|i| is_named_alike(i)).map(|i| i.id.clone()).collect() };
     let (mut out, mut count, mut first) = (Vec::new(), 0, None);
     for (lang, notation) in [(Lang::En, "en"), (Lang::Zh, "cn"), (Lang::En, "cn"), (Lang::Zh, "en")] {
-        // Language and notation change one by one on the sheet, which has most kinds of items, together on all figures.
+        // Language and notation change one by one on the sheet, which has most kinds of items, and
+        // together on all figures.
         let all = figures(&scene, &worked, (lang, notation), (lang == Lang::En) == (notation == "en"));
         all.iter().for_each(|(what, f)| out.extend(faults(&format!("{name} {what} {lang:?} {notation}"), f)));
         let named: Vec<(String, BTreeSet<String>)> = all.iter().map(|(what, f)| (what.clone(), ids(f))).collect();
@@ -102,7 +104,7 @@ fn ids_are_ascii_unique_and_the_same_in_all_languages_and_notations() {
     assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
 }
 
-/// Points and links whose names are no ASCII, or are one name without the signs between.
+/// Points and links with non-ASCII names, or with names that coincide without the signs between.
 #[test]
 fn names_that_are_no_ascii_have_ids_of_their_own() {
     let text = templates::get("crank-rocker").unwrap();
@@ -121,7 +123,7 @@ fn names_that_are_no_ascii_have_ids_of_their_own() {
     assert!(sheet.vector("v_杆'").is_some());
 }
 
-/// Figures of designs and of motions without a mechanism are named by what they show, too.
+/// Ids in figures of designs and of motions without a mechanism follow the contents, too.
 #[test]
 fn designs_and_motions_have_ids_by_meaning() {
     let mut all = Vec::new();

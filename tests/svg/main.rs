@@ -1,4 +1,5 @@
-//! The contract of SVG files (docs/svg.md): ids by meaning, what vectors and marks tell of themselves, and `diff`, which reads it.
+//! The contract of SVG files (docs/svg.md): ids by meaning, data of vectors and points, and `diff`,
+//! which reads them.
 
 #[path = "../wide/mod.rs"]
 mod wide;
@@ -10,13 +11,13 @@ mod shown;
 /// The example for users of golden images: its sources are compiled with the other tests and run here.
 #[path = "../../examples/golden-images/tests/golden.rs"]
 mod example;
-/// The library of the example, which its test knows by the name of its crate.
+/// The library of the example, under the crate name that its test uses.
 #[path = "../../examples/golden-images/src/lib.rs"]
 mod example_figures;
 extern crate self as golden_images;
 pub use example_figures::figures;
 
-/// With `HODOGRAPH_WIDE=1` the example is built as the project that it is.
+/// With `HODOGRAPH_WIDE=1`, the example is built as a project of its own.
 #[test]
 fn the_example_is_a_project_of_its_own() {
     if wide::every(2) > 1 {

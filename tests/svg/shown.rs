@@ -1,4 +1,4 @@
-//! Data attributes of vectors and marks agree with the drawing and with the answers.
+//! Data attributes of vectors and points agree with the drawing and with the answers.
 
 use hodograph::answer::Value;
 use hodograph::figure::sheet::{Options, sheet};

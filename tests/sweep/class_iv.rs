@@ -1,8 +1,10 @@
-//! A group of class IV swept: its limits against equations of its own, and what hangs on it.
+//! A sweep of a group of class IV: its limits compared with independent equations, and its
+//! dependent parts.
 
 use super::*;
 
-/// Two ternary links on two bars, a group of class IV, with more links and points, and `K` on the ground with them.
+/// Two ternary links on two bars, a group of class IV, with further links and points, and `K` on
+/// the ground with them.
 pub fn class_iv(find: &str, more: [&str; 2]) -> Scene {
     let [links, points] = more;
     let text = format!(
@@ -14,8 +16,9 @@ pub fn class_iv(find: &str, more: [&str; 2]) -> Scene {
     read(&text).unwrap_or_else(|f| panic!("{f}")).value
 }
 
-/// The crank angle (rad) at which the group of class IV of [`class_iv`] comes to its end, by equations of its own: with the turnings of
-/// links 2 and 5 unknown, two bars keep their lengths, and the determinant of these two conditions vanishes.
+/// The crank angle (rad) at which the group of class IV of [`class_iv`] reaches its limit, by
+/// independent equations: with the rotations of links 2 and 5 unknown, two bars keep their lengths,
+/// and the determinant of these two conditions vanishes.
 fn fold_by_hand(from: [f64; 3]) -> f64 {
     type P = [f64; 2];
     let turn = |p: P, by: f64| [p[0] * by.cos() - p[1] * by.sin(), p[0] * by.sin() + p[1] * by.cos()];
@@ -23,7 +26,8 @@ fn fold_by_hand(from: [f64; 3]) -> f64 {
     let minus = |a: P, b: P| [a[0] - b[0], a[1] - b[1]];
     let dot = |a: P, b: P| a[0] * b[0] + a[1] * b[1];
     let [a, b, c, d, e, g] = [[1.0, 2.0], [3.0, 4.0], [4.0, 1.5], [6.0, 5.0], [7.0, 2.0], [9.0, 1.0]];
-    // Residuals of both bars, and their derivatives by the two turnings: of D − B along the bar, and so on.
+    // Residuals of both bars, and their derivatives by the two rotations: of D − B along the bar,
+    // and so on.
     let bars = |q: [f64; 3]| {
         let crank = turn(a, q[2]);
         [(b, d), (c, e)].map(|(near, far)| {
@@ -52,8 +56,8 @@ fn fold_by_hand(from: [f64; 3]) -> f64 {
     q[2] + 2f64.atan2(1.0)
 }
 
-/// A mechanism that is followed as a whole stops at a limit that is located and explained as those of dyads are: the same that `limits`
-/// tells, and where the determinant of the group vanishes.
+/// A mechanism that is followed as a whole stops at a limit that is located and explained as for
+/// dyads: the limit of `limits`, where the determinant of the group vanishes.
 #[test]
 fn the_limits_of_a_group_of_class_iv() {
     let scene = class_iv(r#""phi_2", "phi_5", "omega_5""#, ["", ""]);
@@ -63,7 +67,7 @@ fn the_limits_of_a_group_of_class_iv() {
     let ends = told.range.ends.each_ref().map(|e| e.as_ref().unwrap().value);
     let now = station::position_now(&scene, &placed.at, 0);
     let near = |value: f64| {
-        // The last rows before the limit give the place from which the equations by hand are solved.
+        // The last rows before the limit give the start for the independent equations.
         let inward = (now - value).signum();
         let table = sweep::run(&placed, 0, &Stations::of_values(vec![now, value + inward * 1e-4], 1.0), Width::One).unwrap();
         assert_eq!(table.rows(), 2, "{:?}", table.notes);
@@ -91,8 +95,8 @@ fn the_limits_of_a_group_of_class_iv() {
     }
 }
 
-/// Where a dyad beside the group of class IV comes into line first, its links are told; a crank that is stopped on one way round comes
-/// to the rest on the other.
+/// If a dyad beside the group of class IV becomes collinear first, its links are named. A crank
+/// that is stopped in one sense reaches the remaining positions in the other.
 #[test]
 fn a_dyad_beside_a_group_of_class_iv_stops_it() {
     let scene = class_iv(r#""omega_8""#, [r#", "7": ["E","H"], "8": ["H","K"]"#, r#", "H": [8,3.2], "K": [8.6,4.4]"#]);
@@ -114,7 +118,7 @@ fn a_dyad_beside_a_group_of_class_iv_stops_it() {
     assert!((length(e, [8.6, 4.4]) - reach).abs() < 1e-10, "{} against {reach}", length(e, [8.6, 4.4]));
     let words = "link 7 (EH) and link 8 (HK) lie in line";
     assert!(table.notes.iter().any(|n| n.code == "limit" && n.message.en.ends_with(words)), "{:#?}", table.notes);
-    // Degrees that lie within the range, a turn away or not.
+    // Degrees within the range, a turn away or not.
     let [low, high] = told.range.bounds();
     let within = |x: &f64| (-1..=1).any(|k| (low..=high).contains(&(x + f64::from(k) * std::f64::consts::TAU)));
     assert_eq!(table.rows(), stations.values.iter().filter(|x| within(x)).count(), "{:?} {:#?}", told.range, table.notes);

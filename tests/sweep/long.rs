@@ -1,4 +1,4 @@
-//! Long sweeps, taken in pieces: what they write is what a sweep at once has.
+//! Long sweeps in pieces give the rows of an undivided sweep.
 
 use super::*;
 use hodograph::sweep::long::Long;
@@ -19,14 +19,15 @@ pub fn same_bits(name: &str, columns: &[Vec<f64>], whole: &Table) {
     }
 }
 
-/// A sweep in pieces has the rows and the notes of the whole one, to the bit: where rows are missing over the ends of pieces, past
-/// change points, where the driver slides, and where each position is reached from the one before it, or after it, or round the
-/// other way.
+/// A sweep in pieces has the rows and the notes of the undivided one, to the bit: where rows are
+/// missing across the ends of pieces, past change points, where the driver slides, and where each
+/// position is reached from the one before it, or after it, or round the other way.
 #[test]
 fn a_long_sweep_is_its_pieces() {
     let mut scenes: Vec<(&str, Scene, [usize; 2])> = Vec::new();
     for (n, t) in templates::list().iter().enumerate() {
-        // These two alone have a row at every limit and more rows than lie between two states that are kept.
+        // Only these two have both a row at every limit and more rows than are between two stored
+        // states.
         let always = ["crank-rocker", "class-iii-six-bar"].contains(&t.name);
         if n % every(8) != 0 && !always {
             continue;
@@ -35,9 +36,9 @@ fn a_long_sweep_is_its_pieces() {
         let scene = read(templates::instantiate(t.name, set).unwrap()).unwrap().value;
         let whole = Mechanism::new(&scene).unwrap().value.groups.iter().any(|g| g.class() == Some("IV or higher"));
         let size = match t.name {
-            // More positions than lie between two states that are kept.
+            // More positions than are between two stored states.
             "class-iii-six-bar" => [10_000, 4096],
-            // Each position takes the general solver, or its scene is read for it.
+            // Each position needs the general solver, or its scene is read for it.
             _ if whole || scene.has_momentary_cams() => [200 / every(8), 77],
             _ => [2000 / every(8), 77],
         };
@@ -73,7 +74,7 @@ fn a_long_sweep_is_its_pieces() {
     );
 }
 
-/// A sweep that is asked to stop says so instead of giving rows that it has not.
+/// A sweep that is asked to stop reports this instead of giving rows that it does not have.
 #[test]
 fn a_sweep_in_pieces_stops_when_asked() {
     for scene in [scene("class-iii-six-bar", &[]), class_iv(r#""v_D""#, ["", ""])] {

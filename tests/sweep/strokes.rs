@@ -1,4 +1,5 @@
-//! Strokes, extremes, dwells and time ratios of `limits`, against formulas by hand, for any position of the driver in the scene.
+//! Strokes, extremes, dwells and time ratios of `limits`, compared with formulas by hand, for any
+//! position of the driver in the scene.
 
 use super::{limits_of, scene};
 use hodograph::scene::{Scene, edit, read, templates};
@@ -6,13 +7,15 @@ use hodograph::sweep::extreme::{Extreme, Grashof, Output, Swing};
 use hodograph::sweep::follow::course::over_a_turn;
 use std::f64::consts::{PI, TAU};
 
-/// Places of the driver from which the motion is looked through: at extremes, at joints of stages, within dwells and strokes.
+/// Positions of the driver at which the motion starts: at extremes, at joints of stages, within
+/// dwells and strokes.
 const STARTS: [f64; 8] = [0.0, 35.0, 90.0, 100.0, 135.0, 170.0, 270.0, 300.0];
 
-/// An extreme as it should be: the driver's angle, that at which a dwell ends (degrees), the output (rad or m).
+/// An expected extreme: the driver's angle, the angle at which a dwell ends (degrees), the output
+/// (rad or m).
 type Wanted = (f64, Option<f64>, f64);
 
-/// Holds the extremes of a swing, each listed once, against those wanted, in whatever order a turn meets them.
+/// Compares the extremes of a swing, each listed once, with those expected, in any order of a turn.
 fn same(swing: &Swing, wanted: &[Wanted], what: &str) {
     let apart = |a: f64, b: f64| (a - b - ((a - b) / TAU).round() * TAU).abs();
     let is = |e: &Extreme, (driver, until, output): &Wanted| {
@@ -26,13 +29,14 @@ fn same(swing: &Swing, wanted: &[Wanted], what: &str) {
     assert!(wanted.iter().all(|w| swing.extremes.iter().any(|e| is(e, w))), "{what}: {swing:?}, not {wanted:?}");
 }
 
-/// Holds stroke and time ratio of a swing against those wanted.
+/// Compares stroke and time ratio of a swing with those expected.
 fn strokes(swing: &Swing, stroke: f64, ratio: f64, what: &str) {
     assert!((swing.stroke.unwrap() - stroke).abs() < 1e-12, "{what}: {swing:?}, not {stroke}");
     assert!((swing.time_ratio.unwrap() - ratio).abs() < 1e-9, "{what}: {swing:?}, not {ratio}");
 }
 
-/// A roller of 10 mm on a vertical guide beside O, on a cam of this profile, for its whole motion.
+/// A roller of 10 mm on a vertical guide at an offset from O, on a cam of this profile, for its
+/// whole motion.
 fn roller(offset: f64, two: &str, profile: &str, angle: f64) -> Scene {
     let text = format!(
         r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["O"], "2": [{two}], "3": ["B"]}}, "ground": "1", "points": {{"O": [0, 0]}},
@@ -54,7 +58,7 @@ fn a_dwell_is_one_extreme_and_no_part_of_a_stroke() {
             {{"return": 20, "over": "130 deg", "law": "{of}"}}, {{"dwell": "60 deg"}}]}}"#
         )
     };
-    // The guide 9 mm beside O: at its lowest the roller's centre is 40 mm from O.
+    // The guide is 9 mm from O: at its lowest the roller's centre is 40 mm from O.
     let low = (0.04f64 * 0.04 - 0.009 * 0.009).sqrt();
     for (start, of) in STARTS.into_iter().zip(["uniform", "harmonic", "cycloidal", "3-4-5"].into_iter().cycle()) {
         let limits = limits_of(&roller(9.0, r#""O""#, &law(of), start));
@@ -65,21 +69,22 @@ fn a_dwell_is_one_extreme_and_no_part_of_a_stroke() {
     }
 }
 
-/// A tangent cam: the roller rests on the base circle from one flank to the other and turns back at the nose without resting; the flanks begin
-/// acos((R − r)/OQ) to either side of the nose.
+/// A tangent cam: the roller dwells on the base circle from one flank to the other and reverses at
+/// the nose without a dwell; the flanks begin acos((R − r)/OQ) to either side of the nose.
 #[test]
 fn a_nose_is_an_extreme_and_a_base_circle_a_dwell() {
     let profile = r#"[{"centre": "O", "radius": 20}, "tangent", {"centre": "Q", "radius": 8}, "tangent"]"#;
     let flank = (12.0f64 / 20.0).acos().to_degrees();
     for start in STARTS {
         let limits = limits_of(&roller(0.0, r#""O", "Q""#, profile, start));
-        // The angle of the driver is that of OQ; the nose is up at 90°.
+        // The angle of the driver is that of OQ; the nose is at the top at 90°.
         same(&limits.swings[0], &[(90.0, None, 0.038), (90.0 + flank, Some(90.0 - flank), 0.03)], &format!("from {start}°"));
         strokes(&limits.swings[0], 0.008, 1.0, &format!("from {start}°"));
     }
 }
 
-/// An eccentric circle lifts its follower by twice its eccentricity, with a guide beside the shaft by what a slider-crank's offset leaves of it.
+/// An eccentric circle lifts its follower by twice its eccentricity; with an offset guide, by the
+/// stroke of the offset slider-crank.
 #[test]
 fn an_eccentric_has_a_stroke_of_twice_its_eccentricity() {
     let profile = r#"{"centre": "Q", "radius": 35}"#;
@@ -88,7 +93,7 @@ fn an_eccentric_has_a_stroke_of_twice_its_eccentricity() {
         let limits = limits_of(&roller(0.0, r#""O", "Q""#, profile, start));
         same(&limits.swings[0], &[(90.0, None, 0.065), (270.0, None, 0.025)], &what);
         strokes(&limits.swings[0], 0.04, 1.0, &what);
-        // OQ is the crank, QB the rod, 45 mm; the extremes are where they lie in line.
+        // OQ is the crank, QB the rod, 45 mm; the extremes are where they are in line.
         let limits = limits_of(&roller(15.0, r#""O", "Q""#, profile, start));
         let high = (0.015f64 / 0.065).acos();
         let low = (0.015f64 / 0.025).acos();
@@ -112,7 +117,7 @@ fn turned(template: &str, parameter: &str, angle: f64) -> Scene {
     read(edit::with_find(&text, &["v_C"]).unwrap()).unwrap_or_else(|f| panic!("{template} at {angle}: {f}")).value
 }
 
-/// A crank-rocker's extremes are where crank and coupler lie in line, one beyond the other or one on it.
+/// A crank-rocker's extremes are where crank and coupler are in line, extended or folded.
 #[test]
 fn a_crank_rocker_has_two_extremes_wherever_it_starts() {
     let [a, b, c, d] = [0.1f64, 0.25, 0.2, 0.3];
@@ -128,7 +133,8 @@ fn a_crank_rocker_has_two_extremes_wherever_it_starts() {
     }
 }
 
-/// A shaper's crank is square to the slotted lever at both extremes: sin θ/2 = O₁A/O₁O₂, K = (π + θ)/(π − θ), the ram goes 2 O₂B sin θ/2.
+/// A shaper's crank is perpendicular to the slotted lever at both extremes: sin θ/2 = O₁A/O₁O₂, K =
+/// (π + θ)/(π − θ), the ram moves 2 O₂B sin θ/2.
 #[test]
 fn a_shaper_cuts_slowly_and_returns_fast() {
     let half = (110.0f64 / 380.0).asin();
@@ -147,7 +153,8 @@ fn a_shaper_cuts_slowly_and_returns_fast() {
     assert_eq!(limits_of(&scene("shaper", &[])).swings.len(), 2);
 }
 
-/// A four-bar by hand: extremes of the rocker where crank and coupler lie in line, transmission angle where crank and frame do.
+/// A four-bar by hand: extremes of the rocker where crank and coupler are in line, transmission
+/// angle where crank and frame are.
 #[test]
 fn limits_of_a_crank_rocker() {
     let scene = scene("crank-rocker", &[]);

@@ -1,7 +1,8 @@
-//! The work is what is asked: templates with one question or a few, and what each makes the stages do.
+//! The work depends on the questions: templates with one question or a few, and the work of each
+//! stage.
 //!
-//! The expected numbers are counted by hand from the mechanics: a driven link and a dyad have one equation each, a crossing
-//! draws two vectors, a moving link has three unknowns.
+//! The expected numbers are counted by hand from the mechanics: a driven link and a dyad have one
+//! equation each, an intersection draws two vectors, a moving link has three unknowns.
 
 use hodograph::certified::certify;
 use hodograph::effort::{Motion, Work};
@@ -10,11 +11,11 @@ use hodograph::scene::{self, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value, json};
 
-/// Nothing done at a level.
+/// No work at a level.
 const NONE: [usize; 6] = [0; 6];
 
-/// A template, what of it is changed, what is asked, and the work expected: groups placed; groups, equations, images, vectors,
-/// rates and unknowns at velocity and at acceleration level; numbers certified.
+/// A template, its changes, the questions, and the expected work: groups placed; groups, equations,
+/// images, vectors, rates and unknowns at velocity and at acceleration level; numbers certified.
 type Row = (&'static str, &'static [(&'static str, &'static str)], &'static [&'static str], usize, [usize; 6], [usize; 6], usize);
 
 const STOPPED: (&str, &str) = ("/parameters/omega_1", "0 rad/s");
@@ -36,16 +37,16 @@ const TABLE: &[Row] = &[
     ("jansen-leg", &[], &["alpha_3"], 2, [2, 2, 0, 3, 3, 9], [2, 2, 0, 5, 1, 9], 1),
     ("jansen-leg", &[], &["v_C", "v_D"], 3, [3, 3, 0, 5, 1, 15], NONE, 4),
     ("jansen-leg", &[], &["v_G"], 4, [4, 4, 2, 7, 1, 21], NONE, 2),
-    // G's own velocity is not asked: only E's image is needed, for the dyad that hangs on it.
+    // G's own velocity is not asked for: only E's image is needed, for the dyad attached to it.
     ("jansen-leg", &[], &["a_G"], 4, [4, 4, 1, 7, 7, 21], [4, 4, 2, 13, 0, 21], 2),
-    // Accelerations of what they are asked of, not of all that moves.
+    // Accelerations of the requested points only, not of all moving links.
     ("jansen-leg", &[], &["v_G", "a_D"], 4, [4, 4, 2, 7, 3, 21], [2, 2, 0, 5, 0, 9], 4),
     // A driver at rest: equations are written, no vector of the velocities is drawn.
     ("jansen-leg", &[STOPPED], &["v_D"], 2, [2, 2, 0, 0, 1, 9], NONE, 1),
     ("jansen-leg", &[STOPPED, STARTING], &["a_D"], 2, [2, 2, 0, 0, 3, 9], [2, 2, 0, 3, 1, 9], 2),
     ("slider-crank", &[], &["x_C"], 2, NONE, NONE, 1),
     ("slider-crank", &[], &["v_C"], 2, [2, 2, 0, 3, 1, 9], NONE, 2),
-    // The guide stands still: no Coriolis vector, so normal part, tangential part and sliding only.
+    // The guide is fixed: no Coriolis vector, so normal part, tangential part and sliding only.
     ("slider-crank", &[], &["a_C"], 2, [2, 2, 0, 3, 2, 9], [2, 2, 0, 4, 0, 9], 2),
     ("slider-crank", &[], &["a_B"], 1, [1, 1, 0, 1, 1, 3], [1, 1, 0, 1, 0, 3], 2),
     ("slider-crank", &[STARTING], &["a_B"], 1, [1, 1, 0, 1, 1, 3], [1, 1, 0, 2, 1, 3], 2),
@@ -59,20 +60,20 @@ const TABLE: &[Row] = &[
     ("shaper", &[], &["a_C"], 3, [3, 3, 1, 5, 3, 15], [3, 3, 1, 8, 0, 15], 2),
     ("whitworth", &[], &["omega_3"], 2, [2, 2, 0, 3, 2, 9], NONE, 1),
     ("whitworth", &[], &["v_E"], 3, [3, 3, 1, 5, 1, 15], NONE, 2),
-    // A fixed point, which nothing has to be solved for.
+    // A fixed point, for which nothing is solved.
     ("whitworth", &[], &["v_A"], 0, NONE, NONE, 1),
     // Three legs: the special point, one more point, and the two others by image.
     ("class-iii-six-bar", &[], &["v_A"], 1, [1, 1, 0, 1, 1, 3], NONE, 2),
     ("class-iii-six-bar", &[], &["v_P"], 2, [2, 3, 2, 5, 1, 15], NONE, 2),
     ("class-iii-six-bar", &[], &["a_Q"], 2, [2, 3, 2, 5, 5, 15], [2, 3, 2, 11, 0, 15], 2),
-    // One of two drivers at rest: its point stands still, all others move.
+    // One of two drivers at rest: its point is fixed, all others move.
     ("five-bar", &[("/parameters/omega_4", "0 rad/s")], &["v_C"], 3, [3, 3, 0, 3, 2, 12], NONE, 2),
     ("five-bar", &[("/parameters/omega_4", "0 rad/s")], &["a_C"], 3, [3, 3, 0, 3, 4, 12], [3, 3, 0, 5, 0, 12], 2),
     ("watt-six-bar", &[], &["v_C"], 2, [2, 2, 0, 3, 1, 9], NONE, 2),
     ("watt-six-bar", &[], &["v_F"], 3, [3, 3, 1, 5, 1, 15], NONE, 2),
 ];
 
-/// A template that asks for something else.
+/// A template with other questions.
 fn asking(template: &str, changes: &[(&str, &str)], find: &[&str]) -> Scene {
     let mut json: Value = serde_json::from_str(templates::get(template).unwrap()).unwrap();
     for (pointer, value) in changes {
@@ -102,7 +103,7 @@ fn the_work_is_what_is_asked() {
             groups_placed: *groups_placed,
             velocity: motion(*velocity),
             acceleration: motion(*acceleration),
-            // A trial for the scales, and the drawing: no stage looks back.
+            // A trial for the scales, and the drawing: no stage repeats an earlier one.
             drawings: 2,
             answers: find.len(),
             certified_values: *certified_values,
@@ -119,7 +120,7 @@ fn the_work_is_what_is_asked() {
     assert!(failures.is_empty(), "{} of {} rows:\n{}", failures.len(), TABLE.len(), failures.join("\n"));
 }
 
-/// For each row the effects that are out, or in for a reason of their own.
+/// For each row the effects that are left out, or included for a reason of their own.
 #[test]
 fn the_plan_says_why_an_effect_is_out() {
     let guide = |scene: &Scene, at: &str| {
@@ -137,14 +138,15 @@ fn the_plan_says_why_an_effect_is_out() {
     check("shaper", &[], &["a_C"], Some("A"), true, Reason::GuideTurns);
     check("shaper", &[STOPPED, STARTING], &["a_C"], Some("A"), false, Reason::AtRest);
     check("shaper", &[STOPPED], &["v_C"], None, false, Reason::AtRest);
-    // Velocities only: whether a guide turns makes no difference, and nothing is said of it.
+    // Velocities only: the rotation of a guide has no influence, and nothing is said of it.
     let scene = asking("shaper", &[], &["v_C"]);
     let plan = solved(&scene).plan;
     assert!(!plan.effects.iter().any(|e| matches!(e.0, Effect::Coriolis(_) | Effect::DriverAcceleration(_))), "{:?}", plan.effects);
     assert!(plan.effects.contains(&(Effect::Accelerations, false, Reason::NotAsked)));
 }
 
-/// Labels are placed where a figure is laid out, by the code that draws it, and fewer where less is asked.
+/// Labels are placed only when a figure is laid out, by its drawing code, and fewer for fewer
+/// questions.
 #[test]
 fn labels_are_placed_for_a_figure_only() {
     use hodograph::figure::sheet::{Options, sheet};

@@ -1,4 +1,5 @@
-//! Every point and direction that an equation table names stands as a letter in the kinematic diagram: who reads ∥CF looks for F.
+//! Every point and direction named by an equation table has a letter in the kinematic diagram: a
+//! reader of ∥CF looks for F.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +12,7 @@ fn labels(figure: &Figure) -> Vec<&str> {
     figure.items.iter().filter_map(|i| if let Shape::Label { label, .. } = &i.shape { Some(label.source()) } else { None }).collect()
 }
 
-/// Without what sets a letter: a mark is O_1 where a length's index has O1, and t–t is the direction t.
+/// Removes typesetting: a point is O_1 where a length's index has O1, and t–t is the direction t.
 fn plain(name: &str) -> String {
     name.replace("\\text{–}t", "").replace(['{', '}', '_'], "")
 }
@@ -36,7 +37,7 @@ fn named(source: &str) -> Vec<String> {
     out
 }
 
-/// Letters with what hangs on them: `A`, `O_2`, `B_{31}`, `K'`, `t_{3}`.
+/// Letters with their attachments: `A`, `O_2`, `B_{31}`, `K'`, `t_{3}`.
 fn points(text: &str) -> Vec<String> {
     let mut out: Vec<String> = Vec::new();
     let (mut depth, mut hanging) = (0, false);

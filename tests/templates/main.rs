@@ -1,4 +1,5 @@
-//! Every template: solved both ways, against answers computed without this project, and drawn.
+//! Every template: solved by both methods, compared with answers computed without this project, and
+//! drawn.
 
 mod asked;
 mod letters;
@@ -26,7 +27,8 @@ fn answers_are_as_expected() {
                 continue;
             }
         };
-        // Answers and expectations are one set: a question without an answer, or an answer that nobody asks for any more, is a fault.
+        // Answers and expectations are one set: a question without an answer, or an expected answer
+        // without a question, is a fault.
         for unanswered in &worked.unanswered {
             failures.push(format!("{} {}: is not answered", t.name, scene.find[unanswered.find].text));
         }
@@ -70,7 +72,7 @@ fn answers_are_as_expected() {
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
 
-/// Two different ends of vectors in one polygon never bear one name, in either notation.
+/// Two different ends of vectors in one polygon never have one name, in either notation.
 #[test]
 fn marks_are_told_apart() {
     use hodograph::construct::Mark;

@@ -1,5 +1,6 @@
-//! Any name that the format allows works everywhere: templates with other names for all points and links, drawn and written in
-//! both languages. Nothing fails, no two items of a drawing bear one id, no number changes.
+//! Any name permitted by the format works everywhere: templates with other names for all points and
+//! links, drawn and written in both languages. Nothing fails, no two items of a drawing have one
+//! id, no number changes.
 
 use crate::wide::every;
 use std::collections::{HashMap, HashSet};
@@ -24,8 +25,8 @@ use hodograph::worked::{Scope, Worked, work};
 use hodograph::worksheet;
 use serde_json::{Map, Value, json};
 
-/// Beginnings of names of points: letters that mean something elsewhere (pole, special point, directions, quantities), letters in
-/// both cases, long, Greek, Chinese.
+/// Beginnings of names of points: letters with another meaning (pole, special point, directions,
+/// quantities), letters in both cases, long, Greek, Chinese.
 const POINTS: &[&str] = &[
     "O",
     "P",
@@ -52,7 +53,7 @@ const POINTS: &[&str] = &[
     "mu",
     "of",
 ];
-/// What follows.
+/// Endings of names.
 const AFTER: &[&str] = &["", "", "1", "2", "21", "_", "_1", "__b", "'", "''", "1'", "'2", "_'", "甲", "x3"];
 const LINKS: &[&str] =
     &["1", "2", "3", "10", "21", "1a", "_", "_2", "'", "''", "3'", "4_'", "曲柄", "ω", "Pleuel", "A", "S", "t", "LangesGliedWort9"];
@@ -126,7 +127,7 @@ impl Renamed {
             "FI" | "MI" => format!("{symbol}_{}", link(rest)),
             "omega" | "alpha" => format!("{symbol}_{}", rest.split('/').map(link).collect::<Vec<_>>().join("/")),
             "phi" => format!("{symbol}_{}", link(rest)),
-            // Two links, and of a ratio the arm from which they are seen.
+            // Two links; for a ratio also the arm from which they are seen.
             "i" | "P" => {
                 let (pair, arm) = rest.split_once('/').map_or((rest, None), |(pair, arm)| (pair, Some(link(arm))));
                 let halves = pair.char_indices().map(|(i, _)| pair.split_at(i));
@@ -155,7 +156,7 @@ impl Renamed {
                 "frame" => self.frame(&text),
                 "line" => self.pair(&text),
                 "centre" => self.point(&text),
-                // The contact of a cam is no point of the scene.
+                // The contact of a cam is not a point of the scene.
                 "point" | "pair" => self.points.get(&text).cloned().unwrap_or(text),
                 _ => text,
             }
@@ -195,7 +196,7 @@ impl Renamed {
         }
     }
 
-    /// A place in a link.
+    /// A place on a link.
     fn place(&self, place: &mut Value) {
         if let Some(base) = place.get_mut("base") {
             *base = self.pair(base.as_str().unwrap()).into();
@@ -213,7 +214,7 @@ impl Renamed {
                         continue;
                     };
                     *value = match key.as_str() {
-                        // Of a face `cam` is a side.
+                        // For a face, `cam` is a side.
                         "cam" | "follower" if !["left", "right"].contains(&text.as_str()) => self.link(&text),
                         "pin" | "through" | "centre" | "corner" | "edge" => self.point(&text),
                         "line" => self.pair(&text),
@@ -277,8 +278,8 @@ impl Renamed {
     }
 }
 
-/// A template under other names. Names that make one of its questions mean something else (the point of link 2 at O is not told from
-/// a point O2) are replaced by others.
+/// A template under other names. Names that change the meaning of one of its questions (the point
+/// of link 2 at O cannot be distinguished from a point O2) are replaced by others.
 fn renamed(text: &str, rng: &mut Rng) -> (String, Scene) {
     let was = scene::read(text).unwrap().value;
     for _ in 0..200 {
@@ -317,7 +318,7 @@ fn numbers(scene: &Scene, worked: &Worked) -> Value {
     json
 }
 
-/// Equal but for the rounding of sums, whose order is that of the names in the file.
+/// Equal except for the rounding of sums, which follows the order of names in the file.
 fn alike(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => {
@@ -330,7 +331,7 @@ fn alike(a: &Value, b: &Value) -> bool {
     }
 }
 
-/// An SVG is written without a remark, and no two of its elements bear one id.
+/// An SVG is written without a remark, and no two of its elements have one id.
 fn drawn(what: &str, figure: &Figure, failures: &mut Vec<String>) {
     match svg::write(figure) {
         Err(faults) => failures.push(format!("{what}: {faults}")),
@@ -434,7 +435,7 @@ fn any_name_works_everywhere() {
     assert!(all.is_empty(), "{} failures:\n{}", all.len(), all.join("\n"));
 }
 
-/// The pivots of a triad's legs, and whatever else begins as the poles and special points are called.
+/// Pivots of a triad's legs may have names that begin like those of poles and special points.
 #[test]
 fn pivots_of_a_triad_may_be_called_as_poles_are() {
     let text = templates::get("class-iii-six-bar").unwrap();

@@ -1,5 +1,5 @@
-//! The arrows of drivers, read off the written SVG: one for each rate and one for each acceleration that is not zero, each in its own
-//! sense, and each with its own name only.
+//! The arrows of drivers in the written SVG: one for each velocity and one for each acceleration
+//! that is not zero, each in its own sense and with its own name only.
 
 use hodograph::figure::sheet::{Options, drawing};
 use hodograph::render::svg;
@@ -49,7 +49,8 @@ fn places(d: &str) -> Vec<P> {
     out
 }
 
-/// Tail and tip of an arrow, y up: the tail begins its shaft, the tip is the corner of the head that is farthest from there.
+/// Tail and tip of an arrow, y up: the tail begins its shaft, the tip is the corner of the head
+/// farthest from there.
 fn arrow(document: &roxmltree::Document, id: &str) -> Option<(P, P)> {
     let node = document.descendants().find(|n| n.attribute("id") == Some(id))?;
     let line = |n: roxmltree::Node| {
@@ -64,7 +65,7 @@ fn arrow(document: &roxmltree::Document, id: &str) -> Option<(P, P)> {
     Some(([tail[0], -tail[1]], [tip[0], -tip[1]]))
 }
 
-/// What is given of a driver: the letter of its name, the value, the name of the arrow.
+/// The given values of a driver, each with the name of its arrow.
 fn given(scene: &Scene, driver: &Driver) -> Vec<(f64, String)> {
     let second = driver.acceleration.as_ref().map_or(0.0, |a| a.value);
     let names: [String; 2] = match driver.kind {
@@ -86,7 +87,7 @@ fn given(scene: &Scene, driver: &Driver) -> Vec<(f64, String)> {
     [driver.rate.value, second].into_iter().zip(names).collect()
 }
 
-/// The sense of an arrow as the number it stands for has it.
+/// The sense of an arrow as a signed number.
 fn sense(scene: &Scene, worked: &Worked, driver: &Driver, (tail, tip): (P, P), centre: Option<P>) -> f64 {
     let place = |p: scene::PointId| worked.configuration.points[p.0].map(|p| [p.x, p.y]);
     let along = match driver.kind {
@@ -109,7 +110,7 @@ fn sense(scene: &Scene, worked: &Worked, driver: &Driver, (tail, tip): (P, P), c
     (tip[0] - tail[0]) * along[0] + (tip[1] - tail[1]) * along[1]
 }
 
-/// Every arrow of a scene's drivers, by name; faults are told.
+/// Checks every arrow of a scene's drivers, by name; faults are collected.
 fn check(name: &str, scene: &Scene, faults: &mut Vec<String>) -> usize {
     let worked = work(scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
     let options = Options::of_language(Lang::En);
@@ -136,13 +137,13 @@ fn check(name: &str, scene: &Scene, faults: &mut Vec<String>) -> usize {
             }
         }
     }
-    // An arrow has one name: a comma would name two things at once.
+    // An arrow has one name: a comma would separate two.
     let drivers = document.descendants().filter(|n| n.attribute("class").is_some_and(|c| c.contains("driver")));
     faults.extend(drivers.filter_map(|n| n.attribute("data-text")).filter(|t| t.contains(',')).map(|t| format!("{name}: one label `{t}`")));
     seen
 }
 
-/// Where the joint that a driver turns about is drawn, y up.
+/// The place at which the joint of a turning driver is drawn, y up.
 fn pivot(document: &roxmltree::Document, scene: &Scene, driver: &Driver) -> Option<P> {
     let DriverKind::Turn { link, against, .. } = driver.kind else { return None };
     let shared = scene.links[link.0].points.iter().find(|p| scene.links[against.0].points.contains(p))?;
@@ -162,7 +163,7 @@ fn arrows_of_drivers_point_as_they_are_given() {
     for t in templates::list() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
         seen += check(t.name, &scene, &mut faults);
-        // Every way that rate and acceleration can go together.
+        // Every combination of signs of velocity and acceleration.
         for (rate, second) in [(-1.0, 1.0), (1.0, -1.0), (1.0, 1.0), (0.0, -1.0)] {
             let mut other = scene.clone();
             for d in &mut other.drivers {

@@ -1,4 +1,5 @@
-//! Every code of a diagnostic has its explanation (`hodograph explain`), and every explanation is of a code.
+//! Every code of a diagnostic has its explanation (`hodograph explain`), and every explanation
+//! belongs to a code.
 
 use super::{code, files, finish};
 use std::collections::{BTreeMap, BTreeSet};
@@ -6,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Calls in the sources that make a diagnostic with a code, up to the quotation mark.
 const MADE: [&str; 3] = ["Diagnostic::error(", "Diagnostic::warning(", "Diagnostic::note("];
 
-/// Files whose diagnostics are made by a function or constant of their own: what stands before the code there.
+/// Files with a function or constant of their own for diagnostics: the text before the code there.
 const OWN: &[(&str, &[&str])] = &[
     ("crates/figure/src/gears.rs", &["fault(", "note("]),
     ("crates/mechanism/src/stated/mod.rs", &["const UNPROVEN: &str = "]),
@@ -15,12 +16,12 @@ const OWN: &[(&str, &[&str])] = &[
     ("crates/synthesis/src/judge.rs", &["== Demand::FullTurn { ", "} else { "]),
 ];
 
-/// The word in quotation marks that a text begins with.
+/// The word in quotation marks at the beginning of a text.
 pub fn quoted(text: &str) -> Option<&str> {
     text.trim_start().strip_prefix('"')?.split('"').next()
 }
 
-/// The codes of the sources, each with a place, and the places whose code is not told there.
+/// The codes of the sources, each with a place, and the places without a literal code.
 fn codes() -> (BTreeMap<String, String>, Vec<String>) {
     let (mut all, mut open) = (BTreeMap::new(), Vec::new());
     for (file, text) in code() {
@@ -53,7 +54,7 @@ fn every_code_is_explained() {
             if !explained.insert(code) {
                 faults.push(format!("{file}:{}: {code} is explained twice", n + 1));
             }
-            // Title, cause, cure, the same in Chinese, and perhaps an example.
+            // Title, cause, cure, the three in Chinese, and perhaps an example.
             let chinese = |l: &str| l.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
             let told = |k: usize, mark: &str, zh: bool| {
                 lines.get(n + k).is_some_and(|l| l.starts_with(mark) && l.len() > mark.len() + 2 && chinese(l) == zh && !l.starts_with('['))

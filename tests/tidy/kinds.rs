@@ -1,9 +1,10 @@
-//! Which files tell the kinds of growing enumerations apart.
+//! Files that match the kinds of growing enumerations.
 
 use super::{code, finish, word, words};
 
-/// Enumerations whose kinds grow: the kinds (all where none is named), the files and folders that tell them apart, and what others ask.
-/// Kinds of pair are not among them: they are private to `mechanism/pair`. The lists only shrink.
+/// Enumerations with growing kinds: the kinds (all if none is named), the files and folders that
+/// match them, and the alternative for others. Kinds of pair are not among them: they are private
+/// to `mechanism/pair`. The lists only shrink.
 type Kinds = (&'static str, &'static [&'static str], &'static [&'static str], &'static str);
 const KINDS: &[Kinds] = &[
     ("Leg", &[], &["crates/mechanism/src/mechanism/groups.rs", "crates/mechanism/src/mechanism/leg.rs"], "Leg::gives, hold or line"),

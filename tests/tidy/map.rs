@@ -1,10 +1,11 @@
-//! The map of rooms in the crate's documentation beside the files: which crates hold them, which import which.
+//! Compares the list of modules in the crate's documentation with the files: their crates and their
+//! imports.
 
 use super::{code, finish, is_word, root, sources, word};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
-/// Imports that no table may ever allow, and why.
+/// Imports that no table may ever allow, with the reason.
 const NEVER: &[(&str, &str, &str)] = &[
     ("construct", "analytic", "their agreement is evidence only because the drawing does not know the loop equations"),
     ("analytic", "construct", "their agreement is evidence only because the loop equations do not know the drawing"),
@@ -14,7 +15,8 @@ const NEVER: &[(&str, &str, &str)] = &[
     ("plan", "position", "a plan holds no numbers"),
 ];
 
-/// A file's place in its crate: `room/...` or `room.rs`; in a crate that is a room of its own any.
+/// A file's path in its crate: `module/...` or `module.rs`; any path in a crate that is a single
+/// module.
 fn in_crate(file: &str) -> &str {
     file.split_once("src/").expect("a file of a library").1
 }
@@ -27,12 +29,12 @@ pub fn crate_of(file: &str) -> &str {
     }
 }
 
-/// The room of a file.
+/// The module of a file.
 fn room_of(file: &str) -> &str {
     if whole().contains(crate_of(file)) { crate_of(file) } else { word(in_crate(file)) }
 }
 
-/// The rooms that follow a path to the root of a crate, its own or another; in braces there are several.
+/// The modules in paths to the root of a crate, its own or another; braces hold several.
 fn imports(file: &str, code: &str) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     for (i, _) in code.match_indices("hodograph_") {
@@ -47,7 +49,7 @@ fn imports(file: &str, code: &str) -> Vec<(usize, String)> {
     if whole().contains(crate_of(file)) {
         return found;
     }
-    // A room's own file stands one step under the root.
+    // A module's own file is one step below the root.
     let depth = 1 + in_crate(file).matches('/').count() - usize::from(file.ends_with("/mod.rs"));
     let to_root = "super::".repeat(depth);
     for door in ["crate::", to_root.as_str()] {
@@ -82,7 +84,7 @@ fn first_words(path: &str) -> impl Iterator<Item = &str> {
     found.into_iter()
 }
 
-/// The rooms of each crate as the map tells them, by the crate's folder.
+/// The modules of each crate by the documentation, by the crate's folder.
 fn told_crates() -> BTreeMap<String, BTreeSet<String>> {
     let chapter = chapter("# Crates");
     let block = chapter.split("```").nth(1).expect("a block with the table").strip_prefix("text\n").expect("text");
@@ -93,13 +95,14 @@ fn told_crates() -> BTreeMap<String, BTreeSet<String>> {
     block.lines().map(row).collect()
 }
 
-/// Crates that are one room, with their modules at the top.
+/// Crates that are a single module, with their submodules at the top.
 pub fn whole() -> &'static BTreeSet<String> {
     static WHOLE: OnceLock<BTreeSet<String>> = OnceLock::new();
     WHOLE.get_or_init(|| told_crates().into_iter().filter(|(name, rooms)| rooms.iter().eq([name])).map(|(name, _)| name).collect())
 }
 
-/// The rooms of each crate: the modules that its `src/lib.rs` declares, or itself; that of the root package is `.`.
+/// The modules of each crate: those that its `src/lib.rs` declares, or itself; the root package is
+/// `.`.
 fn crates() -> BTreeMap<String, BTreeSet<String>> {
     let mut all = BTreeMap::new();
     for (name, text) in sources(&["rs"]).into_iter().filter(|(name, _)| name.ends_with("src/lib.rs")) {
@@ -125,7 +128,7 @@ fn chapter(heading: &str) -> String {
     doc[from + 1..from + 1 + length].join("\n")
 }
 
-/// The table of the crate's documentation: rooms from the bottom up, each with what it imports.
+/// The table of the crate's documentation: modules from the bottom up, each with its imports.
 fn table() -> Vec<(String, BTreeSet<String>)> {
     let chapter = chapter("# Who may import whom");
     let block = chapter.split("```").nth(1).expect("a block with the table").strip_prefix("text\n").expect("text").to_owned();
@@ -190,7 +193,7 @@ fn the_map_lists_every_room() {
     finish(&faults, "The crate's documentation in src/lib.rs lists every room that it and the crates under it declare.");
 }
 
-/// The proof of positions takes from the position solver the value that it proves, and nothing else.
+/// The proof of positions takes from the position solver only the value to be proved.
 #[test]
 fn the_proof_of_positions_shares_nothing_with_their_solver() {
     let (mut files, mut faults) = (0, Vec::new());
@@ -213,7 +216,8 @@ fn the_proof_of_positions_shares_nothing_with_their_solver() {
     finish(&faults, "What proves positions reads the scene, and of the configuration places and directions of links alone.");
 }
 
-/// Cargo forbids a crate what it does not name; which rooms share one is the map's.
+/// Cargo refuses imports between crates without a dependency; the documentation says which modules
+/// share a crate.
 #[test]
 fn crates_hold_the_rooms_that_the_map_says() {
     let mut crates = crates();

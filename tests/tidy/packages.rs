@@ -1,4 +1,5 @@
-//! Each package of the workspace stands by itself: it holds what its sources include, and the texts of its licences.
+//! Each package of the workspace is complete: it holds the files that its sources include, and the
+//! texts of its licences.
 
 use super::codes::quoted;
 use super::{finish, root, words};
@@ -9,7 +10,8 @@ use std::sync::LazyLock;
 /// Macros that read a file when they are expanded.
 const INCLUDES: [&str; 3] = ["include", "include_bytes", "include_str"];
 
-/// The files that Cargo puts into each package, by the package's folder from the project's root; that of the root package is empty.
+/// The files that Cargo puts into each package, by the package's folder from the project's root,
+/// which is empty for the root package.
 static PACKAGES: LazyLock<BTreeMap<String, BTreeSet<String>>> = LazyLock::new(|| {
     let members = ["crates", "."].map(|folder| std::fs::read_dir(root().join(folder)).unwrap().map(|f| f.unwrap().path()));
     let members = members.into_iter().flatten().filter(|folder| folder.join("Cargo.toml").is_file());
@@ -26,7 +28,8 @@ static PACKAGES: LazyLock<BTreeMap<String, BTreeSet<String>>> = LazyLock::new(||
     folders.chain([String::new()]).map(of).collect()
 });
 
-/// The path of a file that is named relative to the folder of another; `None` where it leads out of the package.
+/// The path of a file named relative to the folder of another; `None` if it leads out of the
+/// package.
 fn beside(file: &str, path: &str) -> Option<String> {
     let mut at: Vec<&str> = file.split('/').collect();
     at.pop();
@@ -40,7 +43,7 @@ fn beside(file: &str, path: &str) -> Option<String> {
     Some(at.join("/"))
 }
 
-/// What is wrong with the files that a source includes: each with its line and the path as written.
+/// The faults of a source's included files: each with its line and the path as written.
 fn faults(file: &str, text: &str, package: &BTreeSet<String>) -> Vec<String> {
     let of = |(before, name, after): (&str, &str, &str)| {
         let argument = after.strip_prefix("!(").filter(|_| INCLUDES.contains(&name))?;
@@ -79,7 +82,7 @@ fn what_a_package_lacks_is_told() {
     assert_eq!(told("concat!(\"a\", \".ttf\")"), "2: the path is not written out");
 }
 
-/// Both licences demand that their texts go with every copy.
+/// Both licences require that their texts accompany every copy.
 #[test]
 fn each_package_holds_its_licences() {
     let mut faults = Vec::new();

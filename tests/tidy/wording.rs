@@ -1,8 +1,9 @@
-//! One term for one thing in all Chinese texts of the sources and templates, and words that no reader of mechanics expects.
+//! Consistent terms in all Chinese texts of the sources and templates, and words that a reader of
+//! mechanics does not expect.
 
 use super::{files, finish, sources};
 
-/// Words that stand nowhere, each with the one that the books have.
+/// Words that must not occur, each with the one that the books have.
 const TERMS: &[(&str, &str)] = &[
     ("速比系数", "行程速度变化系数"),
     ("哥氏", "科氏"),
@@ -28,7 +29,7 @@ const TERMS: &[(&str, &str)] = &[
     ("\"判断\"", "结论"),
 ];
 
-/// English that no author of a textbook writes.
+/// English phrases that no textbook has.
 const ENGLISH: &[(&str, &str)] = &[
     ("\"Right now.", "Correct."),
     ("right at once", "at the first try"),
@@ -52,7 +53,7 @@ fn one_thing_has_one_term() {
     finish(&faults, "One thing has one term, that of the books.");
 }
 
-/// A word of Chinese, and beside it a mark or a bracket of the other script.
+/// A Chinese word next to a half-width mark or bracket.
 fn half_width(text: &str) -> Option<String> {
     let chinese = |c: char| ('\u{4e00}'..='\u{9fff}').contains(&c);
     let quoted = |mark: char, text: &str| text.split(mark).step_by(2).collect::<Vec<_>>().join("Q");

@@ -1,5 +1,6 @@
-//! Belts and chains: ratios by Willis, motions against closed formulas and their differences, the compiled sweep over many turns, mobility as books
-//! count it, inversions, and what is said of belts that cannot be.
+//! Belts and chains: ratios by Willis, motions compared with closed formulas and their differences,
+//! the compiled sweep over many turns, mobility as counted in books, inversions, and messages on
+//! impossible belts.
 
 use hodograph::answer::Value;
 use hodograph::centres::{Place, centres};
@@ -65,7 +66,7 @@ fn on_arm(crossed: bool, radii_mm: [f64; 2]) -> Scene {
     ))
 }
 
-/// The place of B at a time, by turning arm and pulley by angles that Willis' formula tells.
+/// The place of B at a time, with arm and pulley turned by the angles of Willis' formula.
 fn b_at(crossed: bool, [a, b]: [f64; 2], t: f64) -> Vec2 {
     let turned = |omega: f64, alpha: f64| omega * t + 0.5 * alpha * t * t;
     let (arm, first) = (turned(5.0, 2.0), turned(-7.0, 3.0));
@@ -83,7 +84,7 @@ fn a_belt_on_an_arm_moves_as_willis_says() {
         let ratio = radii[0] / radii[1] * if crossed { -1.0 } else { 1.0 };
         near(scalar(&scene, &worked, "omega_4"), 5.0 + ratio * (-7.0 - 5.0), &what);
         near(scalar(&scene, &worked, "alpha_4"), 2.0 + ratio * (3.0 - 2.0), &what);
-        // Differences of the fourth order of the closed formula.
+        // Fourth-order differences of the closed formula.
         let (h, at) = (1e-3, |k: f64| b_at(crossed, radii, k * 1e-3));
         let v = (at(1.0) - at(-1.0)) * (8.0 / (12.0 * h)) - (at(2.0) - at(-2.0)) * (1.0 / (12.0 * h));
         let a = ((at(1.0) + at(-1.0)) * 16.0 - (at(2.0) + at(-2.0)) - at(0.0) * 30.0) * (1.0 / (12.0 * h * h));
@@ -92,7 +93,8 @@ fn a_belt_on_an_arm_moves_as_willis_says() {
     }
 }
 
-/// The strand neither stretches nor slips: its ends have one speed along it, and it touches both wheels.
+/// The strand neither stretches nor slips: its ends have the same speed along it, and it touches
+/// both wheels.
 #[test]
 fn both_ends_of_a_strand_run_along_it_at_one_speed() {
     for (crossed, radii) in [(false, [30.0, 45.0]), (true, [30.0, 45.0]), (false, [40.0, 40.0])] {
@@ -110,8 +112,8 @@ fn both_ends_of_a_strand_run_along_it_at_one_speed() {
     }
 }
 
-/// Between axes that stand both ends of a strand have one velocity: it is written so, and no sliding is sought that is none. On an arm that turns
-/// they differ by its turning.
+/// Between fixed axes both ends of a strand have the same velocity: it is written so, and no
+/// sliding is sought. On a turning arm they differ by its angular velocity.
 #[test]
 fn no_sliding_of_a_belt_is_sought_between_axes_that_stand() {
     let apart = |scene: &Scene| {
@@ -129,7 +131,8 @@ fn no_sliding_of_a_belt_is_sought_between_axes_that_stand() {
     }
 }
 
-/// The fold of the crank-rocker behind the belt, by two circles, over the five turns after which all stands as before.
+/// The limit of the crank-rocker behind the belt, by two circles, over the five turns after which
+/// the pose repeats.
 #[test]
 fn the_sweep_keeps_the_ratio_over_many_turns() {
     let text = templates::get("belt-crank-rocker").unwrap();
@@ -178,7 +181,7 @@ fn a_belt_counts_as_a_higher_pair() {
     assert_eq!((mobility.moving, mobility.lower, mobility.higher, mobility.freedom), (4, 5, 1, 1));
 }
 
-/// Whichever link is the ground, all turn against one another as before, the arm of the belt among them.
+/// With any link as ground, the relative rotations stay the same, including the arm of the belt.
 #[test]
 fn inversions_keep_the_belt() {
     let scene = on_arm(true, [30.0, 45.0]);
@@ -207,7 +210,7 @@ fn a_program_builds_a_belt() {
     assert!(chain.json().contains("\"chains\""), "{}", chain.json());
 }
 
-/// An arm that a belt moves is found with its rod and rocker: where these let it go no farther, they are named.
+/// An arm moved by a belt is found with its rod and rocker: these are named where they stop it.
 #[test]
 fn a_limit_names_the_links_that_a_belt_moves() {
     let scene = read(
@@ -274,8 +277,8 @@ fn belts_that_cannot_be_are_told() {
     assert!(work(&read(&three(r#""pulleys": ["2", "4", "3"], "centres": ["O", "B", "A"]"#)), Scope::Questions).is_ok());
 }
 
-/// The strand crosses the line of centres in the centre of its two wheels, at infinity where an open belt joins equal ones; Willis' table has belts
-/// and chains beside gears.
+/// The strand intersects the line of centres in the centre of its two wheels, at infinity where an
+/// open belt joins equal ones; Willis' table lists belts and chains beside gears.
 #[test]
 fn belts_have_centres_and_stand_in_the_table() {
     let text = |of: &str| {

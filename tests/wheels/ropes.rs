@@ -1,5 +1,5 @@
-//! Ropes from a drum: what they wind against the radius, on ground and on an arm, whichever of drum and load is driven; and what is said of ropes
-//! that cannot be.
+//! Ropes from a drum: the wound length compared with the radius, on ground and on an arm, with drum
+//! or load driven; and messages on impossible ropes.
 
 use super::belts::{near, read, scalar, solved, vector};
 use hodograph::geom::Vec2;
@@ -23,7 +23,7 @@ fn a_load_rises_by_the_angle_times_the_radius() {
     }
 }
 
-/// The load drives the drum: ω = v/r, and the point of the drum has ω²r toward the axis besides.
+/// The load drives the drum: ω = v/r, and the point of the drum also has ω²r toward the axis.
 #[test]
 fn a_falling_load_turns_the_drum() {
     let text = templates::get("hoist").unwrap();
@@ -37,7 +37,8 @@ fn a_falling_load_turns_the_drum() {
     near((vector(&scene, &worked, "a_M2") - Vec2::new(2.7, -0.6)).norm(), 0.0, "a_M2");
 }
 
-/// A crane's jib 2 turns with drum 3 at its end; the load 4 runs along the jib: seen from the jib it goes at r (ω₃ − ω₂).
+/// A crane's jib 2 turns with drum 3 at its end; the load 4 moves along the jib: relative to the
+/// jib at r (ω₃ − ω₂).
 #[test]
 fn on_an_arm_the_rope_winds_the_turning_against_the_arm() {
     let scene = read(

@@ -186,9 +186,7 @@ impl Words<'_> {
     fn by_hand(&self, of: &OfLink) -> Option<String> {
         let (pencil, mu) = (of.by_hand.as_ref()?.pencil_mm, self.mu_l());
         Some(match self.lang {
-            Lang::En => format!(
-                "by hand: 95 of 100 drawings to μ_l = {mu} m/mm with a pencil error of {pencil} mm fall within ±"
-            ),
+            Lang::En => format!("by hand: 95 of 100 drawings to μ_l = {mu} m/mm with a pencil error of {pencil} mm fall within ±"),
             Lang::Zh => format!("手工误差：按 μ_l = {mu} m/mm、作图误差 {pencil} mm 作图，100 次中有 95 次在 ± 之内"),
         })
     }

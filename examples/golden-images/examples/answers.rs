@@ -1,4 +1,5 @@
-//! Answers and figures of files of any kind, scenes, design tasks and motions of points, by one call: what a binding to another language hands over.
+//! Answers and figures of files of any kind (scenes, design tasks, motions of points) by one call,
+//! as for a binding to another language.
 //!
 //! `cargo run --example answers -- press.json` prints the answers and writes `press-sheet.svg`.
 
@@ -6,7 +7,7 @@ use hodograph::diag::Faults;
 use hodograph::problem::{Look, Options, Pictures, read, solve};
 use hodograph::render::svg;
 
-/// The answers as JSON, and the figures as SVG, each with its word.
+/// Returns the answers as JSON, and the figures as SVG, each with its name.
 pub fn answers(text: &str) -> Result<(String, Vec<(String, String)>), Faults> {
     let problem = read(text)?.value;
     let solved = solve(&problem, &Options::with_figures())?;

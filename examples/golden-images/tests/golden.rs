@@ -1,4 +1,5 @@
-//! The figures are those of `golden/`. `ACCEPT=1 cargo test` takes them as they are, and fails once, so that nobody accepts without looking.
+//! Compares the figures with those in `golden/`. `ACCEPT=1 cargo test` accepts the new figures, and
+//! fails once, so that nobody accepts them without looking.
 
 use std::path::Path;
 

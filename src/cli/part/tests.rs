@@ -1,10 +1,10 @@
-//! Parts and journals that somebody has changed: whatever their bytes are, what comes out is the table, or a refusal.
+//! Damaged parts and journals: with any bytes, the result is the table or a refusal.
 
 use super::*;
 use crate::report::table::{Csv, Head};
 use std::time::Instant;
 
-/// Rows of a piece, pieces of the table.
+/// Rows of a piece.
 const ROWS: usize = 7;
 const PIECES: usize = 6;
 
@@ -36,7 +36,7 @@ fn open(out: &Path) -> Result<Part, String> {
     })
 }
 
-/// Changes bytes as a disk, an editor or a run that was ended might.
+/// Changes bytes as a faulty disk, an editor or an interrupted run might.
 fn spoil(bytes: &mut Vec<u8>, state: &mut u64) {
     let mut below = |n: usize| (next(state) % n.max(1) as u64) as usize;
     let at = below(bytes.len());
@@ -54,7 +54,7 @@ fn spoil(bytes: &mut Vec<u8>, state: &mut u64) {
             bytes.splice(at..at, piece);
         }
         _ => {
-            // A line for another.
+            // Replaces one line by another.
             let lines: Vec<Vec<u8>> = bytes.split_inclusive(|b| *b == b'\n').map(<[u8]>::to_vec).collect();
             if !lines.is_empty() {
                 let (a, b) = (below(lines.len()), below(lines.len()));
@@ -120,7 +120,7 @@ fn fuzz_journals() {
     assert!(kept > 0 && refused > 0);
 }
 
-/// Two readers of one job at once: the second is told, whatever the first does.
+/// The second of two simultaneous runs of one job is refused, whatever the first does.
 #[test]
 fn a_part_is_opened_once() {
     let folder = tempfile::tempdir().unwrap();

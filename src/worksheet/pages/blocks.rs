@@ -1,5 +1,6 @@
-//! How each kind of block becomes chunks: headings, paragraphs, lists in one or two columns, tables that are set smaller or cut,
-//! formulas beside their tables, drawings beside the text, below it or on a page of their own.
+//! Turns blocks into chunks: headings, paragraphs, lists in one or two columns, tables reduced in
+//! size or cut, formulas beside their tables, drawings beside the text, below it or on a page of
+//! their own.
 
 use super::super::display::built;
 use super::super::{Table, TableKind};
@@ -15,36 +16,37 @@ use crate::paper::text;
 use crate::render::pages::{Kind, Page, Part};
 use crate::report::math::Math;
 
-/// A formula beside the table it is solved from begins here, so that those of a page stand one below another; and at least so far
-/// from its table.
+/// A formula beside its table begins here, so that the formulas of a page are aligned; and it keeps
+/// at least this distance from its table.
 const FORMULA_MM: f64 = 105.0;
 const FORMULA_GAP_MM: f64 = 10.0;
-/// Room worth filling with text when a drawing does not fit in it.
+/// Space above a drawing that does not fit from which text is placed there.
 const FLOW_MM: f64 = 70.0;
-/// The same where pages are filled to the end: three lines.
+/// The limit where pages are filled to the end: three lines.
 const LINES_MM: f64 = 18.0;
 /// Sizes of the headings, title first.
 const HEADINGS_MM: [f64; 4] = [6.2, 5.2, 4.5, 4.1];
-/// Air above headings, and between blocks, in em of the text.
+/// Space above headings, and between blocks, in em of the text.
 const HEADING_AIR_EM: [f64; 4] = [0.0, 1.6, 1.2, 0.8];
 const BLOCK_AIR_EM: f64 = 0.6;
-/// From the margin to the text of a list's member.
+/// Distance from the margin to the text of a list's member.
 const INDENT_MM: f64 = 7.5;
-/// A list of fewer members does not stand in columns.
+/// The least number of members of a list in columns.
 const COLUMNS_MIN: usize = 4;
-/// Between the columns of tables; an equation's are nearer than a table's.
+/// Gaps between the columns of an equation and of a table.
 const EQUATION_GAP_MM: f64 = 2.2;
 const VALUES_GAP_MM: f64 = 5.0;
 /// Rows of a table that fit on a page below a heading.
 const ROWS_MAX: usize = 34;
-/// Of a table that is cut no part is shorter, its head not counted.
+/// The least number of rows in a part of a cut table, its head not counted.
 const ROWS_MIN: usize = 3;
-/// A table that is too wide is set smaller, down to this part of the text's size: 2.2 mm is the smallest that prints.
+/// The least size of a table that is too wide, as a part of the text's size: 2.2 mm is the smallest
+/// that prints.
 const SMALLEST: f64 = 0.6;
 
 impl Setter {
     pub(super) fn heading(&mut self, level: usize, words: &str) {
-        // No section begins before the drawings of the one before it are shown.
+        // A section begins only after the drawings of the section before it.
         if !self.drawings.is_empty() && level <= 2 {
             self.break_page();
             while !self.drawings.is_empty() {
@@ -69,7 +71,7 @@ impl Setter {
         if !phrase.plain().trim_end().ends_with([':', '：']) {
             return self.lines(phrase, 0.0, None, air_mm, false);
         }
-        // What announces a table or a formula stays with it.
+        // A sentence that introduces a table or a formula stays with it.
         let step = self.setting.line_em * TEXT_MM;
         for (k, label) in wrapped(phrase, self.width(), TEXT_MM, &self.fonts).iter().enumerate() {
             let items = vec![line(label, Point::new(0.0, -TEXT_MM * 1.1), TEXT_MM, Anchor::Start)];
@@ -84,14 +86,14 @@ impl Setter {
         }
         for (k, m) in members.iter().enumerate() {
             let air = if k == 0 { BLOCK_AIR_EM / 2.0 } else { 0.12 } * self.air();
-            // No member stands alone at the end of a page or at its beginning.
+            // No single member is left at the end or at the beginning of a page.
             let wait = k + 1 < members.len() && (k == 0 || k + 2 == members.len());
             self.lines(m, INDENT_MM, Some((k, numbered)), air, wait);
         }
     }
 
-    /// A list in two columns, one below another in each: halves of the text where its members are no longer; false where they do not
-    /// stand beside one another at all.
+    /// Sets a list in two columns, filled one after the other: each is half of the text if its
+    /// members fit. Returns false if no two columns fit.
     fn columns(&mut self, members: &[Phrase]) -> bool {
         let (width, step) = (self.width(), self.setting.line_em * TEXT_MM);
         let rows = members.len().div_ceil(2);
@@ -114,8 +116,9 @@ impl Setter {
         true
     }
 
-    /// Lines of text, or of a list's member, told by its number from 0 and whether numbers mark the list; the first two and the last
-    /// two stay together. Those that wait stay with what follows them.
+    /// Lines of text or of a list's member; `member` is its index from 0 and true for a numbered
+    /// list. The first two and the last two lines stay together. Lines that wait stay with the next
+    /// block.
     fn lines(&mut self, phrase: &Phrase, indent: f64, member: Option<(usize, bool)>, air_mm: f64, wait: bool) {
         let labels = wrapped(phrase, self.width() - indent, TEXT_MM, &self.fonts);
         let count = labels.len();
@@ -147,7 +150,7 @@ impl Setter {
         }
     }
 
-    /// A table; one longer than a page goes on under its head again.
+    /// A table; one longer than a page continues with its head repeated.
     pub(super) fn table(&mut self, table: &Table) {
         if let Some((head, rows)) = table.rows.split_first()
             && rows.len() > ROWS_MAX
@@ -193,11 +196,12 @@ impl Setter {
         self.table = (table.kind == TableKind::Equation).then_some([room, right, middle]);
     }
 
-    /// How many rows of a table of values fit on the rest of this page, if they are not all but enough to cut it.
+    /// The number of rows of a table of values that fit on the rest of this page, if not all but
+    /// enough rows do.
     fn fitting(&self, table: &Table) -> Option<usize> {
         let above: f64 = self.waiting.iter().map(|c| c.air_mm + c.height_mm).sum();
         let step = self.setting.line_em * TEXT_MM;
-        // The head, and the air around the table, take the room of two rows.
+        // The head, and the space around the table, take the height of two rows.
         let fit = ((self.room() - above - BLOCK_AIR_EM * self.air()) / step) as usize;
         let (fit, all) = (fit.saturating_sub(1), table.rows.len());
         let enough = table.kind == TableKind::Values && fit > ROWS_MIN && fit + ROWS_MIN <= all && all <= ROWS_MAX;
@@ -214,13 +218,13 @@ impl Setter {
             let label = phrase.label().in_fonts(&self.fonts);
             (!phrase.pieces().is_empty()).then(|| Cell { label, size_mm, anchor, class: "cell".into(), id: String::new() })
         };
-        // The second row stands off the rule below the head.
+        // The second row keeps a distance from the rule below the head.
         let air = if kind == TableKind::Values && r == 1 { 1.2 } else { 1.0 };
         let height = if r == 0 { 0.9 } else { air };
         Row { cells: row.iter().enumerate().map(cell).collect(), height_mm: height * self.setting.line_em * size_mm }
     }
 
-    /// A formula: beside the table that it is solved from where there is room, else on a line of its own.
+    /// A formula: beside its table where that fits, else on a line of its own.
     pub(super) fn formula(&mut self, parts: &[Math]) {
         let built = built(parts, TEXT_MM, &self.fonts);
         let mut items = built.items;
@@ -241,7 +245,7 @@ impl Setter {
 
     pub(super) fn figure(&mut self, figure: &Figure) {
         let mut items = figure.items.clone();
-        // White is the paper itself.
+        // A white background is not drawn.
         if figure.paper != Colour::WHITE {
             let corners = [(0.0, 0.0), (figure.width_mm, 0.0), (figure.width_mm, figure.height_mm), (0.0, figure.height_mm)];
             let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
@@ -251,7 +255,7 @@ impl Setter {
         let (wide, high) = (ink.width_mm(), ink.height_mm());
         let kind = Kind::Figure(figure.desc.clone());
         if wide > FULL_MM || high > PAPER_MM[1] - TOP_MM - BOTTOM_MM {
-            // Below it there is room for the page number.
+            // The page number is below the drawing.
             translate(&mut items, Vec2::new(0.0, FOOT_MM));
             let parts = vec![Part { kind, items }];
             self.large.push(Page { width_mm: figure.width_mm, height_mm: figure.height_mm + FOOT_MM, parts });
@@ -269,7 +273,8 @@ impl Setter {
         let chunk = Chunk { kind, items, height_mm: high + air_mm, air_mm };
         let mut together: Vec<&Chunk> = self.waiting.iter().collect();
         together.push(&chunk);
-        // With little room left, heading and drawing go on together; with much, the text flows on before the drawing.
+        // With little space left, heading and drawing move to the next page together; with much,
+        // text is placed before the drawing.
         let worth = if self.setting.filled { LINES_MM } else { FLOW_MM };
         if self.need(&together) > self.room() && !self.fresh() && self.room() > worth {
             self.drawings.push_back(chunk);
@@ -279,7 +284,8 @@ impl Setter {
     }
 }
 
-/// What a table is for readers of structure: an equation is read as one, of values each cell has its place.
+/// Structure of a table for readers of tagged PDF: an equation is read as a whole, in a table of
+/// values each cell.
 fn structure(table: &Table) -> Kind {
     match table.kind {
         TableKind::Equation => {

@@ -1,4 +1,4 @@
-//! What a motion without a mechanism gives and what it asks, in words.
+//! Given and wanted quantities of a motion without a mechanism, in words.
 
 use crate::diag::{Both, both};
 use crate::notation::Notation;
@@ -11,13 +11,13 @@ use crate::report::particle::symbol;
 use crate::scene::Lang;
 use crate::scene::front::Law;
 
-/// An expression as it is printed; a parameter alone is its value.
+/// An expression in print; a single parameter is replaced by its value.
 fn told(problem: &Problem, law: &Law) -> String {
     let value = problem.parameters.iter().find(|(name, _)| name == law.text.trim()).map(|(_, value)| value.as_str());
     printed(value.unwrap_or(&law.text))
 }
 
-/// Parameters, plates, motions and the instant, a line each.
+/// Parameters, plates, motions and the instant, one line each.
 pub fn given(problem: &Problem, lang: Lang) -> Vec<Phrase> {
     let mut out: Vec<Both> = Vec::new();
     if !problem.parameters.is_empty() {
@@ -111,7 +111,7 @@ fn path(problem: &Problem, point: &str, moves: &Both, way: &Way, measured: &Both
     }
 }
 
-/// What is asked, with words behind the symbols.
+/// The wanted quantities: symbols with words.
 pub fn wanted(problem: &Problem, lang: Lang, notation: &Notation) -> Vec<Phrase> {
     let colon = if lang == Lang::Zh { "：" } else { ": " };
     let line = |what: Asked| Phrase::new(&format!("${}${colon}{}", symbol(problem, what, notation), lang.of(&asked(problem, what))));

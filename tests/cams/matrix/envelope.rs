@@ -1,5 +1,6 @@
-//! A cam and its follower by brute force: of all points of the profile the one that holds the follower farthest out, found by trying them all.
-//! Nothing here knows centres of curvature, pieces that are touched, or derivatives.
+//! A cam and its follower by brute force: among all points of the profile, the one that holds the
+//! follower farthest out, found by trying them all. No centres of curvature, touched pieces or
+//! derivatives are used.
 
 use hodograph::geom::Vec2;
 
@@ -19,21 +20,23 @@ impl Piece {
     }
 }
 
-/// With what the follower touches.
+/// The end of a follower, which touches the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
     Round(f64),
     Flat,
 }
 
-/// On what it moves, in the plane: along a line, or about a pivot on an arm clockwise from the direction to the cam.
+/// The path of a follower in the plane: along a line, or about a pivot on an arm, clockwise from
+/// the direction to the cam.
 #[derive(Clone, Copy, Debug)]
 pub enum Way {
     Along { through: Vec2, direction: Vec2 },
     About { pivot: Vec2, arm: f64 },
 }
 
-/// Where the follower is: its coordinate (m, rad), and the point of the profile that holds it.
+/// The position of the follower: its coordinate (m, rad), and the point of the profile that holds
+/// it.
 #[derive(Clone, Copy, Debug)]
 pub struct Held {
     pub at: f64,
@@ -42,7 +45,7 @@ pub struct Held {
 
 const SAMPLES: usize = 240;
 
-/// The follower held by a cam whose origin and x axis are told.
+/// The follower held by a cam with this origin and angle.
 pub fn held(pieces: &[Piece], (origin, turn): (Vec2, f64), end: End, way: Way) -> Held {
     let axis = Vec2::from_angle(turn);
     let place = |piece: &Piece, u: f64| origin + piece.at(u).rotate_by(axis);
@@ -50,12 +53,13 @@ pub fn held(pieces: &[Piece], (origin, turn): (Vec2, f64), end: End, way: Way) -
         Way::Along { .. } => 0.0,
         Way::About { pivot, .. } => (origin - pivot).angle(),
     };
-    // By how much the point is turned clockwise from the direction to the cam.
+    // The clockwise angle of the point from the direction to the cam.
     let aside = |v: Vec2| {
         let a = toward - v.angle();
         a - std::f64::consts::TAU * (a / std::f64::consts::TAU).round()
     };
-    // How far out a point of the profile holds the follower; nothing where it does not reach it.
+    // The coordinate at which a point of the profile holds the follower; `None` where it does not
+    // reach it.
     let out = |x: Vec2| match (way, end) {
         (Way::Along { through, direction }, End::Round(r)) => {
             let (v, across) = (x - through, (x - through).dot(direction.perp()));
@@ -76,7 +80,7 @@ pub fn held(pieces: &[Piece], (origin, turn): (Vec2, f64), end: End, way: Way) -
     };
     for piece in pieces {
         if end == End::Round(0.0) {
-            // An edge: where the profile crosses its way.
+            // An edge: where the profile crosses its path.
             let off = |u: f64| match way {
                 Way::Along { through, direction } => (place(piece, u) - through).dot(direction.perp()),
                 Way::About { pivot, arm } => (place(piece, u) - pivot).norm() - arm,

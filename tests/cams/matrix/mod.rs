@@ -1,6 +1,8 @@
-//! Every end of a follower (edge, roller, round end, flat face) on every way (sliding with an offset, swinging) under every profile (one circle, arcs,
-//! tangents, a law), with cam and follower on the ground, on one moving link, or on different ones: against a contact found by brute force
-//! ([`envelope`]) and its differences, drawn and computed, with the contact as a point that can be asked.
+//! Every end of a follower (edge, roller, round end, flat face) on every path (sliding with an
+//! offset, swinging) under every profile (one circle, arcs, tangents, a law), with cam and follower
+//! on the ground, on one moving link, or on different links. Drawing and analysis, and the contact
+//! as a point of the questions, are compared with a contact found by brute force ([`envelope`]) and
+//! with its differences.
 
 mod envelope;
 mod seat;
@@ -16,12 +18,12 @@ use std::f64::consts::TAU;
 
 const H: f64 = 1e-3;
 
-/// What is known of the follower at a time.
+/// The state of the follower at a time.
 struct Follower {
     held: Held,
-    /// Its point B, of a swinging face W on the face.
+    /// Its point B; for a swinging face W on the face.
     point: Vec2,
-    /// Its angle, of a swinging one.
+    /// The angle of a swinging follower.
     angle: f64,
 }
 
@@ -38,7 +40,7 @@ fn follower(s: &Setting, t: f64) -> Follower {
     Follower { held, point, angle }
 }
 
-/// Value, first and second derivative by five places.
+/// Value, first and second derivative, from five places.
 fn differences(f: impl Fn(f64) -> f64) -> [f64; 3] {
     let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| f(k * H));
     [c, (a - 8.0 * b + 8.0 * d - e) / (12.0 * H), (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * H * H)]
@@ -52,10 +54,10 @@ fn numbers(v: Value) -> [f64; 2] {
     }
 }
 
-/// What is wrong with the answers of a setting; nothing where all agree.
+/// Returns the faults in the answers of a setting; empty if all agree.
 fn faults(s: &Setting) -> Vec<String> {
     let now = follower(s, 0.0);
-    // Next to a joint differences reach over it.
+    // Next to a joint, differences reach across it.
     let spread = [-2.0, 2.0].map(|k| follower(s, k * H).held.contact);
     let (p, swings) = (s.point_name(), s.swings);
     let mut find =
@@ -97,7 +99,7 @@ fn faults(s: &Setting) -> Vec<String> {
     let a3 = a + arm.perp() * alpha3 - arm * (w3 * w3);
     let v2 = s.cam_velocity(now.held.contact);
     let beside = (spread[1] - spread[0]).norm().max(1e-3);
-    // The way of the end in its carrier, against the normal.
+    // The path of the end in its carrier, relative to the normal.
     let way = match s.way(0.0) {
         envelope::Way::Along { direction, .. } => direction,
         envelope::Way::About { pivot, .. } => (now.point - pivot).perp(),
@@ -138,7 +140,8 @@ fn faults(s: &Setting) -> Vec<String> {
     out
 }
 
-/// Whether a joint of the profile lies so near that differences reach over it: the acceleration jumps there.
+/// True if a joint of the profile is so near that differences reach across it: the acceleration
+/// jumps there.
 fn near_a_joint(s: &Setting) -> bool {
     let jerk = |t: f64| {
         let f = |k: f64| follower(s, t + k * H);
@@ -161,7 +164,8 @@ fn every_follower_under_every_cam_on_every_link() {
                         continue;
                     }
                     for by_lengths in [false, true] {
-                        // One circle, and what one link carries, need no coordinates anyway.
+                        // A profile of one circle, and pairs on one carrier, need no coordinates in
+                        // any case.
                         if by_lengths && (seat.has_one_carrier() || profile == Profile::Circle) {
                             continue;
                         }

@@ -1,17 +1,18 @@
-//! The mechanisms of the combinations: where cam and follower stand, as numbers over the time and as the text of a scene.
+//! The mechanisms of the combinations: the places of cam and follower, as numbers over time and as
+//! the text of a scene.
 
 use super::Follower;
 use super::envelope::{End, Held, Piece, Way};
 use hodograph::geom::Vec2;
 
-/// On what cam 2 and follower 3 stand.
+/// The carriers of cam 2 and follower 3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Seat {
     /// Both on the ground.
     Ground,
     /// Both on arm 4, which turns about G.
     Arm,
-    /// The cam is the ground; arm 4 turns about it with the follower.
+    /// The cam is the ground; arm 4 turns about it and carries the follower.
     Still,
     /// The cam on arm 4, the follower on the ground.
     CamOnArm,
@@ -50,15 +51,16 @@ pub struct Setting {
     pub end: End,
     /// The angle of the cam in its carrier (rad).
     pub angle: f64,
-    /// Whether lengths and angles of drivers tell where different links carry cam and follower; else coordinates.
+    /// True if lengths and angles of drivers give the places of cam and follower on different
+    /// links; else coordinates do.
     pub by_lengths: bool,
 }
 
-/// Rate and acceleration of the cam in its carrier, of arm 4 and of arm 5.
+/// Angular velocity and acceleration of the cam in its carrier, of arm 4 and of arm 5.
 const CAM: [f64; 2] = [3.0, -2.0];
 const ARM: [f64; 3] = [0.4, 1.7, 0.6];
 const OTHER: [f64; 3] = [-0.3, -1.1, 0.9];
-/// Pivots of arms 4 and 5 on the ground (m), and what the arms are long.
+/// Pivots of arms 4 and 5 on the ground (m), and the lengths of the arms.
 const G: Vec2 = Vec2::new(-0.08, -0.03);
 const K: Vec2 = Vec2::new(0.12, -0.05);
 const LONG: f64 = 0.2;
@@ -70,7 +72,7 @@ fn turned([angle, w, a]: [f64; 3], t: f64) -> f64 {
     angle + w * t + 0.5 * a * t * t
 }
 
-/// A link that carries something: origin, angle, and how it turns.
+/// A carrier link: origin, angle, angular velocity and acceleration.
 #[derive(Clone, Copy)]
 struct Frame {
     origin: Vec2,
@@ -95,7 +97,7 @@ impl Setting {
         match self.seat {
             Seat::Ground | Seat::CamOnArm => Frame { origin: Vec2::ZERO, angle: 0.0 },
             Seat::Arm | Seat::FollowerOnArm => Frame { origin: G, angle: turned(ARM, t) },
-            // The cam turns in its carrier against the carrier's own sense.
+            // In its carrier, the cam turns against the carrier's own sense.
             Seat::Still => Frame { origin: Vec2::ZERO, angle: -self.cam_angle(t) },
             Seat::TwoArms => Frame { origin: K, angle: turned(OTHER, t) },
         }
@@ -105,7 +107,7 @@ impl Setting {
         turned([self.angle, CAM[0], CAM[1]], t)
     }
 
-    /// Where the cam's pivot stands in its carrier.
+    /// The place of the cam's pivot in its carrier.
     fn pivot_of_cam(&self) -> Vec2 {
         match self.seat {
             Seat::Ground | Seat::Still | Seat::FollowerOnArm => Vec2::ZERO,
@@ -113,7 +115,8 @@ impl Setting {
         }
     }
 
-    /// Where the guide passes, or the pivot of the follower stands, in its carrier: beside the cam at the instant.
+    /// The place in the carrier of the guide, or of the follower's pivot: beside the cam at the
+    /// instant.
     fn seat_of_follower(&self) -> Vec2 {
         let beside = if self.swings { Vec2::new(0.095, 0.010) } else { Vec2::new(0.006, 0.003) };
         if self.seat.has_one_carrier() {
@@ -121,7 +124,7 @@ impl Setting {
         }
         let (frame, cam) = (self.frame_of_follower(0.0), self.cam(0.0).0);
         let at = (cam + beside - frame.origin).rotate_by(Vec2::from_angle(-frame.angle));
-        // What a person would write.
+        // Rounded as a person would write it.
         Vec2::new((at.x * 1e4).round() / 1e4, (at.y * 1e4).round() / 1e4)
     }
 
@@ -132,7 +135,7 @@ impl Setting {
         (frame.to_plane(self.pivot_of_cam()), angle)
     }
 
-    /// How fast the point of the cam at a place of the plane goes.
+    /// The velocity of the cam's point at a place of the plane.
     pub fn cam_velocity(&self, at: Vec2) -> Vec2 {
         let (o, _) = self.cam(0.0);
         let w4 = if matches!(self.seat, Seat::Arm | Seat::CamOnArm | Seat::TwoArms) { ARM[1] } else { 0.0 };
@@ -141,7 +144,7 @@ impl Setting {
         (o - origin).perp() * w4 + (at - o).perp() * w2
     }
 
-    /// How the link turns that carries the follower.
+    /// Angular velocity and acceleration of the link that carries the follower.
     pub fn frame_rate(&self) -> (f64, f64) {
         match self.seat {
             Seat::Ground | Seat::CamOnArm => (0.0, 0.0),
@@ -177,7 +180,8 @@ impl Setting {
                 ]
             }
             Profile::Arcs => {
-                // Flanks of 70 and 75 mm touch circles of 30 mm about the origin and of 4 mm about Q, below and above.
+                // Flanks of 70 and 75 mm touch circles of 30 mm about the origin and of 4 mm about
+                // Q, below and above.
                 let flank = |radius: f64, above: f64| {
                     let (a, b, d) = (radius - 0.030, radius - 0.004, 0.035);
                     let x = (a * a - b * b + d * d) / (2.0 * d);
@@ -197,7 +201,8 @@ impl Setting {
         }
     }
 
-    /// The follower as a law moves it, in its carrier; the contact by differences of the relative motion.
+    /// The follower moved by a law, in its carrier; the contact by differences of the relative
+    /// motion.
     pub fn by_law(&self, t: f64) -> Held {
         let lift = |phi: f64| Law.lift(phi.rem_euclid(std::f64::consts::TAU)) * if self.swings { 17.0_f64.to_radians() } else { 0.018 };
         let o = self.pivot_of_cam();
@@ -232,14 +237,14 @@ impl Setting {
         let step = 1e-5;
         let contact = match end {
             Some(r) => {
-                // Square to the path of the end in the cam, inward.
+                // Perpendicular to the path of the end in the cam, inward.
                 let way = in_cam(phi + step, at(phi + step).1) - in_cam(phi - step, at(phi - step).1);
                 let n = way.unit().unwrap().perp();
                 let b = in_cam(phi, end_at);
                 b - n * r * n.dot(b).signum()
             }
             None => {
-                // Where the face crosses itself a step on.
+                // The intersection of the face with itself one step on.
                 let line = |phi: f64| {
                     let (_, p, n) = at(phi);
                     let n = n.rotate_by(Vec2::from_angle(-phi));
@@ -412,7 +417,8 @@ impl Setting {
     }
 }
 
-/// Rise by the 3-4-5 polynomial over 130°, dwell 50°, return by the cycloid over 120°, dwell: of a stroke of one.
+/// Rise by the 3-4-5 polynomial over 130°, dwell 50°, cycloidal return over 120°, dwell; the stroke
+/// is one.
 struct Law;
 
 impl Law {

@@ -10,6 +10,7 @@ use hodograph_base::number::Real;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use std::cell::RefCell;
+use std::collections::VecDeque;
 
 /// The part of a normal error in the plane, independent in x and y, that lies within the stated pencil error.
 pub const WITHIN: f64 = 0.95;
@@ -118,12 +119,14 @@ pub struct Hand {
     pencil: RefCell<Option<Blunt>>,
     laid: RefCell<Vec<(Point, Point)>>,
     ruled: RefCell<Vec<(Vec2, Vec2)>>,
+    /// The decisions of the exact drawing: those taken so far, or those that follow.
+    decisions: RefCell<VecDeque<bool>>,
 }
 
 impl Default for Hand {
     /// The exact hand.
     fn default() -> Hand {
-        Hand { per_mm: 1.0, pencil: RefCell::default(), laid: RefCell::default(), ruled: RefCell::default() }
+        Hand { per_mm: 1.0, pencil: RefCell::default(), laid: RefCell::default(), ruled: RefCell::default(), decisions: RefCell::default() }
     }
 }
 
@@ -131,6 +134,22 @@ impl Hand {
     /// Returns a hand with a pencil; the places of the drawing have `per_mm` units per millimetre of paper.
     pub fn with(pencil: Blunt, per_mm: f64) -> Hand {
         Hand { per_mm, pencil: RefCell::new(Some(pencil)), ..Hand::default() }
+    }
+
+    /// Returns a hand with a pencil that draws once more what the exact hand `self` has drawn, with its decisions.
+    pub fn again(&self, pencil: Blunt, per_mm: f64) -> Hand {
+        Hand { decisions: self.decisions.clone(), ..Hand::with(pencil, per_mm) }
+    }
+
+    /// Decides between two ways to draw on. The exact hand decides as the numbers are; a hand that draws again
+    /// decides as the exact one did, so that its marks miss but its construction is the same.
+    pub fn decide(&self, now: bool) -> bool {
+        let mut decisions = self.decisions.borrow_mut();
+        if self.misses() {
+            return decisions.pop_front().unwrap_or(now);
+        }
+        decisions.push_back(now);
+        now
     }
 
     /// True if its marks miss.

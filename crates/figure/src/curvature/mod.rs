@@ -86,7 +86,7 @@ mod tests {
         let mut found = curvature(&scene, &asked).unwrap().value;
         let circle = |found: &hodograph_methods::curvature::Curvature| {
             let markup = svg::write(&construction::figure(&w, found, &found.list[0])).unwrap().value;
-            markup.lines().filter(|l| l.contains("class=\"curvature inflection")).map(str::to_owned).collect::<Vec<_>>()
+            markup.lines().filter(|l| l.contains("curvature inflection")).map(str::to_owned).collect::<Vec<_>>()
         };
         let before = circle(&found);
         assert!(!before.is_empty());

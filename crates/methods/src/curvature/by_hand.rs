@@ -1,5 +1,6 @@
 //! Tolerances of hand drawing: the construction drawn again and again by a hand whose marks miss.
 
+use super::drawing::Traced;
 use super::known::Places;
 use super::plane::End;
 use super::{Curvature, OfLink};
@@ -39,11 +40,17 @@ impl Curvature {
         let (pole, normal) = of.drawing.pole()?;
         let ball = of.drawing.ball();
         let radius = |centre: Option<End>, at| centre.and_then(End::at).map(|c| c.distance(at));
+        let exact = Hand::default();
+        let drawn_by = |hand: &Hand| {
+            let places = Places { scene: &self.scene, at: &self.worked.configuration, against: self.against, hand };
+            let drawing = places.drawing_behind(of.link, &[]);
+            let traced: Vec<Option<Traced>> = of.points.iter().map(|p| places.traced(&drawing, p.point)).collect();
+            (drawing, traced)
+        };
+        drawn_by(&exact);
         let mut errors: Vec<Vec<f64>> = vec![Vec::new(); 4 + of.points.len()];
         for seed in 1..=DRAWINGS {
-            let hand = Hand::with(Blunt::new(pencil_mm, seed), self.worked.construction.diagram.mu);
-            let places = Places { scene: &self.scene, at: &self.worked.configuration, against: self.against, hand: &hand };
-            let drawing = places.drawing_behind(of.link, &[]);
+            let (drawing, traced) = drawn_by(&exact.again(Blunt::new(pencil_mm, seed), self.worked.construction.diagram.mu));
             let drawn = drawing.pole();
             let off = [
                 drawn.map(|(p, _)| p.distance(pole)),
@@ -51,8 +58,7 @@ impl Curvature {
                 drawn.map(|(_, n)| (n.norm() - normal.norm()).abs()),
                 drawing.ball().zip(ball).map(|(p, q)| p.distance(q)),
             ];
-            let radii = of.points.iter().map(|p| {
-                let traced = places.traced(&drawing, p.point);
+            let radii = of.points.iter().zip(traced).map(|(p, traced)| {
                 let (by_hand, exact) = (radius(traced.map(|t| t.centre), traced?.at), radius(p.drawn.map(|d| d.centre), p.at));
                 Some((by_hand? - exact?).abs())
             });

@@ -125,7 +125,8 @@ impl Rays {
         let rays = known.map(|k| k.ray());
         let pole = hand.mark(meet(rays[0], rays[1])?.at()?);
         let [b, c] = known;
-        let axis = meet(b.moving.join(c.moving), b.fixed.join(c.fixed)).filter(|q| q.at().is_none_or(|q| q.distance(pole) > FLAT * size));
+        let axis = meet(b.moving.join(c.moving), b.fixed.join(c.fixed))
+            .filter(|q| hand.decide(q.at().is_none_or(|q| q.distance(pole) > FLAT * size)));
         let axis = axis.map(|q| q.marked(hand));
         let axis_line = axis.map(|q| End::At(pole).join(q));
         let mut out = Rays { known, pole, collineation: None, how: [How::Proportion; 2], straight: [pole; 2], inflection: pole, size };
@@ -155,7 +156,7 @@ impl Rays {
         // A helper point far from the mechanism does not fit on paper.
         let near = helper.at().is_none_or(|h| h.distance(self.pole) < 1e3 * self.size);
         let at = hand.mark(meet(line, ray)?.at()?);
-        (square && near && axis.sine(ray).abs() > FLAT).then_some((helper, at))
+        hand.decide(square && near && axis.sine(ray).abs() > FLAT).then_some((helper, at))
     }
 
     /// Returns PJ; zero if the pole is stationary.
@@ -249,14 +250,14 @@ pub fn proportion(pole: Point, ray: Vec2, moving: End, fixed: End) -> Option<Poi
 
 /// Draws the centre of a point's path with the ruler, from pole and inflection pole.
 pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64, hand: &Hand) -> Option<Traced> {
-    let ray = (at - pole).unit().filter(|_| at.distance(pole) > NONE * size)?;
+    let ray = (at - pole).unit().filter(|_| hand.decide(at.distance(pole) > NONE * size))?;
     let normal = inflection - pole;
     let foot = pole + ray * normal.dot(ray);
     let square = Line { through: Some(pole), along: ray.perp() };
-    if normal.norm() <= NONE * size {
+    if hand.decide(normal.norm() <= NONE * size) {
         return Some(Traced { of, at, foot, helper: End::At(pole), centre: End::At(pole) });
     }
-    if at.distance(foot) <= NONE * at.distance(pole).max(size) {
+    if hand.decide(at.distance(foot) <= NONE * at.distance(pole).max(size)) {
         return Some(Traced { of, at, foot, helper: End::Infinity(ray.perp()), centre: End::Infinity(ray) });
     }
     // On the pole tangent, both the foot and the centre are P; if J lies on the ray itself, there
@@ -267,7 +268,7 @@ pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64,
     };
     let helper = meet(End::At(at).join(End::At(inflection)), square)?.marked(hand);
     let line = Line { through: Some(pole), along: ray };
-    let flat = (normal.cross(ray) / normal.norm()).abs() < FLAT || normal.dot(ray).abs() < FLAT * normal.norm();
+    let flat = hand.decide((normal.cross(ray) / normal.norm()).abs() < FLAT || normal.dot(ray).abs() < FLAT * normal.norm());
     let drawn = meet(helper.join(End::Infinity(normal)), line).and_then(End::at).filter(|_| !flat);
     Some(Traced { of, at, foot, helper, centre: End::At(hand.mark(drawn.unwrap_or_else(proportion))) })
 }

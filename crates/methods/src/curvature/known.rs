@@ -208,13 +208,13 @@ impl Places<'_> {
                 let sine = a.ray().sine(b.ray()).abs();
                 // Among rays that cross at a sufficient angle, the first two in the order of the
                 // scene are taken.
-                if best.as_ref().is_none_or(|(s, _)| *s < 0.2 && sine > 2.0 * s) {
+                if self.hand.decide(best.as_ref().is_none_or(|(s, _)| *s < 0.2 && sine > 2.0 * s)) {
                     best = Some((sine, [*a, *b]));
                 }
             }
         }
         let Some((sine, pair)) = best else { return Drawing::NoRays };
-        if sine < CROSSING {
+        if self.hand.decide(sine < CROSSING) {
             let [a, b] = pair.map(|k| k.ray());
             let one = meet(a, b).is_none() || a.distance(pair[1].moving).is_some_and(|d| d < CROSSING * self.at.extent());
             return if one { Drawing::OneLine(pair) } else { Drawing::Parallel(pair) };

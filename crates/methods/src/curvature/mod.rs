@@ -27,12 +27,12 @@ pub mod motion;
 pub mod plane;
 
 use crate::centres::moving_at_all;
-use drawing::{Drawing, Traced};
 use by_hand::ByHand;
-use hodograph_board::construct::pencil::Hand;
+use drawing::{Drawing, Traced};
 use hodograph_analytic::third;
 use hodograph_base::diag::{Diagnostic, Faults, Severity, Warned, both};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::pencil::Hand;
 use hodograph_mechanism::answer::{Source, Value};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::quantity::{PointMotion, Rate, Turning};
@@ -157,8 +157,7 @@ impl OfLink {
         let (pole, normal) = self.drawing.pole()?;
         let ball = self.drawing.ball();
         let rates = self.read.filter(|[omega, _]| *omega != 0.0);
-        let acceleration_pole =
-            rates.map(|[omega, alpha]| pole + (normal * (omega * omega)).divide_by(Vec2::new(omega * omega, -alpha)));
+        let acceleration_pole = rates.map(|[omega, alpha]| pole + (normal * (omega * omega)).divide_by(Vec2::new(omega * omega, -alpha)));
         let pole_velocity = rates.map(|[omega, _]| normal.perp() * omega);
         let bresse = rates.filter(|[_, alpha]| *alpha != 0.0).map(|[omega, alpha]| normal.perp() * (omega * omega / alpha));
         Some(Drawn { pole, normal, acceleration_pole, pole_velocity, ball, bresse })
@@ -172,11 +171,8 @@ impl OfLink {
         let apart = |a: Point, b: Point| a.distance(b) / size.max(a.distance(drawn.pole)).max(drawn.pole.distance(self.motion.at));
         let mut worst = apart(drawn.pole, pole.pole).max(apart(drawn.pole + drawn.normal, pole.inflection_pole()));
         let end = |diameter: Option<Vec2>| Some(pole.pole + diameter?);
-        let both = [
-            (drawn.acceleration_pole, Some(pole.acceleration_pole)),
-            (drawn.ball, pole.ball),
-            (end(drawn.bresse), end(pole.bresse)),
-        ];
+        let both =
+            [(drawn.acceleration_pole, Some(pole.acceleration_pole)), (drawn.ball, pole.ball), (end(drawn.bresse), end(pole.bresse))];
         for (a, b) in both.into_iter().filter_map(|(a, b)| Some((a?, b?))) {
             worst = worst.max(apart(a, b));
         }
