@@ -38,7 +38,7 @@ fn the_exact_pencil_changes_nothing() {
 #[test]
 fn tolerances_are_those_of_many_drawings() {
     const RUNS: usize = 600;
-    let mut compared = 0;
+    let (mut compared, mut forces) = (0, 0);
     for t in templates::list() {
         let (scene, w) = template(t.name);
         let drawn = w.drawn(&scene);
@@ -57,9 +57,10 @@ fn tolerances_are_those_of_many_drawings() {
             assert!((0.85..1.18).contains(&limit), "{} {}: {limit} of what was derived", t.name, find.text);
             assert!((0.29..0.54).contains(&median), "{} {}: median {median}", t.name, find.text);
             compared += 1;
+            forces += usize::from(find.what.diagram() == DiagramKind::Force);
         }
     }
-    assert!(compared > 200, "{compared}");
+    assert!(compared > 200 && forces > 30, "{compared}, of them {forces} forces");
 }
 
 /// A drawing twice as large is twice as accurate.

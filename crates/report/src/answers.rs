@@ -53,7 +53,7 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         rows.push([find.text.clone(), value, tolerance, measured_words(&w, worked, find, r, c, digits), remarks.join("  ")]);
     }
     // Lines without an answer do not affect the column widths.
-    let width = |i: usize| rows.iter().filter(|r| i == 0 || !r[3..].iter().all(String::is_empty)).map(|r| r[i].width()).max().unwrap_or(0);
+    let width = |i: usize| rows.iter().filter(|r| i == 0 || !r[2..].iter().all(String::is_empty)).map(|r| r[i].width()).max().unwrap_or(0);
     let widths = [width(0), width(1), width(2), width(3)];
     let mut out = String::new();
     let title = scene.title.get(lang);

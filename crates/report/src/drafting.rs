@@ -72,21 +72,22 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         }));
         out.push_str(&table(&rows));
     }
+    let forces = if worked.equilibrium.is_some() { "μ_F" } else { "" };
     let mut rows = vec![
-        [tr(lang, "for 1 %", "误差 1% 时"), tr(lang, "larger by", "放大"), "μ_l", "μ_v", "μ_a", tr(lang, "paper", "图纸")]
+        [tr(lang, "for 1 %", "误差 1% 时"), tr(lang, "larger by", "放大"), "μ_l", "μ_v", "μ_a", forces, tr(lang, "paper", "图纸")]
             .map(str::to_string),
     ];
     for (find, t) in w.scene.find.iter().zip(&d.tolerances) {
         let Some(l) = t.as_ref().filter(|t| t.absolute > 0.0).and_then(|t| t.larger.as_ref()) else { continue };
         let [width, height] = l.size_mm;
         let by = if l.factor > 1.0 { format!("× {}", shortest(l.rounded())) } else { tr(lang, "as it is", "不必").to_string() };
-        let mu = DiagramKind::OF_MOTION.map(|on| {
+        let mu = DiagramKind::ALL.map(|on| {
             let kind = on.kind();
             l.scales.get(kind).map_or(String::new(), |mu| format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind)))
         });
         let sheet = l.sheet().unwrap_or(tr(lang, "larger than A0", "大于 A0"));
-        let [l_, v, a] = mu;
-        rows.push([find.text.clone(), by, l_, v, a, format!("{width:.0} × {height:.0} mm, {sheet}")]);
+        let [l_, v, a, f] = mu;
+        rows.push([find.text.clone(), by, l_, v, a, f, format!("{width:.0} × {height:.0} mm, {sheet}")]);
     }
     if rows.len() > 1 {
         out.push_str(&table(&rows));
@@ -132,8 +133,10 @@ pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
 pub fn answer_fields(t: Option<&Tolerance>) -> [(&'static str, Json); 3] {
     let larger = t.and_then(|t| t.larger.as_ref()).map(|l| {
         let mut all = json!({"factor": l.factor});
-        for (kind, key) in DiagramKind::OF_MOTION.into_iter().filter_map(|on| Some((on.kind(), on.kind().scale_key()?))) {
-            all[key] = l.scales.get(kind).into();
+        for (kind, key) in DiagramKind::ALL.into_iter().filter_map(|on| Some((on.kind(), on.kind().scale_key()?))) {
+            if kind != Kind::Force || l.scales.get(kind).is_some() {
+                all[key] = l.scales.get(kind).into();
+            }
         }
         (all["largest_drawing_mm"], all["paper"]) = (json!(l.size_mm), json!(l.sheet()));
         all

@@ -92,6 +92,7 @@ impl Worked {
             configuration: &self.configuration,
             plan: &self.plan,
             construction: &self.construction,
+            equilibrium: self.equilibrium.as_ref(),
             values,
         }
     }

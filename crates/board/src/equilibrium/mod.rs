@@ -35,13 +35,13 @@ pub use ground::Whole;
 pub use lever::{Lever, LeverForce};
 
 use crate::construct::scale::fitted;
-use crate::construction::pencil::Exact;
+use crate::construction::pencil::{Exact, Pencil};
 use crate::construction::{Construction, DiagramId, Drawn, MarkId, NumberId, VectorId, draw};
 use hodograph_base::diag::Both;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
 use hodograph_mechanism::answer::Source;
-use hodograph_mechanism::force::{Load, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction};
+use hodograph_mechanism::force::{Cause, Load, Rubbing, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{Forces, Wrench, parties};
@@ -200,6 +200,12 @@ pub struct Equilibrium {
     pub forces: Forces,
     /// The marks of the points on the plane.
     pub places: Vec<Option<MarkId>>,
+    /// The numbers that the construction finds, by their meaning.
+    answers: Answers,
+    /// The sense in which each rolling pair presses along its tangent.
+    senses: Vec<f64>,
+    /// The pairs with friction.
+    rubbing: Vec<Rubbing>,
 }
 
 /// The numbers that a construction of forces finds, by their meaning.
@@ -264,8 +270,7 @@ impl Equilibrium {
             (Some(smooth.forces.power), settled(scene, &rubbing, under, read).ok()??)
         };
         let givens = Posed { scene, at, loads: &loads, senses: &senses, extent: at.extent() };
-        let extent =
-            written.groups.iter().map(|g| extent_of(g, &trial)).fold([0.0, 0.0], |[w, h], [x, y]| [f64::max(w, x), f64::max(h, y)]);
+        let extent = largest(&written.groups, &trial);
         let mu = fitted(&scene.paper, Kind::Force, extent, room);
         let scales: ByKind = [(Kind::Length, mu_l), (Kind::Force, mu)].into_iter().collect();
         let drawn = draw(&written.construction, &givens, &scales, &mut Exact).ok()?;
@@ -275,8 +280,37 @@ impl Equilibrium {
         }
         let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
         let forces = Forces { guides: with_friction(forces.guides.clone(), &rubbing), smooth: power, ..forces };
-        let scribe::Written { construction, groups, undrawn, places, .. } = written;
-        Some(Equilibrium { loads, construction, groups, undrawn, scales, drawn, forces, places })
+        let scribe::Written { construction, groups, undrawn, places, answers } = written;
+        Some(Equilibrium { loads, construction, groups, undrawn, scales, drawn, forces, places, answers, senses, rubbing })
+    }
+
+    /// Draws the forces once more with a pencil, under the loads of a motion that was read from polygons drawn
+    /// with it. Friction keeps its forces.
+    ///
+    /// `None` if a load is unknown, or if the pencil made two lines parallel.
+    pub fn by_hand<P: Pencil>(
+        &self,
+        scene: &Scene,
+        m: &Mechanism,
+        at: &Configuration,
+        motion: &impl Source<f64>,
+        pencil: &mut P,
+    ) -> Option<Forces> {
+        let mut given = loads(scene, at, motion)?.into_iter();
+        let loads: Vec<Load> = self
+            .loads
+            .iter()
+            .map(|l| if matches!(l.cause, Cause::Friction(_)) { Some(*l) } else { given.next() })
+            .collect::<Option<_>>()?;
+        let givens = Posed { scene, at, loads: &loads, senses: &self.senses, extent: at.extent() };
+        let drawn = draw(&self.construction, &givens, &self.scales, pencil).ok()?;
+        let forces = read(scene, m, at, &loads, &self.answers, &drawn)?;
+        Some(Forces { guides: with_friction(forces.guides.clone(), &self.rubbing), smooth: self.forces.smooth, ..forces })
+    }
+
+    /// Returns width and height of the largest polygon (mm).
+    pub fn size_mm(&self) -> [f64; 2] {
+        largest(&self.groups, &self.drawn)
     }
 
     /// Returns the scale of the polygons (N per mm).
@@ -355,6 +389,11 @@ struct Tried {
     senses: Vec<f64>,
     drawn: Drawn,
     forces: Forces,
+}
+
+/// Returns width and height of the largest polygon.
+fn largest(groups: &[GroupForces], drawn: &Drawn) -> [f64; 2] {
+    groups.iter().map(|g| extent_of(g, drawn)).fold([0.0, 0.0], |[w, h], [x, y]| [f64::max(w, x), f64::max(h, y)])
 }
 
 /// Returns width and height of a polygon.

@@ -143,7 +143,7 @@ fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) ->
         if let Some(legs) = legs
             && worst_deg >= BAD_DEG
             && best.is_none_or(|b| worst_deg > b.worst_deg)
-            && worst(&drafting(&Drawn { construction: &paper, ..drawn.clone() }, pencil_mm).tolerances) < present
+            && worst(&drafting(&Drawn { construction: &paper, equilibrium: None, ..drawn.clone() }, pencil_mm).tolerances) < present
         {
             best = Some(OtherPoint { group, legs, worst_deg });
         }

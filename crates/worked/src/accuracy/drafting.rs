@@ -11,12 +11,14 @@ use super::larger::{Larger, larger};
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::pencil::{Pencil, WITHIN, radius_in_deviations};
-use hodograph_board::construct::{Drawing, Layout, by_hand, read_by_hand, scale};
+use hodograph_board::construct::{Drawing, Layout, by_hand, read_by_hand, scale, source};
+use hodograph_board::equilibrium::Equilibrium;
 use hodograph_board::plan::{Plan, VertexId};
-use hodograph_mechanism::answer::Value;
-use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_mechanism::answer::{Source, Value, evaluate};
+use hodograph_mechanism::mechanism::{Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::{Asked, ByKind, DiagramKind, Kind, Scene};
+use hodograph_scene::quantity::Forces;
+use hodograph_scene::{Asked, ByKind, DiagramKind, Kind, LinkId, PointId, Scene};
 
 /// A finished construction with everything that is needed to draw it again.
 #[derive(Clone, Debug)]
@@ -31,6 +33,8 @@ pub struct Drawn<'a> {
     pub plan: &'a Plan,
     /// The exact drawing.
     pub construction: &'a Drawing,
+    /// The exact drawing of the forces, if they are drawn.
+    pub equilibrium: Option<&'a Equilibrium>,
     /// The true answers, one for each question; `None` for questions that are not drawn.
     pub values: Vec<Option<Value>>,
 }
@@ -38,6 +42,9 @@ pub struct Drawn<'a> {
 impl Drawn<'_> {
     /// Returns width and height of a drawing (mm).
     pub fn size_mm(&self, on: DiagramKind) -> [f64; 2] {
+        if on == DiagramKind::Force {
+            return self.equilibrium.map_or([0.0; 2], Equilibrium::size_mm);
+        }
         match self.construction.polygon(on) {
             Some(p) => p.extent().map(|s| s / p.mu),
             None => scale::size(self.scene, self.configuration).map(|s| s / self.construction.diagram.mu),
@@ -52,8 +59,32 @@ impl Drawn<'_> {
     pub fn read_with<P: Pencil>(&self, layout: &Layout, pencil: &mut P) -> Result<Vec<Option<Value>>, Faults> {
         let (scene, m, plan) = (self.scene, self.mechanism, self.plan);
         let (paper, shown) = by_hand(&self.construction.acts, scene, self.configuration, plan, layout, pencil)?;
-        let read = read_by_hand(scene, m, &shown, plan, &paper, pencil);
+        let mut read = read_by_hand(scene, m, &shown, plan, &paper, pencil);
+        if let Some(equilibrium) = self.equilibrium {
+            let motion = source(scene, m, plan, &paper);
+            let forces = equilibrium.by_hand(scene, m, self.configuration, &motion, pencil).map(Reactions);
+            for (find, value) in scene.find.iter().zip(&mut read).filter(|(f, _)| matches!(f.what, Asked::Force(_))) {
+                *value = forces.as_ref().and_then(|drawn| evaluate(scene, self.configuration, drawn, &find.what));
+            }
+        }
         Ok(read.into_iter().zip(&self.values).map(|(r, v)| if v.is_some() { r } else { None }).collect())
+    }
+}
+
+/// The forces of one drawing as a source of answers.
+struct Reactions(Forces);
+
+impl Source<f64> for Reactions {
+    fn vector(&self, _: Level, _: PointId, _: Option<LinkId>) -> Option<Vec2> {
+        None
+    }
+
+    fn turning(&self, _: Level, _: LinkId) -> Option<f64> {
+        None
+    }
+
+    fn forces(&self) -> Option<&Forces> {
+        Some(&self.0)
     }
 }
 
@@ -201,7 +232,7 @@ fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Opti
         let [w, h] = drawn.size_mm(on);
         (on.kind(), w.max(h) * STEP)
     };
-    let steps_mm: ByKind = DiagramKind::OF_MOTION.into_iter().map(step_mm).collect();
+    let steps_mm: ByKind = DiagramKind::ALL.into_iter().map(step_mm).collect();
     for (mark, on) in first.marks.iter().enumerate() {
         let h = steps_mm.get(on.kind()).unwrap_or(0.0);
         // A drawing that is a single point (nothing moves) has no marks.

@@ -3,6 +3,7 @@
 use super::drafting::Drawn;
 use hodograph_board::construct::Layout;
 use hodograph_board::construct::scale::finer;
+use hodograph_board::equilibrium::Equilibrium;
 use hodograph_scene::{ByKind, DiagramKind, Kind, Paper};
 
 /// The relative tolerance that an engineering drawing is expected to give.
@@ -50,10 +51,11 @@ impl Larger {
 /// The enlargement for a relative tolerance; `parts` is positive for the drawings that matter.
 pub(super) fn larger(paper: &Paper, drawn: &Drawn, layout: &Layout, relative: f64, parts: &ByKind) -> Larger {
     let factor = relative / WANTED;
-    let present = layout.scales.clone().with(Kind::Length, Some(layout.mu));
+    let mut present = layout.scales.clone().with(Kind::Length, Some(layout.mu));
+    present.set(Kind::Force, drawn.equilibrium.map(Equilibrium::mu));
     let mut scales = ByKind::default();
     let mut size_mm = [0.0f64; 2];
-    for on in DiagramKind::OF_MOTION {
+    for on in DiagramKind::ALL {
         let Some(now) = present.get(on.kind()).filter(|_| parts.get(on.kind()).is_some_and(|part| part > 0.0)) else { continue };
         let then = if factor > 1.0 { finer(paper.unit(on.kind()), now, factor) } else { now };
         let on_paper = drawn.size_mm(on).map(|mm| mm * now / then);
