@@ -166,16 +166,16 @@
 //! sweep      diag budget digits trig number geom cam scene mechanism position stated answer force motion analytic
 //! paper      diag budget json notation diagram lang geom
 //! render     diag geom paper
-//! accuracy   diag budget digits number geom scene mechanism position answer motion plan construct analytic
+//! accuracy   diag budget digits number geom scene mechanism position answer motion plan construct analytic equilibrium
 //! worked     diag digits geom scene mechanism position stated answer force motion plan construct equilibrium analytic sweep accuracy
 //! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
 //! effort     diag number geom scene mechanism position answer motion plan construct analytic sweep accuracy worked certified
 //! gears      geom
 //! trains     scene
-//! centres    diag geom scene mechanism position answer worked certified
+//! centres    diag geom scene mechanism position answer worked certified construct
 //! composite  diag geom scene mechanism position answer worked
 //! attempts   diag digits geom scene mechanism position answer plan construct worked
-//! curvature  diag geom scene mechanism position answer analytic sweep worked centres
+//! curvature  diag geom scene mechanism position answer analytic sweep worked centres construct
 //! inversions diag scene mechanism position sweep worked curvature
 //! search     diag budget geom position
 //! synthesis  templates diag json digits number geom scene mechanism position construct sweep search

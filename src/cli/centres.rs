@@ -1,7 +1,7 @@
 //! `hodograph centres`: all instantaneous centres, the construction of each, and the quantities
 //! that follow from them.
 
-use super::{Input, Run, args, choices, files};
+use super::{Input, Run, args, choices, files, pencil};
 use crate::centres;
 use crate::diag::Warned;
 use crate::report::{centres as report, centres_json};
@@ -12,8 +12,12 @@ pub fn run(a: args::Centres) -> Run {
     // A centre does not depend on the driver's speed.
     let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
+    if let Some(mm) = pencil(a.drafting.as_deref())? {
+        input.scene.paper.pencil_mm = Some(mm);
+    }
     let Warned { value, notes } = centres::centres(&input.scene).map_err(|f| input.failed(f))?;
     input.file.notes.extend(notes);
+    let value = if a.drafting.is_some() { value.with_drafting() } else { value };
     if a.json {
         files::print(&format!("{:#}\n", centres_json::json(&value, &input.file.notes)))?;
         return Ok(ExitCode::SUCCESS);

@@ -290,6 +290,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("limits", "json", "结果为 JSON，国际单位制"),
     ("centres", "", "速度瞬心：各瞬心的求法和位置，以及由瞬心求得的速度"),
     ("centres", "*after", "带瞬心多边形的图：hodograph draw SCENE --figure centres -o centres.svg"),
+    ("centres", "drafting", "手工作图时各瞬心位置的误差，给出作图误差，如 0.1mm（默认：机构文件的值，否则 0.1 mm）"),
     ("centres", "json", "结果为 JSON，国际单位制"),
     ("inversions", "", "机构的倒置：依次以各构件为机架，给出杆长条件类型、整周转动的构件、行程和轮系传动比；每个都是机构文件"),
     ("inversions", "*after", "并列的图：hodograph draw SCENE --figure inversions -o inversions.svg"),

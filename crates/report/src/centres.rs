@@ -1,6 +1,7 @@
 //! Instantaneous centres as a table: construction, position, and the velocities derived from them.
 
 use super::columns::columns;
+use super::drafting;
 use super::writing::Writing;
 use hodograph_base::digits::{direction_degrees, line_degrees, significant};
 use hodograph_mechanism::answer::Value;
@@ -34,6 +35,7 @@ pub fn text(found: &Centres, lang: Lang) -> String {
     lines.push(w.counts());
     lines.push(String::new());
     lines.extend(columns(&w.table(), 3));
+    lines.extend(w.by_hand());
     lines.push(String::new());
     lines.push(w.proof());
     lines.push(String::new());
@@ -118,7 +120,9 @@ impl<'a> Words<'a> {
             format!("x / {unit}"),
             format!("y / {unit}"),
         ]];
-        for c in &self.found.list {
+        let by_hand = self.found.by_hand.as_ref();
+        rows[0].extend(by_hand.map(|_| format!("± / {unit}")));
+        for (k, c) in self.found.list.iter().enumerate() {
             let mut row = vec![c.step.pair.name(self.scene), c.round.to_string(), self.how(c)];
             match c.place {
                 Some(Place::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
@@ -126,9 +130,16 @@ impl<'a> Words<'a> {
                     .extend([tr(lang, "at infinity", "无穷远").to_owned(), format!("∠ {}°", significant(line_degrees(u.angle()), DIGITS))]),
                 None => row.extend([tr(lang, "not determined", "不定").to_owned(), String::new()]),
             }
+            row.extend(by_hand.map(|t| t.centres[k].map_or_else(|| "–".to_owned(), |m| significant(m * per_metre, 2))));
             rows.push(row);
         }
         rows
+    }
+
+    /// Returns the meaning of the tolerances, if there are any.
+    fn by_hand(&self) -> Option<String> {
+        let (pencil, mu) = (self.found.by_hand.as_ref()?.pencil_mm, self.found.worked.construction.diagram.mu);
+        Some(drafting::by_hand_words(self.lang, pencil, mu))
     }
 
     fn proof(&self) -> String {

@@ -17,7 +17,8 @@ pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
     let centres: Vec<Json> = found
         .list
         .iter()
-        .map(|c| {
+        .enumerate()
+        .map(|(k, c)| {
             let (at, direction) = match c.place {
                 Some(Place::At(p)) => (Some([p.x, p.y]), None),
                 Some(Place::Infinity(u)) => (None, Some(line_degrees(u.angle()))),
@@ -41,6 +42,7 @@ pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
                 "lines": lines,
                 "at": at,
                 "infinity_deg": direction,
+                "tolerance": found.by_hand.as_ref().and_then(|t| t.centres[k]),
                 "given_drivers": c.step.given_drivers,
                 "residual": c.residual,
             })

@@ -2,6 +2,7 @@
 //! analysis, and remarks on poses with elements at infinity.
 
 use super::columns::columns;
+use super::drafting;
 use hodograph_base::digits::{direction_degrees, significant};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::{name_label, point_label};
@@ -184,11 +185,7 @@ impl Words<'_> {
 
     /// Returns the meaning of the tolerances, if there are any.
     fn by_hand(&self, of: &OfLink) -> Option<String> {
-        let (pencil, mu) = (of.by_hand.as_ref()?.pencil_mm, self.mu_l());
-        Some(match self.lang {
-            Lang::En => format!("by hand: 95 of 100 drawings to μ_l = {mu} m/mm with a pencil error of {pencil} mm fall within ±"),
-            Lang::Zh => format!("手工误差：按 μ_l = {mu} m/mm、作图误差 {pencil} mm 作图，100 次中有 95 次在 ± 之内"),
-        })
+        Some(drafting::by_hand_words(self.lang, of.by_hand.as_ref()?.pencil_mm, self.mu_l()))
     }
 
     /// Returns the scale of the mechanism's drawing (m/mm).

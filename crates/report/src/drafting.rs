@@ -28,6 +28,16 @@ pub fn amount(book: &Book, find: &Find, t: &Tolerance) -> Option<Amount> {
     })
 }
 
+/// Returns the meaning of tolerances on a drawing of the mechanism alone.
+pub fn by_hand_words(lang: Lang, pencil_mm: f64, mu_l: f64) -> String {
+    match lang {
+        Lang::En => {
+            format!("by hand: 95 of 100 drawings to μ_l = {mu_l} m/mm with a pencil error of {pencil_mm} mm fall within ±")
+        }
+        Lang::Zh => format!("手工误差：按 μ_l = {mu_l} m/mm、作图误差 {pencil_mm} mm 作图，100 次中有 95 次在 ± 之内"),
+    }
+}
+
 /// The form of a tolerance.
 pub enum Amount {
     /// In % of the answer.

@@ -7,6 +7,9 @@ use super::{ClapArgs, Common};
 pub struct Centres {
     #[command(flatten)]
     pub common: Common,
+    /// The tolerance of each place when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
+    #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = crate::cli::values::length)]
+    pub drafting: Option<String>,
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,

@@ -5,11 +5,13 @@
 //! velocities is certified to be zero. If all lines of a centre coincide in the pose, velocities
 //! give its place where they can.
 
+use hodograph_base::geom::Point;
+use hodograph_board::construct::pencil::Hand;
 use hodograph_mechanism::position::Path;
-use hodograph_scene::{DriverKind, GuideId, Scene};
+use hodograph_scene::{DriverKind, GuideId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
-use super::lines::{Frame, Place, Ruled, Unit, choose, norm, volume};
+use super::lines::{Frame, Place, Ruled, Unit, choose, meet, norm, volume};
 use super::primary::Primary;
 use super::rounds::{Closure, How, Line, Pair, Step};
 use super::velocities::Velocities;
@@ -64,7 +66,8 @@ pub struct Centre {
 /// postponed: later rounds may give another line for it. If no round does, the place of the first
 /// postponed centre is computed from velocities, and the rounds continue.
 pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &Closure, velocities: &Velocities) -> Vec<Centre> {
-    let mut board = Board { scene, worked, closure, velocities, frame: velocities.frame, list: Vec::new() };
+    let hand = Hand::default();
+    let mut board = Board { scene, worked, closure, velocities, hand: &hand, list: Vec::new() };
     let last = closure.steps.last().map_or(0, |s| s.round);
     let mut waiting: Vec<(&Step, Undetermined)> = Vec::new();
     let mut round = 0;
@@ -95,12 +98,34 @@ pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &Closure, velociti
     board.list
 }
 
+/// Draws the centres of `exact` once more with another hand: the same lines, crossed at other marks. Centres
+/// that velocities give stay where they are.
+pub(super) fn again(
+    scene: &Scene,
+    worked: &Worked,
+    closure: &Closure,
+    velocities: &Velocities,
+    exact: &[Centre],
+    hand: &Hand,
+) -> Vec<Option<Place>> {
+    let mut board = Board { scene, worked, closure, velocities, hand, list: Vec::new() };
+    for centre in exact {
+        let place = match (&centre.step.how, centre.origin) {
+            (How::Primary(primary), Some(Origin::Pair)) => board.primary(*primary),
+            (_, Some(Origin::Crossing(lines))) => board.crossing(centre.step.pair, lines, matches!(centre.place, Some(Place::Infinity(_)))),
+            (_, Some(Origin::Pair | Origin::Velocities) | None) => centre.place,
+        };
+        board.list.push(Centre { place, ..centre.clone() });
+    }
+    board.list.into_iter().map(|c| c.place).collect()
+}
+
 struct Board<'a> {
     scene: &'a Scene,
     worked: &'a Worked,
     closure: &'a Closure,
     velocities: &'a Velocities<'a>,
-    frame: Frame,
+    hand: &'a Hand,
     list: Vec<Centre>,
 }
 
@@ -128,22 +153,38 @@ impl Board<'_> {
     fn primary(&self, primary: Primary) -> Option<Place> {
         let at = &self.worked.configuration;
         match primary {
-            Primary::Pin(p) => at.points[p.0].map(Place::At),
-            Primary::Contact(r) => at.points[self.scene.rolling[r.0].at[0].0].map(Place::At),
+            Primary::Pin(p) => self.mark(p).map(Place::At),
+            Primary::Contact(r) => self.mark(self.scene.rolling[r.0].at[0]).map(Place::At),
             Primary::Strand(r) => {
-                let [a, b] = self.scene.rolling[r.0].round()?.map(|p| at.points[p.0]);
+                let [a, b] = self.scene.rolling[r.0].round()?.map(|p| self.mark(p));
                 let ((a, b), [r1, r2]) = ((a?, b?), at.shapes.rolling[r.0]);
-                if r1 + r2 == 0.0 { Place::infinity(b - a) } else { Some(Place::At(a + (b - a) * (r1 / (r1 + r2)))) }
+                if r1 + r2 == 0.0 { Place::infinity(b - a) } else { Some(Place::At(self.hand.mark(a + (b - a) * (r1 / (r1 + r2))))) }
             }
             Primary::Slide(g) => match at.guides[g.0]? {
-                Path::Line { direction, .. } => Place::infinity(direction.perp()),
-                Path::Arc { centre, .. } => Some(Place::At(centre)),
+                Path::Line { direction, .. } => Place::infinity(self.hand.ruler(direction, at.extent()).perp()),
+                Path::Arc { centre, .. } => Some(Place::At(self.hand.given(centre))),
             },
             Primary::Cylinder(d) => match self.scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => Place::infinity((at.points[b.0]? - at.points[a.0]?).perp()),
+                DriverKind::Cylinder { a, b, .. } => Place::infinity((self.mark(b)? - self.mark(a)?).perp()),
                 DriverKind::Turn { .. } | DriverKind::Slide { .. } => None,
             },
         }
+    }
+
+    /// Returns the mark of a point.
+    fn mark(&self, p: PointId) -> Option<Point> {
+        self.worked.configuration.points[p.0].map(|at| self.hand.given(at))
+    }
+
+    /// Returns the crossing of two lines of a pair.
+    fn crossing(&self, pair: Pair, lines: [Line; 2], infinite: bool) -> Option<Place> {
+        let [a, b] = [self.ruled(pair, lines[0])?, self.ruled(pair, lines[1])?];
+        let place = self.frame().place(meet(a.line, b.line)?, infinite)?;
+        Some(if let Place::At(p) = place { Place::At(self.hand.mark(p)) } else { place })
+    }
+
+    fn frame(&self) -> Frame {
+        self.velocities.frame
     }
 
     /// Returns the lines of a step, and those through every other link.
@@ -169,20 +210,20 @@ impl Board<'_> {
         if !infinite && at[2].abs() <= f64::EPSILON * 16.0 {
             return Err(Undetermined::LinesCoincide);
         }
-        Ok(Some((self.frame.place(at, infinite).ok_or(none)?, origin)))
+        Ok(Some((self.frame().place(at, infinite).ok_or(none)?, origin)))
     }
 
     fn placed(&self, pair: Pair) -> Option<Unit> {
         let place = self.list.iter().find(|c| c.step.pair == pair)?.place?;
-        Some(self.frame.of(place))
+        Some(self.frame().of(place))
     }
 
     fn ruled(&self, pair: Pair, line: Line) -> Option<Ruled> {
         match line {
             Line::Through(k) => Ruled::through(self.placed(self.closure.pair(pair.i, k))?, self.placed(self.closure.pair(k, pair.j))?),
             Line::Normal(g) => {
-                let [pin, square] = normal(self.scene, self.worked, g)?;
-                Ruled::through(self.frame.of(pin), self.frame.of(square))
+                let [pin, square] = normal(self.scene, self.worked, g, self.hand)?;
+                Ruled::through(self.frame().of(pin), self.frame().of(square))
             }
             Line::Infinity => Some(Ruled { line: [0.0, 0.0, 1.0], through: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] }),
         }
@@ -191,11 +232,11 @@ impl Board<'_> {
 
 /// Returns the normal of a slot at its pin: the place of the pin, and the direction as a place at
 /// infinity.
-pub(super) fn normal(scene: &Scene, worked: &Worked, g: GuideId) -> Option<[Place; 2]> {
-    let pin = worked.configuration.points[scene.guides[g.0].pin?.0]?;
+pub(super) fn normal(scene: &Scene, worked: &Worked, g: GuideId, hand: &Hand) -> Option<[Place; 2]> {
+    let pin = hand.given(worked.configuration.points[scene.guides[g.0].pin?.0]?);
     let direction = match worked.configuration.guides[g.0]? {
-        Path::Line { direction, .. } => direction.perp(),
-        Path::Arc { centre, .. } => centre - pin,
+        Path::Line { direction, .. } => hand.ruler(direction, worked.configuration.extent()).perp(),
+        Path::Arc { centre, .. } => hand.given(centre) - pin,
     };
     Some([Place::At(pin), Place::infinity(direction)?])
 }

@@ -19,6 +19,7 @@
 //! # Source
 //! S. Aronhold, 1872; A. B. W. Kennedy, 1886: the centres of three links are collinear.
 
+mod by_hand;
 mod lines;
 mod locate;
 mod normals;
@@ -28,6 +29,7 @@ mod task;
 mod uses;
 mod velocities;
 
+pub use by_hand::HandTolerances;
 pub use lines::Place;
 pub use locate::{Centre, Origin, Undetermined};
 pub use normals::Normal as ByVelocity;
@@ -68,6 +70,8 @@ pub struct Centres {
     pub worst_triple: f64,
     /// True if all drivers are at rest in the file, so that unit rates are assumed.
     pub at_rest: bool,
+    /// The tolerances of hand drawing, if [`Centres::with_drafting`] was called.
+    pub by_hand: Option<HandTolerances>,
 }
 
 impl Centres {
@@ -144,7 +148,7 @@ fn located(asking: Scene, worked: Warned<Worked>, at_rest: bool) -> Warned<Centr
     notes.extend(remarks(&asking, &closure, &list));
     let worst_triple = locate::worst_triple(&velocities, &closure, &list);
     let uses = uses::uses(&asking, &worked, &closure, &list);
-    Warned { value: Centres { closure, list, uses, scene: asking, worked, worst_triple, at_rest }, notes }
+    Warned { value: Centres { closure, list, uses, scene: asking, worked, worst_triple, at_rest, by_hand: None }, notes }
 }
 
 /// Returns the order of finding of a scene, without any computation of numbers.

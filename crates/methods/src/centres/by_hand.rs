@@ -1,0 +1,82 @@
+//! Tolerances of hand drawing: the centres drawn again and again by a hand whose marks miss.
+
+use super::lines::Place;
+use super::velocities::Velocities;
+use super::{Centres, locate};
+use hodograph_board::construct::pencil::{Blunt, Hand, USUAL_MM, bound};
+
+/// Number of drawings: it gives the 95 % bound to a tenth.
+const DRAWINGS: u64 = 200;
+
+/// Bounds within which the centres of 95 of 100 drawings by hand fall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HandTolerances {
+    /// The pencil error (mm).
+    pub pencil_mm: f64,
+    /// Displacement of each centre (m) in the order of [`Centres::list`]; `None` for centres at infinity or
+    /// without a place, and where more than 5 of 100 drawings fail.
+    pub centres: Vec<Option<f64>>,
+}
+
+impl Centres {
+    /// Adds the tolerances of hand drawing, for the scene's pencil or the usual one.
+    pub fn with_drafting(mut self) -> Centres {
+        let pencil_mm = self.scene.paper.pencil_mm.unwrap_or(USUAL_MM);
+        let velocities = Velocities::of(&self.scene, &self.worked);
+        let mut errors: Vec<Vec<f64>> = vec![Vec::new(); self.list.len()];
+        for seed in 1..=DRAWINGS {
+            let hand = Hand::with(Blunt::new(pencil_mm, seed), self.worked.construction.diagram.mu);
+            let drawn = locate::again(&self.scene, &self.worked, &self.closure, &velocities, &self.list, &hand);
+            for ((list, exact), drawn) in errors.iter_mut().zip(&self.list).zip(drawn) {
+                let off = match (exact.place, drawn) {
+                    (Some(Place::At(p)), Some(Place::At(q))) => p.distance(q),
+                    _ => f64::INFINITY,
+                };
+                list.push(off);
+            }
+        }
+        self.by_hand = Some(HandTolerances { pencil_mm, centres: errors.into_iter().map(bound).collect() });
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::centres::{How, Place, centres};
+    use hodograph_scene::{read, templates};
+
+    /// A pin misses by the pencil error alone, a crossing by no less than some of it; all go with the pencil.
+    #[test]
+    fn tolerances_of_centres_go_with_the_pencil() {
+        let (mut pins, mut crossings) = (0, 0);
+        for name in ["shaper", "crank-rocker", "slider-crank", "whitworth", "geared-five-bar"] {
+            let of = |pencil_mm: f64| {
+                let mut scene = read(templates::get(name).unwrap()).unwrap().value;
+                scene.paper.pencil_mm = Some(pencil_mm);
+                centres(&scene).unwrap().value.with_drafting()
+            };
+            let (fine, blunt) = (of(0.01), of(0.02));
+            let miss = 0.01e-3 * fine.worked.construction.diagram.mu * 1e3;
+            let bounds = |c: &super::Centres| c.by_hand.clone().unwrap().centres;
+            for ((c, a), b) in fine.list.iter().zip(bounds(&fine)).zip(bounds(&blunt)) {
+                let Some(Place::At(_)) = c.place else {
+                    assert_eq!(a, None);
+                    continue;
+                };
+                let (Some(a), Some(b)) = (a, b) else { continue };
+                if a == 0.0 {
+                    continue;
+                }
+                assert!((1.7..2.3).contains(&(b / a)), "{name} {}: {a} {b}", c.step.pair.name(&fine.scene));
+                match c.step.how {
+                    How::Primary(_) => {
+                        assert!((0.8..1.2).contains(&(a / miss)), "{name}: {a} of {miss}");
+                        pins += 1;
+                    }
+                    How::Lines(_) | How::Velocities => crossings += 1,
+                }
+            }
+        }
+        assert!(pins > 15 && crossings > 10, "{pins} pins, {crossings} crossings");
+    }
+}
