@@ -60,7 +60,7 @@ pub enum Command {
     Animate(Animate),
     /// A disc cam over a whole turn: displacement, velocity, acceleration, shocks, pressure angle, curvature; its profile (CSV, DXF)
     Cam(Cam),
-    /// How far the driver goes, extreme positions and strokes, time ratio, transmission angles, Grashof's type
+    /// Range of the driver, extreme positions and strokes, time ratio, transmission angles, Grashof's type
     Limits(Limits),
     /// Count freedoms: links and pairs, compound hinges, local freedoms, virtual constraints, groups for each possible driver
     Mobility(Mobility),
@@ -97,22 +97,22 @@ pub enum Command {
     Explain(super::explain::Explain),
     /// Print the JSON Schema of the scene format
     Schema {
-        /// That of the synthesis file instead
+        /// The schema of the synthesis file instead
         #[arg(long)]
         synthesis: bool,
-        /// That of files of motions without a mechanism
+        /// The schema of files of motions without a mechanism
         #[arg(long, conflicts_with = "synthesis")]
         motions: bool,
-        /// That of the answers of `solve --json` and `synth --json`
+        /// The schema of the answers of `solve --json` and `synth --json`
         #[arg(long, conflicts_with_all = ["synthesis", "motions"])]
         solved: bool,
-        /// That of faults, warnings and notes with `--errors json`
+        /// The schema of faults, warnings and notes with `--errors json`
         #[arg(long, conflicts_with_all = ["synthesis", "motions", "solved"])]
         diagnostics: bool,
     },
 }
 
-/// What all commands on a scene take.
+/// Arguments of all commands on a scene.
 #[derive(ClapArgs, Debug)]
 pub struct Common {
     /// The scene file; `-` reads standard input
@@ -126,7 +126,7 @@ pub struct Common {
     pub notation: Option<String>,
 }
 
-/// What a figure looks like.
+/// The appearance of figures.
 #[derive(ClapArgs, Debug)]
 pub struct Look {
     /// Style: print (black on white), slides (a colour for each link), dark, or a style file ending in .json
@@ -151,13 +151,13 @@ pub struct Draw {
     /// Formats of the files, such as svg,pdf; of a file the ending of -o decides (default: svg,png into a folder, svg to standard output)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<Format>,
-    /// Which figures, each with files of its own: the whole sheet, or parts of it
+    /// The figures, each in files of its own: the whole sheet, or parts of it
     #[arg(long, value_parser = figures(), value_delimiter = ',', default_value = USUAL.name)]
     pub figure: Vec<&'static Entry>,
     /// With the mechanism: vectors of this kind at its points
     #[arg(long, value_enum, conflicts_with = "steps")]
     pub vectors: Option<Vectors>,
-    /// So many positions of the first driver: the sheet becomes a table of them, each with its mechanism and polygons, all to one
+    /// Number of positions of the first driver: the sheet becomes a table of them, each with its mechanism and polygons, all to one
     /// set of scales; with `--figure mechanism` they lie behind the mechanism
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72), conflicts_with = "steps")]
     pub poses: u16,
@@ -169,8 +169,8 @@ pub struct Draw {
     /// mechanism can be drawn again from it
     #[arg(long, conflicts_with = "steps")]
     pub dimensions: bool,
-    /// Width of the page, such as 80mm for a column of a book: type is made smaller as far as it can be read, then things are left out,
-    /// which is told; what still does not fit is not drawn
+    /// Width of the page, such as 80mm for a column of a book: type is made smaller as far as it can be read, then items are left out,
+    /// with a note; a figure that still does not fit is not drawn
     #[arg(long, value_name = "LENGTH")]
     pub width: Option<String>,
     /// Letters of an SVG: outlines look the same everywhere; editable text depends on the fonts of the machine that shows it
@@ -179,7 +179,7 @@ pub struct Draw {
     /// One picture for each step of the construction, with the step's sentence
     #[arg(long, conflicts_with = "figure")]
     pub steps: bool,
-    /// Of a synthesis file: the candidate that is meant, counted from 1 in the order of `hodograph synth`
+    /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
     #[command(flatten)]
@@ -211,12 +211,12 @@ pub struct Lesson {
     /// Positions through a full turn or the whole travel, 8 to 360; more are added where the motion bends
     #[arg(long, default_value_t = crate::lesson::POSITIONS as u64, value_parser = clap::value_parser!(u64).range(8..=360))]
     pub positions: u64,
-    /// Which of the scene's drivers is moved, counted from 1; of a file with `motions`, which motion is shown
+    /// The driver that moves, counted from 1; for a file with `motions`, the motion that is shown
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "over")]
     pub driver: Option<u64>,
     #[command(flatten)]
     pub moves: Moves,
-    /// Of a synthesis file: the candidate that is meant, counted from 1 in the order of `hodograph synth`
+    /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
     #[command(flatten)]
@@ -276,7 +276,7 @@ pub struct Worksheet {
     /// Ask for the degree of freedom and the groups instead of the motion: the solution counts, says why, and draws the groups apart
     #[arg(long, conflicts_with = "find_the_mistake")]
     pub mobility: bool,
-    /// Of a synthesis file: the candidate that is meant, counted from 1 in the order of `hodograph synth`
+    /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
     #[command(flatten)]
@@ -312,14 +312,14 @@ pub struct Accuracy {
 /// A driver's or parameter's values, and what is asked at each.
 #[derive(ClapArgs, Debug)]
 pub struct Range {
-    /// What is swept: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); of `sweep` and `curves` also `t`, the time: all drivers, each by its
+    /// The variable: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); for `sweep` and `curves` also `t`, the time: all drivers, each by its
     /// law or at its rate (default where the scene has laws of time); of `sweep` a parameter of the scene
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
-    /// Where it begins, with a unit (default: 0, or as far as the driver goes)
+    /// The beginning, with a unit (default: 0, or the end of the driver's range)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub from: Option<String>,
-    /// Where it ends (default: a full turn, or as far as the driver goes; of the time twice the scene's instant)
+    /// The end (default: a full turn, or the end of the driver's range; for the time twice the scene's instant)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub to: Option<String>,
     /// Equal steps from one to the other; both ends are rows (default: 360; of `batch` none, each mechanism stands where the scene
@@ -370,7 +370,7 @@ pub struct Curves {
 pub struct Mobility {
     #[command(flatten)]
     pub common: Common,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     pub json: bool,
     #[command(flatten)]
@@ -401,7 +401,7 @@ pub struct Cam {
     /// Steps of a turn in the profile
     #[arg(long, value_name = "N", default_value_t = 720, value_parser = clap::value_parser!(u32).range(12..=100_000))]
     pub steps: u32,
-    /// Which cam of the scene, counted from 1 (default: all)
+    /// The cam, counted from 1 (default: all)
     #[arg(long, value_name = "K")]
     pub cam: Option<usize>,
     /// The report as JSON, in SI and radians
@@ -421,7 +421,7 @@ pub struct Batch {
     /// A parameter and its values: NAME=FROM..TO:N; bare numbers keep the unit
     #[arg(long, value_name = "NAME=FROM..TO:N", required = true)]
     pub vary: Vec<String>,
-    /// So many mechanisms at random instead of every combination
+    /// Number of random mechanisms instead of every combination
     #[arg(long, value_name = "N")]
     pub random: Option<u64>,
     /// Another seed gives other random mechanisms

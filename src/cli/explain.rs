@@ -18,7 +18,7 @@ pub struct Explain {
     /// The code in the first line of a message, such as dead-centre (default: the list of all codes)
     #[arg(value_name = "CODE")]
     pub code: Option<String>,
-    /// As JSON, in both languages
+    /// Print JSON, in both languages
     #[arg(long)]
     pub json: bool,
 }

@@ -33,7 +33,7 @@ pub struct Synth {
     /// The construction with ruler and paper too, step by step, with the lengths measured
     #[arg(long)]
     pub steps: bool,
-    /// Of a search: how long it took, and how many positions it evaluated a second (on standard error)
+    /// For a search: its duration, and the positions evaluated per second (on standard error)
     #[arg(long)]
     pub speed: bool,
 }
@@ -68,7 +68,7 @@ pub fn run(a: Synth) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-/// How fast the search was; other kinds have nothing to count.
+/// Returns the speed of the search; other kinds have nothing to count.
 fn speed(evaluations: Option<f64>, seconds: f64) -> Both {
     let took = significant(seconds, 3);
     match evaluations {

@@ -1,4 +1,4 @@
-//! What an argument may be: the choices that have names, and how numbers are read.
+//! Values of arguments: the named choices, and the reading of numbers.
 
 use super::files::Refused;
 use super::{Failure, Told, files};
@@ -73,7 +73,7 @@ pub enum Profile {
     Dxf,
 }
 
-/// How the letters of an SVG are written.
+/// The form of letters in an SVG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Text {
     /// Outlines
@@ -126,7 +126,7 @@ impl From<Language> for Lang {
     }
 }
 
-/// As many digits as the precision ladder vouches for.
+/// A number of digits that the precision ladder can certify.
 pub fn digits(s: &str) -> Result<usize, Refused> {
     match s.parse::<usize>() {
         Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
@@ -134,7 +134,7 @@ pub fn digits(s: &str) -> Result<usize, Refused> {
     }
 }
 
-/// What may be a length: a bare `--drafting` before the scene's name would take that for its length.
+/// Reads a length: a bare `--drafting` before the scene's name would take that for its length.
 pub fn length(s: &str) -> Result<String, Refused> {
     match s.trim_start().chars().next() {
         None => Ok(String::new()),
@@ -146,7 +146,7 @@ pub fn length(s: &str) -> Result<String, Refused> {
     }
 }
 
-/// As many steps as a file is likely to be wanted with: a hundred columns of ten million rows are eight gigabytes.
+/// The greatest number of steps: a hundred columns of ten million rows are eight gigabytes.
 pub fn steps(s: &str) -> Result<usize, Refused> {
     match s.parse::<usize>() {
         Ok(n) if n <= 10_000_000 => Ok(n),

@@ -18,7 +18,7 @@ pub struct Diff {
     /// Millimetres by which an item may have moved (default: 0.01); where it is given, pixels decide only if `--pixels` is given too
     #[arg(long, value_name = "MM", value_parser = tolerance)]
     pub tolerance: Option<f64>,
-    /// So many pixels may differ by more than one step of a channel (default: 0)
+    /// Number of pixels that may differ by more than one step of a channel (default: 0)
     #[arg(long, value_name = "N")]
     pub pixels: Option<usize>,
     /// The differences as JSON

@@ -3,10 +3,10 @@
 use super::{ClapArgs, Common, Format, Look, dpi, seconds};
 use crate::cli::values::Moving;
 
-/// What goes on from pose to pose.
+/// The motion from pose to pose.
 #[derive(ClapArgs, Debug)]
 pub struct Moves {
-    /// What moves: a driver by its name (`phi_1`, `s_B`, `l_BC`, `driver2`), the others standing; or `t`, the time: all drivers, each by its
+    /// The motion: a driver by its name (`phi_1`, `s_B`, `l_BC`, `driver2`), the others at rest; or `t`, the time: all drivers, each by its
     /// law or at its rate (default: the time where the scene has laws of it, else the first driver)
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
@@ -23,7 +23,7 @@ pub struct Path {
     /// The mechanism in so many positions at equal steps of the driver, one over another
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72))]
     pub poses: u16,
-    /// So many positions at equal steps of the driver, numbered alike on paths and hodographs (default: those of --poses, else 12)
+    /// Number of positions at equal steps of the driver, numbered alike on paths and hodographs (default: those of --poses, else 12)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=72))]
     pub marks: Option<u16>,
     #[command(flatten)]
@@ -46,7 +46,7 @@ pub struct Animate {
     /// Positions at equal steps of the driver, through a full turn, or from one end of its travel to the other and back
     #[arg(long, value_name = "N", default_value_t = 72, value_parser = clap::value_parser!(u16).range(2..=360))]
     pub frames: u16,
-    /// How long one period lasts, in seconds
+    /// Duration of one period, in seconds
     #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = seconds)]
     pub seconds: f64,
     #[command(flatten)]

@@ -23,7 +23,7 @@ pub struct Curvature {
     /// The tolerance of each place and length when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = crate::cli::values::length)]
     pub drafting: Option<String>,
-    /// As JSON, in SI
+    /// Print JSON, in SI
     #[arg(long)]
     pub json: bool,
     /// With the paths of the pole in both planes
@@ -42,7 +42,7 @@ pub struct Inversions {
     /// The inversion with this link as ground alone; without -o its scene is printed
     #[arg(long, value_name = "LINK")]
     pub pick: Option<String>,
-    /// As JSON, in SI
+    /// Print JSON, in SI
     #[arg(long, conflicts_with = "pick")]
     pub json: bool,
 }

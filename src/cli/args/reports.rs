@@ -10,7 +10,7 @@ pub struct Centres {
     /// The tolerance of each place when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = crate::cli::values::length)]
     pub drafting: Option<String>,
-    /// As JSON, in SI
+    /// Print JSON, in SI
     #[arg(long)]
     pub json: bool,
 }
@@ -20,7 +20,7 @@ pub struct Centres {
 pub struct Composite {
     #[command(flatten)]
     pub common: Common,
-    /// As JSON, in SI
+    /// Print JSON, in SI
     #[arg(long)]
     pub json: bool,
 }
@@ -33,7 +33,7 @@ pub struct Attempts {
     /// All typical mistakes of the scene, though it names some
     #[arg(long)]
     pub all: bool,
-    /// As JSON, in SI
+    /// Print JSON, in SI
     #[arg(long)]
     pub json: bool,
 }
@@ -42,7 +42,7 @@ pub struct Attempts {
 pub struct Readings {
     #[command(flatten)]
     pub common: Common,
-    /// As JSON, in SI
+    /// Print JSON, in SI
     #[arg(long)]
     pub json: bool,
 }
@@ -51,16 +51,16 @@ pub struct Readings {
 pub struct Limits {
     #[command(flatten)]
     pub common: Common,
-    /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
+    /// The driver that moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others are at rest
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
-    /// Of a four-bar: for which values of each length, the three others held, it has which of Grashof's types
+    /// For a four-bar: the ranges of each length, the three others held, for each of Grashof's types
     #[arg(long, conflicts_with = "flywheel")]
     pub ranges: bool,
     /// With the scene's loads: the flywheel on the driver's shaft for this coefficient of speed fluctuation, such as 1/30
     #[arg(long, value_name = "DELTA")]
     pub flywheel: Option<String>,
-    /// As JSON, in SI
+    /// Print JSON, in SI
     #[arg(long)]
     pub json: bool,
 }
