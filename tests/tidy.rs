@@ -7,6 +7,8 @@
 
 #[path = "tidy/codes.rs"]
 mod codes;
+#[path = "tidy/comments.rs"]
+mod comments;
 #[path = "tidy/documents.rs"]
 mod documents;
 #[path = "tidy/kinds.rs"]

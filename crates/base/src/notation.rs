@@ -44,7 +44,7 @@ pub struct Notation {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Vectors {
-    /// The same symbol as the magnitude.
+    /// The symbol of the magnitude.
     Plain,
     /// In bold italics.
     Bold,

@@ -290,10 +290,10 @@ pub(super) enum Extent {
     Pairs,
     /// The pose as well: only drivers and their rates may be missing.
     Pose,
-    /// As `Pose`, for quantities that do not depend on rates: a missing driver is added, and
+    /// `Pose` for quantities that do not depend on rates: a missing driver is added, and
     /// missing rates are zero.
     Rest,
-    /// As `Rest`, with missing rates of one unit.
+    /// `Rest` with missing rates of one unit.
     AnyRate,
     /// The motion: all data.
     #[default]

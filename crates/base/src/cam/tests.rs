@@ -202,7 +202,7 @@ fn inversion_finds_the_profile_from_which_the_motion_was_made() {
     }
 }
 
-/// The same cams in numbers that know their error: their enclosures contain the results of longer
+/// Cams in numbers that know their error: their enclosures contain the results of longer
 /// numbers and of double precision.
 #[test]
 fn longer_numbers_find_the_same_places() {

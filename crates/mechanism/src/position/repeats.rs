@@ -21,7 +21,7 @@ pub enum Reason {
     /// The middle of a bar whose ends move along two lines through the crank's centre, with equal
     /// distances: the ends, the middle, the centre.
     SameCircle([PointId; 2], PointId, PointId),
-    /// As [`Reason::SameCircle`], for the guide of one of the ends.
+    /// [`Reason::SameCircle`] for the guide of one of the ends.
     SameLine([PointId; 2], PointId, PointId),
     /// Another link meshes with the same links from the same carrier: the name of that link.
     RepeatedPlanets(String),
