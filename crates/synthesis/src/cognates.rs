@@ -83,7 +83,8 @@ impl Cognates {
 
     /// The cognates of a scene that is a four-bar with this coupler point.
     ///
-    /// # Errors `not-a-four-bar`, with the required structure and that of the scene.
+    /// # Errors
+    /// `not-a-four-bar`, with the required structure and that of the scene.
     pub fn of_scene(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result<Cognates, Diagnostic> {
         let (given, e) = four_bar(scene, at, point)?;
         let e_at = at.points[e.0].ok_or_else(|| none(scene))?;
