@@ -311,7 +311,7 @@ impl Board {
         self.halve_at(a, c, "F")
     }
 
-    /// As [`Board::halve`], with another letter than F for the end of the difference.
+    /// Performs [`Board::halve`] with another letter than F for the end of the difference.
     pub fn halve_at(&mut self, a: Point, c: [Point; 2], letter: &str) -> Option<()> {
         let far = usize::from(a.distance(c[1]) > a.distance(c[0]));
         let (long, short) = (c[far], c[1 - far]);

@@ -21,7 +21,7 @@ pub fn number(given: f64, scale: f64, works: impl Fn(f64) -> bool) -> Option<f64
     by_steps(given, scale, FINE, &works)
 }
 
-/// As [`number()`], in coarse steps, for tasks with expensive trials.
+/// Searches like [`number()`] but in coarse steps, for tasks with expensive trials.
 pub fn roughly(given: f64, scale: f64, works: impl Fn(f64) -> bool) -> Option<f64> {
     by_steps(given, scale, COARSE, &works)
 }
