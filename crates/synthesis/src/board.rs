@@ -1,8 +1,9 @@
 //! The drawing board of synthesis: constructions with ruler and compasses, in millimetres of paper.
 //!
-//! A [`Board`] knows nothing of the formulas: it lays off what is given to the scale μ_l, draws lines and circles, crosses them, and
-//! measures. Its own arithmetic is that of crossings, so that its agreement with the closed formula is evidence. Angles that are given
-//! are laid off with the protractor; halves, bisectors and circles through points are drawn.
+//! A [`Board`] does not use the formulas: it lays off the givens to the scale μ_l, draws lines and
+//! circles, marks their crossings and measures. Its only arithmetic is that of crossings, so that
+//! its agreement with the closed formula is evidence. Given angles are laid off with the
+//! protractor; halves, bisectors and circles through points are drawn.
 
 use super::candidate::Draft;
 use super::fourbar;
@@ -11,128 +12,131 @@ use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_board::construct::pencil::{Blunt, Hand};
 pub use hodograph_mechanism::position::kernel::crossing as cross_circles;
 
-/// How strongly a stroke is drawn.
+/// The weight of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
-    /// What is given.
+    /// Givens.
     Given,
-    /// Construction lines, which are kept 保留作图线.
+    /// Construction lines, which are kept (保留作图线).
     Thin,
-    /// The linkage that comes out.
+    /// The resulting linkage.
     Result,
 }
 
 /// A stroke on the paper (mm).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stroke {
-    /// From one place to another.
+    /// A segment between two places.
     Line(Point, Point),
-    /// A full circle.
+    /// A full circle: centre and radius.
     Circle(Point, f64),
-    /// A short arc of a circle about a direction (rad), as the compasses strike it at a crossing.
+    /// A short arc that the compasses strike at a crossing: centre, radius and direction (rad).
     Arc(Point, f64, f64),
 }
 
 /// A step of the construction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// What is done.
+    /// The instruction.
     pub text: Both,
     /// The strokes.
     pub strokes: Vec<(Stroke, Weight)>,
-    /// Marks that it brings: name in the label language, place.
+    /// The marks that the step adds: name in the label language, and place.
     pub marks: Vec<(String, Point)>,
 }
 
-/// A length or angle read off the paper beside the formula's.
+/// A length or angle measured on the paper, for comparison with the formula's value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
-    /// The number of the design that it proves.
+    /// The name of the number of the design that the reading checks.
     pub name: String,
-    /// On paper: mm, or radians of an angle.
+    /// The value on paper (mm; rad for an angle).
     pub measured: f64,
-    /// Whether it is an angle.
+    /// True for an angle.
     pub angle: bool,
 }
 
-/// The board.
+/// The drawing board.
 #[derive(Clone, Debug)]
 pub struct Board {
-    /// Metres for a millimetre of paper.
+    /// The scale μ_l: metres per millimetre of paper.
     pub mu_l: f64,
-    /// What has been drawn.
+    /// The steps drawn.
     pub steps: Vec<Step>,
-    /// What has been read.
+    /// The readings taken.
     pub readings: Vec<Reading>,
     hand: Hand,
 }
 
-/// Circles whose lines are nearer than this are seen to touch (mm).
+/// Circles whose lines are nearer than this are read as touching (mm).
 const LINE_MM: f64 = 0.5;
-/// Two places nearer than this are one (a pencil that misses apart).
+/// Two places nearer than this are one mark (mm), errors of the pencil excepted.
 const SAME_MM: f64 = 1e-3;
 
-/// A way to draw a task.
+/// A way of drawing a task.
 pub type Way<'a> = dyn Fn(&mut Board) -> Option<()> + 'a;
 
 /// A line on paper: a place and a direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// A place of it.
+    /// A point of the line.
     pub at: Point,
-    /// Its direction, a unit vector.
+    /// The direction, a unit vector.
     pub along: Vec2,
 }
 
 impl Line {
-    /// Through two places; `None` where they are one.
+    /// The line through two places; `None` where they coincide.
     pub fn through(p: Point, q: Point) -> Option<Line> {
         Some(Line { at: p, along: (q - p).unit()? })
     }
 
-    /// From a place at an angle (rad).
+    /// The line from a place at an angle (rad).
     pub fn ray(at: Point, angle: f64) -> Line {
         Line { at, along: Vec2::from_angle(angle) }
     }
 
-    /// The place at a distance along it.
+    /// The place at a distance along the line (mm).
     pub fn place(&self, distance_mm: f64) -> Point {
         self.at + self.along * distance_mm
     }
 
-    /// Where it crosses another.
+    /// The intersection with another line.
     pub fn cross(&self, other: &Line) -> Option<Point> {
         Some(cross_lines(self.at, self.along, other.at, other.along).at).filter(|p| p.is_finite())
     }
 
-    /// Where it crosses a circle, in its own order.
+    /// The intersections with a circle, in the direction of the line.
     pub fn cross_circle(&self, centre: Point, radius_mm: f64) -> Option<[Point; 2]> {
         fourbar::cross_circle(self.at, self.along, centre, radius_mm).map(|both| both.map(|s| self.place(s)))
     }
 
-    /// The square to it through a place.
+    /// The perpendicular through a place.
     pub fn square(&self, through: Point) -> Line {
         Line { at: through, along: self.along.perp() }
     }
 }
 
 impl Board {
-    /// An empty sheet.
+    /// Returns an empty sheet.
     pub fn new(mu_l: f64) -> Board {
         Board { mu_l, steps: Vec::new(), readings: Vec::new(), hand: Hand::default() }
     }
 
-    /// An empty sheet for a pencil that misses: what is laid off and marked, openings of the compasses, readings.
+    /// Returns an empty sheet for an inaccurate pencil: places laid off, marks, openings of the
+    /// compasses and readings have errors.
     pub fn by_hand(mu_l: f64, pencil: Blunt) -> Board {
         Board { hand: Hand::with(pencil, 1.0), ..Board::new(mu_l) }
     }
 
-    /// Where a mark falls that is meant to be at a place.
+    /// Returns the mark for an intended place.
     fn marked(&self, at: Point) -> Point {
         self.hand.mark(at)
     }
 
-    /// Where two circles cross, left of the line of centres first; a hand pricks them where they miss by no more than a pencil's line.
+    /// The intersections of two circles, the one left of the line of centres first. With an
+    /// inaccurate pencil, circles that miss each other by less than the width of a pencil line are
+    /// marked as touching.
     pub fn circles(&self, p: Point, r: f64, q: Point, s: f64) -> Option<[Point; 2]> {
         let touching = || {
             let gap = (p.distance(q) - r - s).max((r - s).abs() - p.distance(q));
@@ -144,7 +148,8 @@ impl Board {
         Some(found.map(|at| self.marked(at)))
     }
 
-    /// Where a line crosses a circle, in the line's order; see [`Board::circles`].
+    /// The intersections of a line and a circle, in the direction of the line; touching as for
+    /// [`Board::circles`].
     pub fn cut(&self, line: &Line, centre: Point, radius_mm: f64) -> Option<[Point; 2]> {
         let touching = || {
             let foot = line.place(line.along.dot(centre - line.at));
@@ -158,19 +163,20 @@ impl Board {
         self.hand.misses()
     }
 
-    /// What a reading stands for (m or rad).
+    /// The value of a reading at full size (m or rad).
     pub fn value(&self, reading: &Reading) -> f64 {
         if reading.angle { reading.measured.abs() } else { reading.measured * self.mu_l }
     }
 
-    /// A length on paper.
+    /// A length on paper (mm).
     pub fn mm(&self, length_m: f64) -> f64 {
         let length = length_m / self.mu_l;
-        // Taken between the points of the compasses along a ruler: what counts of a miss is its part along it.
+        // The compasses take it from a ruler: only the component of an error along the ruler
+        // counts.
         length + self.marked(Point::ORIGIN).x
     }
 
-    /// A place on paper. One that has been laid off before is the mark that is there.
+    /// A place on paper. A place laid off before keeps its mark.
     pub fn at(&self, place: Point) -> Point {
         self.hand.laid_off(place, Point::new(place.x / self.mu_l, place.y / self.mu_l))
     }
@@ -189,7 +195,7 @@ impl Board {
         &mut self.steps[end]
     }
 
-    /// Draws a line.
+    /// Draws a segment.
     pub fn line(&mut self, p: Point, q: Point, weight: Weight) -> &mut Board {
         self.last().strokes.push((Stroke::Line(p, q), weight));
         self
@@ -207,9 +213,9 @@ impl Board {
         self
     }
 
-    /// Names a place.
+    /// Marks and names a place.
     pub fn mark(&mut self, name: &str, at: Point) -> &mut Board {
-        // A point that is found again in another way has its name.
+        // A point found again by another construction keeps its name.
         let there = |(n, p): &(String, Point)| n == name && p.distance(at) < SAME_MM;
         if !self.steps.iter().any(|s| s.marks.iter().any(there)) {
             self.last().marks.push((name.to_owned(), at));
@@ -217,7 +223,7 @@ impl Board {
         self
     }
 
-    /// Reads a length.
+    /// Reads the length between two places.
     pub fn read(&mut self, name: &str, p: Point, q: Point) -> &mut Board {
         self.readings.push(Reading { name: name.to_owned(), measured: self.marked(p).distance(self.marked(q)), angle: false });
         self
@@ -229,9 +235,10 @@ impl Board {
         self
     }
 
-    /// Perpendicular bisector: two circles of one opening, and the line through their crossings.
+    /// The perpendicular bisector: two circles of equal radius, and the line through their
+    /// intersections.
     pub fn bisector(&mut self, p: Point, q: Point) -> Option<Line> {
-        // An opening well over the half makes the crossings sharp.
+        // A radius well over half the distance gives sharp crossings.
         let opening = 0.7 * p.distance(q);
         let [one, other] = cross_circles(p, opening, q, opening)?.map(|at| self.marked(at));
         let line = Line::through(one, other)?;
@@ -243,13 +250,13 @@ impl Board {
         Some(line)
     }
 
-    /// The middle of two places.
+    /// The midpoint of two places.
     pub fn middle(&mut self, p: Point, q: Point) -> Option<Point> {
         let line = self.bisector(p, q)?;
         line.cross(&Line::through(p, q)?).map(|at| self.marked(at))
     }
 
-    /// The centre of the circle through three places: two bisectors crossed.
+    /// The centre of the circle through three places: the intersection of two bisectors.
     pub fn centre(&mut self, p: Point, q: Point, r: Point) -> Option<Point> {
         let (one, other) = (self.bisector(p, q)?, self.bisector(q, r)?);
         let centre = self.marked(one.cross(&other)?);
@@ -262,8 +269,9 @@ impl Board {
         Some(centre)
     }
 
-    /// The circle over a chord with an inscribed angle (rad): its centre sees both ends under 90° − θ from the chord, on the left of it
-    /// seen from the first end (`left`).
+    /// The circle over a chord with an inscribed angle θ (rad): its centre and radius. From either
+    /// end the centre appears at 90° − θ from the chord; if `left`, it is left of the chord seen
+    /// from the first end.
     pub fn inscribed(&mut self, p: Point, q: Point, angle: f64, left: bool) -> Option<(Point, f64)> {
         let side = if left { 1.0 } else { -1.0 };
         let lean = side * (std::f64::consts::FRAC_PI_2 - angle);
@@ -276,7 +284,8 @@ impl Board {
         Some((centre, radius))
     }
 
-    /// Carries a place with a body from one position to another: two openings of the compasses, from two points of the body.
+    /// Moves a place with a body from one position to another: two openings of the compasses, from
+    /// two points of the body.
     pub fn transfer(&mut self, at: Point, from: [Point; 2], to: [Point; 2]) -> Option<Point> {
         let (r, s) = (at.distance(from[0]), at.distance(from[1]));
         let left = (from[1] - from[0]).cross(at - from[0]) > 0.0;
@@ -288,7 +297,7 @@ impl Board {
                     other
                 }
             }
-            // In line with the two points the circles touch.
+            // A place in line with the two points: the circles touch.
             None => to[0] + (to[1] - to[0]) * ((at - from[0]).dot(from[1] - from[0]) / (from[1] - from[0]).norm2()),
         };
         let found = self.marked(found);
@@ -296,12 +305,13 @@ impl Board {
         Some(found)
     }
 
-    /// The limit positions of a crank and its coupler: half the difference of AC₁ and AC₂ is the crank, halved with the compasses.
+    /// The limit positions of crank and coupler: the crank is half the difference of AC₁ and AC₂,
+    /// halved with the compasses.
     pub fn halve(&mut self, a: Point, c: [Point; 2]) -> Option<()> {
         self.halve_at(a, c, "F")
     }
 
-    /// The same with another letter for the place where the difference begins, where F is taken.
+    /// Performs [`Board::halve`] with another letter than F for the end of the difference.
     pub fn halve_at(&mut self, a: Point, c: [Point; 2], letter: &str) -> Option<()> {
         let far = usize::from(a.distance(c[1]) > a.distance(c[0]));
         let (long, short) = (c[far], c[1 - far]);
@@ -330,7 +340,8 @@ impl Board {
         Some(())
     }
 
-    /// Of several ways to read the task (which crossing, which side) the one that is meant: whose readings come nearest to the design's.
+    /// Draws the task in several ways (choice of crossing or side) and keeps the one whose readings
+    /// are nearest to the design's numbers.
     pub fn meant(&mut self, draft: &Draft, ways: &[&Way]) -> Option<()> {
         let off = |board: &Board| {
             let of = |r: &Reading| draft.numbers.iter().find(|n| n.name == r.name).map(|n| (board.value(r) - n.value.abs()).abs());

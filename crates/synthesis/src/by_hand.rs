@@ -1,17 +1,18 @@
-//! What a pencil and a ruler make of a construction: drawn again and again by a hand that misses.
+//! Tolerances of a construction drawn with pencil and ruler, by repeated drawing with errors.
 //!
-//! Every place that is laid off, every opening of the compasses, crossing of bisectors, turned place and reading misses by the pencil's
-//! error, as marks of scenes do ([`Blunt`]); given angles are laid off exactly. The tolerance of a reading is the bound within which 95 of
-//! 100 drawings have it.
+//! Every place laid off, opening of the compasses, intersection of bisectors, rotated place and
+//! reading has the pencil's error, as marks of scenes do ([`Blunt`]); given angles are laid off
+//! exactly. The tolerance of a reading is the bound that contains 95 of 100 drawings.
 
 use super::{Board, Candidate, Task};
 use hodograph_board::construct::pencil::{Blunt, USUAL_MM, bound};
 
-/// Drawings: the 95 % bound of so many is known to a tenth of itself.
+/// The number of drawings: it gives the 95 % bound to about a tenth of itself.
 const DRAWINGS: u64 = 200;
 
-/// The tolerances of a board's readings in their order (m or rad): within them lie 95 of 100 drawings with this pencil. `None` where so
-/// many drawings do not come to an end, circles that just meet passing one another.
+/// Returns the tolerances of a board's readings in their order (m or rad), which contain 95 of 100
+/// drawings with this pencil. `None` where too many drawings fail, because circles that just meet
+/// miss one another.
 pub fn tolerances(task: &Task, candidate: &Candidate, board: &Board) -> Vec<Option<f64>> {
     let pencil_mm = pencil_mm(task);
     let drawn = |seed: u64| {
@@ -30,7 +31,7 @@ pub fn tolerances(task: &Task, candidate: &Candidate, board: &Board) -> Vec<Opti
     (0..board.readings.len()).map(of).collect()
 }
 
-/// The pencil of a task's paper, else the usual one (mm).
+/// The pencil error of a task's paper, else the usual one (mm).
 pub fn pencil_mm(task: &Task) -> f64 {
     task.paper.pencil_mm.unwrap_or(USUAL_MM)
 }
@@ -41,7 +42,7 @@ mod tests {
     use crate::{KINDS, construct, read, solve, templates};
     use hodograph_base::geom::Point;
 
-    /// A point has one mark, however often the construction comes back to it.
+    /// A point has one mark, however often the construction uses it.
     #[test]
     fn a_point_is_marked_once() {
         let mut seen = 0;
@@ -69,8 +70,9 @@ mod tests {
         assert!(seen > 50, "{seen}");
     }
 
-    /// Of `body` the given origins E are laid off once, not at each use: B and C of a position miss by what is laid off from its one E, and BC by two
-    /// lengths laid off and two ends read, each by σ = 0.1 mm/2.448 along it: 1.96 σ √4 = 0.160 mm.
+    /// In `body`, the given origins E are laid off once, not at each use: B and C of a position
+    /// have the error of the lengths laid off from its one E, and BC that of two lengths laid off
+    /// and two ends read, each with σ = 0.1 mm/2.448 along it: 1.96 σ √4 = 0.160 mm.
     #[test]
     fn given_positions_are_laid_off_once() {
         let task = read(templates::get("body").unwrap()).unwrap().value;
@@ -81,7 +83,9 @@ mod tests {
         assert!((0.144..0.176).contains(&off_mm), "{off_mm}");
     }
 
-    /// A blunter pencil misses by more: in proportion, but where circles nearly touch, whose crossings go with the root; no reading of a template is hopeless; the same on every run.
+    /// A blunter pencil has larger errors: in proportion, except where circles nearly touch, whose
+    /// intersections depend on the square root. No reading of a template is hopeless, and every run
+    /// gives the same result.
     #[test]
     fn tolerances_grow_with_the_pencil() {
         for kind in KINDS {
@@ -98,7 +102,7 @@ mod tests {
             assert_eq!(fine, of("0.05 mm").0);
             for ((fine, blunt), reading) in fine.iter().zip(&blunt).zip(&readings) {
                 let (fine, blunt) = (fine.unwrap(), blunt.unwrap());
-                // An angle that is laid off with the protractor and read again is exact.
+                // An angle that is laid off and read with the protractor is exact.
                 assert!(fine > 0.0 || reading.angle, "{}: {}", kind.name, reading.name);
                 assert!(fine == 0.0 || (1.05..2.5).contains(&(blunt / fine)), "{} {}: {fine} {blunt}", kind.name, reading.name);
             }

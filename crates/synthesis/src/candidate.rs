@@ -1,6 +1,7 @@
-//! A design: the scene as written, what it is made of, what it is to do, and what is to be said of it.
+//! Designs: the scene as written, its numbers, its requirements and the remarks on it.
 //!
-//! A kind of task makes a [`Draft`]; judging adds what only the finished scene can tell and makes it a [`Candidate`].
+//! A kind of task makes a [`Draft`]; judging adds the results of sweeping the finished scene and
+//! makes it a [`Candidate`].
 
 use super::judge::Judged;
 use hodograph_base::diag::{Both, Diagnostic};
@@ -8,16 +9,16 @@ use hodograph_base::geom::Point;
 use hodograph_scene::Kind;
 use serde_json::{Value as Json, json};
 
-/// A number of a design, with its name and what it is.
+/// A number of a design, with its name and description.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Number {
     /// A short name for programs and tables: `AB`, `theta`, `gamma`.
     pub name: String,
-    /// What it is, in words.
+    /// The description.
     pub what: Both,
     /// Its value (SI).
     pub value: f64,
-    /// What kind of quantity; none for a pure number.
+    /// The kind of quantity; `None` for a pure number.
     pub kind: Option<Kind>,
 }
 
@@ -38,76 +39,78 @@ impl Number {
     }
 }
 
-/// Where points are to be at a position of the driver.
+/// Required places of points at a position of the driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wanted {
-    /// Position of the driver (rad), as the scene counts it.
+    /// The position of the driver (rad), as the scene counts it.
     pub driver: f64,
-    /// Points by name, each with its place (m).
+    /// The points by name, each with its required place (m).
     pub places: Vec<(String, Point)>,
 }
 
-/// What the whole motion of the scene is to have, beside positions.
+/// A requirement on the whole motion of the scene, beside positions.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Demand {
     /// The time ratio of an output, whichever stroke is the slow one.
     TimeRatio(f64),
-    /// The stroke of an output that slides (m).
+    /// The stroke of a sliding output (m).
     Stroke(f64),
-    /// The swing of an output that turns (rad).
+    /// The swing of a rotating output (rad).
     Swing(f64),
     /// The driver turns fully.
     FullTurn,
 }
 
-/// The output's angle at a place of a function's range.
+/// Wanted and actual output angle at a value of a function's variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compared {
     /// The variable of the function.
     pub x: f64,
-    /// The crank's angle (rad).
+    /// The crank angle (rad).
     pub input: f64,
-    /// The output's angle that is wanted (rad).
+    /// The wanted output angle (rad).
     pub wanted: f64,
-    /// The output's angle as it is (rad).
+    /// The actual output angle (rad).
     pub real: f64,
 }
 
 impl Compared {
-    /// Real less wanted (rad).
+    /// The deviation: actual minus wanted angle (rad).
     pub fn deviation(&self) -> f64 {
         self.real - self.wanted
     }
 }
 
-/// A design as its formula gives it.
+/// A design as the formula gives it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draft {
-    /// Which of the solutions it is, in words.
+    /// The description that tells this solution from the others.
     pub which: Both,
     /// The scene.
     pub scene: Json,
-    /// Lengths and other numbers of the design, in the order in which they are told.
+    /// Lengths and other numbers of the design, in the order of printing.
     pub numbers: Vec<Number>,
-    /// The positions that it is to take. The first is where the scene stands.
+    /// The required positions. The scene is drawn in the first.
     pub wanted: Vec<Wanted>,
-    /// What its whole motion is to have.
+    /// The requirements on the whole motion.
     pub demands: Vec<Demand>,
-    /// Whether the wanted positions lie in the order of the driver's motion by wish: then an order that goes to and fro is a defect.
+    /// True if the required positions are meant in the order of the driver's motion: then an order
+    /// that reverses is a defect.
     pub ordered: bool,
-    /// How far it misses what was wanted by design, for approximations (in whatever the task counts); 0 for what is met exactly.
+    /// The error of an approximation, in the measure of its kind of task; 0 for an exact solution.
     pub error: f64,
-    /// Wanted against real: the places that a point is to come near to (m).
+    /// Wanted against actual: the places that a point approximates (m).
     pub targets: Vec<Point>,
-    /// Wanted against real: the output's angle over the range of a function.
+    /// Wanted against actual: the output angle over the range of a function.
     pub course: Vec<Compared>,
-    /// What is to be said of it.
+    /// Remarks on the design.
     pub remarks: Vec<Diagnostic>,
 }
 
 impl Draft {
-    /// A design that meets its wish exactly, in any order, of which nothing else is demanded.
+    /// Returns a design that meets its requirements exactly, in any order, without demands on the
+    /// whole motion.
     pub fn new(which: Both, scene: Json, numbers: Vec<Number>, wanted: Vec<Wanted>) -> Draft {
         Draft {
             which,
@@ -124,22 +127,22 @@ impl Draft {
     }
 }
 
-/// A design with what its finished scene does.
+/// A design with the results of its finished scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
     /// The design.
     pub draft: Draft,
-    /// What sweeping its scene shows.
+    /// The results of sweeping the scene.
     pub judged: Judged,
 }
 
 impl Candidate {
-    /// The text of its scene.
+    /// The text of the scene.
     pub fn scene_text(&self) -> String {
         scene_text(&self.draft.scene)
     }
 
-    /// A number by its name.
+    /// The value of a number by its name.
     pub fn number(&self, name: &str) -> Option<f64> {
         self.draft.numbers.iter().find(|n| n.name == name).map(|n| n.value)
     }
@@ -184,7 +187,7 @@ pub fn scene_text(scene: &Json) -> String {
     format!("{{\n{}\n}}\n", lines.join(",\n"))
 }
 
-/// A value in one line, with spaces as people write them.
+/// A JSON value in one line, with spaces after separators.
 fn spaced(value: &Json) -> String {
     match value {
         Json::Array(items) => format!("[{}]", items.iter().map(spaced).collect::<Vec<_>>().join(", ")),
@@ -196,17 +199,17 @@ fn spaced(value: &Json) -> String {
     }
 }
 
-/// A length of a scene's text: millimetres with all digits of the number.
+/// A length for a scene's text: millimetres with all digits of the number.
 pub fn mm(value_m: f64) -> Json {
     Json::String(format!("{} mm", value_m * 1e3 + 0.0))
 }
 
-/// An angle of a scene's text: degrees with all digits of the number.
+/// An angle for a scene's text: degrees with all digits of the number.
 pub fn deg(value_rad: f64) -> Json {
     Json::String(format!("{} deg", value_rad.to_degrees() + 0.0))
 }
 
-/// A place of a scene's text.
+/// A place for a scene's text.
 pub fn place(at: Point) -> Json {
     Json::Array(vec![mm(at.x), mm(at.y)])
 }

@@ -1,8 +1,10 @@
-//! Cognates 同源机构 (Roberts–Chebyshev), `"synthesis": "cognates"`: the two other four-bars that carry a coupler point along the same path.
+//! Cognates 同源机构 (Roberts–Chebyshev), `"synthesis": "cognates"`: the two other four-bars that guide
+//! a coupler point along the same path.
 //!
-//! λ = BE/BC as a turn and stretch. The third pivot is F = A + λ·AD; the left cognate A A₁ P₁ F has A₁ = A + BE and P₁ = A₁ + λ·AB, the
-//! right one D D₁ P₂ F the same with the letters changed over, λ' = CE/CB. ABEA₁ and DCED₁ are parallelograms, the three triangles on the
-//! couplers are similar to BCE.
+//! λ = BE/BC as a rotation with scaling. The third pivot is F = A + λ·AD; the left cognate A A₁ P₁
+//! F has A₁ = A + BE and P₁ = A₁ + λ·AB, the right one D D₁ P₂ F correspondingly with the letters
+//! exchanged, λ' = CE/CB. ABEA₁ and DCED₁ are parallelograms; the three triangles on the couplers
+//! are similar to BCE.
 //!
 //! # Source
 //! S. Roberts, *On three-bar motion in plane space*, Proc. London Math. Soc. 7 (1875); P. L. Chebyshev, 1878.
@@ -21,7 +23,7 @@ use hodograph_mechanism::position::{Configuration, configure};
 use hodograph_scene::{self as scene, LinkId, PointId, Scene, templates};
 use std::f64::consts::TAU;
 
-/// The kind.
+/// Cognates as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "cognates",
     what: ["the two other four-bars with the same coupler curve", "同源机构：连杆曲线相同的另外两个四杆机构"],
@@ -29,9 +31,9 @@ pub const KIND: KindOfTask = KindOfTask {
     read,
 };
 
-/// Positions at which the cognates' scenes are compared with the given linkage.
+/// Number of positions in which the cognates' scenes are compared with the given linkage.
 const POSITIONS: usize = 8;
-/// Lengths below this part of the linkage's size are none.
+/// Lengths below this share of the linkage's size count as zero.
 const NONE: f64 = 1e-9;
 
 /// A four-bar with a coupler point, and its cognates.
@@ -50,7 +52,7 @@ pub struct Cognates {
 }
 
 impl Cognates {
-    /// By the turns and stretches; `None` where the coupler has no length.
+    /// Cognates by rotation and scaling; `None` where the coupler has zero length.
     pub fn of(given: FourBar, e: Point) -> Option<Cognates> {
         let FourBar { a, b, c, d, .. } = given;
         if b.distance(c) <= NONE * given.size() {
@@ -66,7 +68,8 @@ impl Cognates {
         Some(Cognates { left: side(a, b, c), right: side(d, c, b), f, e, given })
     }
 
-    /// The left cognate, driven by A A₁, which turns as BC; and the right one, driven by F P₂, which turns as AB.
+    /// The left cognate, driven by A A₁, which rotates with BC; and the right one, driven by F P₂,
+    /// which rotates with AB.
     pub fn four_bars(&self) -> [Option<FourBar>; 2] {
         let with = |a: Point, b: Point, c: Point, d: Point| {
             let axis = (c - b).unit().filter(|_| b.distance(c) > NONE * self.given.size())?;
@@ -81,7 +84,7 @@ impl Cognates {
     /// The cognates of a scene that is a four-bar with this coupler point.
     ///
     /// # Errors
-    /// `not-a-four-bar`: what is wanted, and what the scene has.
+    /// `not-a-four-bar`, with the required structure and that of the scene.
     pub fn of_scene(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result<Cognates, Diagnostic> {
         let (given, e) = four_bar(scene, at, point)?;
         let e_at = at.points[e.0].ok_or_else(|| none(scene))?;
@@ -103,7 +106,7 @@ fn none(scene: &Scene) -> Diagnostic {
     Diagnostic::error("not-a-four-bar", message).help(help)
 }
 
-/// The four-bar of a scene: driver first; and its coupler point.
+/// The four-bar of a scene, driver first, and its coupler point.
 fn four_bar(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result<(FourBar, PointId), Diagnostic> {
     let found = || {
         if scene.links.len() != 4 || !scene.guides.is_empty() || !scene.rolling.is_empty() {
@@ -137,17 +140,17 @@ fn four_bar(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result
     })
 }
 
-/// A position of the given linkage: crank, coupler, E.
+/// A position of the given linkage: crank AB, coupler BC, and E.
 type Position = (Vec2, Vec2, Point);
-/// The link of it that turns as a cognate's driver.
+/// The vector of the given linkage that rotates with a cognate's driver.
 type TurnsAs = fn(&Position) -> Vec2;
 
 #[derive(Clone, Debug)]
 struct Task {
     cognates: Cognates,
-    /// The title where the file has none.
+    /// The title if the file has none.
     name: Both,
-    /// The rate of the given scene's driver (rad/s).
+    /// The angular velocity of the given scene's driver (rad/s).
     rate: f64,
 }
 
@@ -223,7 +226,8 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
 }
 
 impl Task {
-    /// Positions of the given linkage over a turn of its crank, or as far as its dyad reaches: crank angle, coupler angle, E.
+    /// Positions of the given linkage over a turn of its crank, or over the range in which it
+    /// closes: crank, coupler, E.
     fn positions(&self) -> Vec<Position> {
         let given = &self.cognates.given;
         let start = (given.b - given.a).angle();
@@ -307,7 +311,7 @@ impl Wish for Task {
 }
 
 impl Task {
-    /// Two parallelograms and three similar triangles; of the three linkages the `k`-th is measured.
+    /// Draws two parallelograms and three similar triangles; linkage `k` of the three is measured.
     fn drawn(&self, board: &mut Board, k: usize) -> Option<()> {
         let FourBar { a, b, c, d, .. } = self.cognates.given;
         let [a, b, c, d, e] = [a, b, c, d, self.cognates.e].map(|p| board.at(p));
@@ -346,8 +350,8 @@ impl Task {
     }
 }
 
-/// The third corner of a triangle over a base that is similar to a given one: its angles at both ends are carried over; on the base itself
-/// the ratio of the parts is.
+/// The third corner of a triangle over a base that is similar to a given one: its angles at both
+/// ends are transferred; for a corner on the base itself the division ratio is.
 fn similar(board: &mut Board, base: [Point; 2], to: [Point; 3]) -> Option<Point> {
     let [p, q] = base;
     let [u, v, w] = to;
@@ -356,7 +360,7 @@ fn similar(board: &mut Board, base: [Point; 2], to: [Point; 3]) -> Option<Point>
         Some(Line { at, along: (toward - at).unit()?.rotate_by(turn) })
     };
     let (one, other) = (carried(p, q, [u, v])?, carried(q, p, [v, u])?);
-    // As flat as a pencil's line is wide over the length of a sheet.
+    // A pencil line's width over the length of a sheet: flatter triangles are degenerate.
     let corner = if one.along.cross(other.along).abs() > 1e-3 {
         one.cross(&other)?
     } else {

@@ -1,7 +1,8 @@
-//! The synthesis file as written: an object whose keys are known, whose quantities are read by the machinery of scenes.
+//! The synthesis file as written: an object with known keys, whose quantities are read with the
+//! same code as those of scenes.
 //!
-//! A [`Form`] interprets nothing; each kind of task takes from it what it needs, and says what is missing with an example. Faults are
-//! collected, so that one run shows them all.
+//! A [`Form`] interprets nothing; each kind of task reads from it the keys that it needs, and
+//! reports missing ones with an example. Faults are collected, so that one run shows all.
 
 use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 use hodograph_base::geom::Point;
@@ -12,8 +13,8 @@ use hodograph_scene::units::Wanted;
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 
-/// More entries of one list are refused: four hundred pairs of angles or points of a path are more than any course design asks for, and
-/// they bound the time of the optimisers.
+/// Greatest number of entries of a list. Four hundred pairs of angles or points of a path exceed
+/// any course design, and bound the time of the optimisers.
 const MOST: usize = 400;
 
 /// An object of the file.
@@ -21,12 +22,12 @@ pub(crate) struct Form<'a> {
     fields: Fields<'a>,
     front: &'a Front<'a>,
     faults: &'a RefCell<Faults>,
-    /// The keys whose values have been taken.
+    /// The keys that have been read.
     taken: RefCell<BTreeSet<String>>,
 }
 
 impl<'a> Form<'a> {
-    /// An object whose keys have been checked.
+    /// Returns an object with checked keys.
     pub fn new(fields: Fields<'a>, front: &'a Front<'a>, faults: &'a RefCell<Faults>) -> Form<'a> {
         Form { fields, front, faults, taken: RefCell::default() }
     }
@@ -36,13 +37,14 @@ impl<'a> Form<'a> {
         self.faults.borrow_mut().push(d);
     }
 
-    /// The value of a key as it stands.
+    /// The value of a key; marks the key as read.
     pub fn node(&self, key: &str) -> Option<&'a Node> {
         self.taken.borrow_mut().insert(key.to_owned());
         self.fields.get(key)
     }
 
-    /// Those of some keys that are there although nothing took them: they say nothing in this task.
+    /// Warnings for those of some keys that are present but were not read: they have no effect in
+    /// this task.
     pub fn idle(&self, keys: &[&'static str]) -> Vec<Diagnostic> {
         let idle = keys.iter().filter(|k| self.has(k) && !self.taken.borrow().contains(**k));
         let told = |key: &&str| {
@@ -52,17 +54,17 @@ impl<'a> Form<'a> {
         idle.map(told).collect()
     }
 
-    /// Whether the key is there.
+    /// True if the key is present.
     pub fn has(&self, key: &str) -> bool {
         self.fields.get(key).is_some()
     }
 
-    /// The place of a value, or of the object where it is missing.
+    /// The place of a value, or of the object if the value is missing.
     pub fn span(&self, key: &str) -> Span {
         self.fields.get(key).map_or_else(|| self.fields.span(), |n| n.span)
     }
 
-    /// The value of a key that must be there.
+    /// The value of a required key.
     pub fn need(&self, key: &str, example: &str) -> Option<&'a Node> {
         self.taken.borrow_mut().insert(key.to_owned());
         self.fields.need(key, example, &mut self.faults.borrow_mut())
@@ -73,7 +75,7 @@ impl<'a> Form<'a> {
         self.length_of(self.node(key)?, key)
     }
 
-    /// A length (m) of any value.
+    /// A length (m), from any value.
     pub fn length_of(&self, node: &Node, key: &str) -> Option<f64> {
         self.front.si(node, Wanted::Length, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
@@ -89,7 +91,7 @@ impl<'a> Form<'a> {
         None
     }
 
-    /// A length greater than zero that must be there.
+    /// A required length greater than zero (m).
     pub fn need_size(&self, key: &str, example: &str) -> Option<f64> {
         self.need(key, example)?;
         self.size(key)
@@ -100,27 +102,28 @@ impl<'a> Form<'a> {
         self.angle_of(self.node(key)?, key)
     }
 
-    /// An angle (rad) of any value.
+    /// An angle (rad), from any value.
     pub fn angle_of(&self, node: &Node, key: &str) -> Option<f64> {
         self.front.angle(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
 
-    /// An angle that must be there.
+    /// A required angle (rad).
     pub fn need_angle(&self, key: &str, example: &str) -> Option<f64> {
         self.angle_of(self.need(key, example)?, key)
     }
 
-    /// A number without a dimension.
+    /// A dimensionless number.
     pub fn number(&self, key: &str) -> Option<f64> {
         self.number_of(self.node(key)?, key)
     }
 
-    /// A number of any value.
+    /// A number, from any value.
     pub fn number_of(&self, node: &Node, key: &str) -> Option<f64> {
         self.front.number(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
 
-    /// A number without a dimension or an angle: as written, and for an angle whether it counts degrees.
+    /// A dimensionless number or an angle: the value as written, and for an angle whether it is in
+    /// degrees.
     pub fn number_or_angle(&self, key: &str) -> Option<(f64, Option<bool>)> {
         self.front.number_or_angle(self.node(key)?, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
@@ -130,12 +133,12 @@ impl<'a> Form<'a> {
         self.front.curve(self.node(key)?, variable, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
 
-    /// A rate of turning (rad/s).
+    /// An angular velocity (rad/s).
     pub fn omega(&self, key: &str) -> Option<f64> {
         self.front.si(self.node(key)?, Wanted::Omega, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
 
-    /// A whole number within bounds.
+    /// An integer within bounds.
     pub fn count(&self, key: &str, least: usize, most: usize) -> Option<usize> {
         let value = self.number(key)?;
         if value.fract() == 0.0 && value >= least as f64 && value <= most as f64 {
@@ -162,7 +165,7 @@ impl<'a> Form<'a> {
         self.choice_of(self.node(key)?, key, known)
     }
 
-    /// One of several words, of any value.
+    /// One of several words, from any value.
     pub fn choice_of(&self, node: &Node, key: &str, known: &[&'static str]) -> Option<&'static str> {
         let found = word(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())?;
         let one = known.iter().find(|k| **k == found.text).copied();
@@ -178,14 +181,14 @@ impl<'a> Form<'a> {
         self.point_of(self.node(key)?, key)
     }
 
-    /// A place of any value.
+    /// A place, from any value (m).
     pub fn point_of(&self, node: &Node, key: &str) -> Option<Point> {
         let [x, y] = self.several::<2>(node, key, "[\"10 mm\", \"20 mm\"]")?;
         let (x, y) = (self.length_of(x, key), self.length_of(y, key));
         Some(Point::new(x?, y?))
     }
 
-    /// A list of exactly so many values.
+    /// A list of exactly `N` values.
     pub fn several<const N: usize>(&self, node: &'a Node, key: &str, example: &str) -> Option<[&'a Node; N]> {
         let items = list(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())?;
         let all: Vec<&Node> = items.iter().collect();
@@ -200,7 +203,7 @@ impl<'a> Form<'a> {
         })
     }
 
-    /// The items of a list that must be there, so many at least.
+    /// The items of a required list of at least `least` values.
     pub fn items(&self, key: &str, example: &str, least: usize) -> Option<&'a [Node]> {
         let node = self.need(key, example)?;
         let items = list(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())?;
@@ -216,13 +219,13 @@ impl<'a> Form<'a> {
         None
     }
 
-    /// The places of a list.
+    /// The places of a required list (m).
     pub fn points(&self, key: &str, example: &str, least: usize) -> Option<Vec<Point>> {
         let found: Vec<Option<Point>> = self.items(key, example, least)?.iter().map(|n| self.point_of(n, key)).collect();
         found.into_iter().collect()
     }
 
-    /// An object inside, whose keys must be among these.
+    /// A nested object, whose keys must be among these.
     pub fn inner(&self, key: &str, keys: &[&str]) -> Option<Form<'a>> {
         self.object(self.node(key)?, key, keys)
     }
@@ -233,7 +236,7 @@ impl<'a> Form<'a> {
         Some(Form::new(fields, self.front, self.faults))
     }
 
-    /// The named places of an object inside, such as `{"A": [...], "D": [...]}`, of which none must be there.
+    /// The named places of a nested object, such as `{"A": [...], "D": [...]}`; all are optional.
     pub fn places(&self, key: &str, names: &[&str]) -> Vec<(String, Point)> {
         let Some(inner) = self.inner(key, names) else { return Vec::new() };
         names.iter().filter_map(|n| Some(((*n).to_owned(), inner.point(n)?))).collect()
@@ -245,7 +248,8 @@ impl<'a> Form<'a> {
     }
 }
 
-/// Whether a file is a synthesis file: an object with that key. What cannot be read is none.
+/// Returns true for a synthesis file: an object with the key `"synthesis"`. Returns false for a
+/// file that cannot be read.
 pub(crate) fn is_task(root: &Node) -> bool {
     matches!(&root.kind, Kind::Object(members) if members.iter().any(|(k, _)| k.text == "synthesis"))
 }

@@ -1,6 +1,7 @@
-//! The four-bar A B C D as a design: its lengths, where it stands, and its scene.
+//! The four-bar A B C D as a design: its lengths, its position, and its scene.
 //!
-//! Letters as everywhere: AB the crank, BC the coupler, DC the follower, AD the frame; E a point of the coupler.
+//! Letters: AB is the crank, BC the coupler, DC the follower, AD the frame; E is a point of the
+//! coupler.
 
 use super::candidate::{deg, mm, place};
 use hodograph_base::diag::{Both, both};
@@ -8,7 +9,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::kernel::crossing;
 use serde_json::{Map, Value as Json, json};
 
-/// A four-bar in one position, known by its points.
+/// A four-bar in one position, defined by its points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FourBar {
     /// Crank pivot.
@@ -19,18 +20,18 @@ pub struct FourBar {
     pub c: Point,
     /// Pivot of the follower.
     pub d: Point,
-    /// A point of the coupler, in its frame: along BC from B, and to the left of it.
+    /// A point of the coupler in its frame (m): along BC from B, and to the left of BC.
     pub e: Option<Vec2>,
 }
 
-/// How a scene is to be headed and driven.
+/// The head and the driver of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Heading {
     /// Title.
     pub title: Both,
     /// Language, if the task names one.
     pub language: Option<&'static str>,
-    /// The driver's rate (rad/s).
+    /// The driver's angular velocity (rad/s).
     pub omega: f64,
     /// The units of answers: quantity and unit.
     pub answers: Vec<(String, String)>,
@@ -42,7 +43,8 @@ impl FourBar {
         [self.a.distance(self.b), self.b.distance(self.c), self.c.distance(self.d), self.a.distance(self.d)]
     }
 
-    /// The least and greatest of its lengths against the other two: negative where the shortest link turns fully (Grashof).
+    /// The sum of the least and greatest length minus that of the other two: negative where the
+    /// shortest link turns fully (Grashof).
     pub fn grashof(&self) -> f64 {
         let mut l = self.lengths();
         l.sort_by(f64::total_cmp);
@@ -60,7 +62,8 @@ impl FourBar {
         Some(b + e.rotate_by(axis))
     }
 
-    /// C for another crank angle, on the side of BD where it is now; `None` where the dyad does not reach.
+    /// B and C for another crank angle, C on its present side of BD; `None` where the dyad does not
+    /// close.
     pub fn at(&self, crank: f64) -> Option<(Point, Point)> {
         let [a, bc, cd, _] = self.lengths();
         let b = self.a + Vec2::from_angle(crank) * a;
@@ -68,7 +71,7 @@ impl FourBar {
         Some((b, meet(b, bc, self.d, cd, left)?))
     }
 
-    /// The scene: pivots by their places, lengths, the crank's angle, the side of C.
+    /// The scene: pivots by their places, lengths, the crank angle, the side of C.
     pub fn scene(&self, heading: &Heading) -> Json {
         let [ab, bc, cd, _] = self.lengths();
         let mut points = Map::new();
@@ -107,18 +110,20 @@ pub fn headed(heading: &Heading) -> Map<String, Json> {
     scene
 }
 
-/// A rate of a scene's text.
+/// An angular velocity for a scene's text.
 pub fn omega(rate: f64) -> Json {
     Json::String(format!("{rate} rad/s"))
 }
 
-/// Where two circles meet, on the left or right of the line from the first centre to the second.
+/// The intersection of two circles on the left or right of the line from the first centre to the
+/// second.
 pub fn meet(p: Point, r: f64, q: Point, s: f64, left: bool) -> Option<Point> {
     let [on_left, on_right] = crossing(p, r, q, s)?;
     Some(if left { on_left } else { on_right })
 }
 
-/// Where a line meets a circle: distances along the unit direction, the smaller first.
+/// The intersections of a line and a circle as distances along the unit direction, the smaller
+/// first.
 pub fn cross_circle(from: Point, direction: Vec2, centre: Point, radius: f64) -> Option<[f64; 2]> {
     let to = centre - from;
     let (foot, off) = (direction.dot(to), direction.cross(to));
@@ -126,7 +131,7 @@ pub fn cross_circle(from: Point, direction: Vec2, centre: Point, radius: f64) ->
     (half2 >= 0.0).then(|| [foot - half2.sqrt(), foot + half2.sqrt()])
 }
 
-/// Names of a four-bar's lengths, in the order of [`FourBar::lengths`].
+/// The lengths of a four-bar as named numbers, in the order of [`FourBar::lengths`].
 pub fn named_lengths(lengths: [f64; 4]) -> Vec<super::candidate::Number> {
     use super::candidate::Number;
     let [ab, bc, cd, ad] = lengths;

@@ -1,45 +1,47 @@
-//! Ranges of one length of a four-bar for each of Grashof's types, the three others held.
+//! Ranges of one length of a four-bar for each of Grashof's types, the three others constant.
 //!
-//! Let p ≤ q ≤ r be the others. The linkage closes for r − p − q < x < p + q + r. Its type changes where shortest and longest together are
-//! as long as the two others, x = p + q − r, p + r − q or q + r − p (change points), and where x becomes the shortest, x = p. Between two
-//! such places the type is one, so that a single length between them tells it.
+//! Let p ≤ q ≤ r be the others. The linkage closes for r − p − q < x < p + q + r. Its type changes
+//! where the shortest and the longest together equal the two others, x = p + q − r, p + r − q or q
+//! + r − p (change points), and where x becomes the shortest, x = p. Between two such places the
+//! type is constant, so that a single length between them determines it.
 
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::digits::metres;
 use hodograph_sweep::extreme::{Grashof, grashof_of};
 
-/// The lengths of a four-bar, by what they do.
+/// The lengths of a four-bar, by their function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Length {
-    /// Of the driven crank.
+    /// The driven crank.
     Driver,
-    /// Of the coupler.
+    /// The coupler.
     Coupler,
-    /// Of the other crank.
+    /// The other crank.
     Output,
-    /// Between the fixed pivots.
+    /// The frame, between the fixed pivots.
     Frame,
 }
 
 impl Length {
-    /// All, in the order of the lengths of a four-bar.
+    /// All lengths, in the order of the lengths of a four-bar.
     pub const ALL: [Length; 4] = [Length::Driver, Length::Coupler, Length::Output, Length::Frame];
 }
 
-/// A range of a length in which the linkage has one type; at its ends it has another, or does not close.
+/// A range of a length in which the linkage has one type; at its ends the type changes, or the
+/// linkage does not close.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
-    /// The type in it.
+    /// The type of the linkage.
     pub kind: Grashof,
-    /// Where it begins (m).
+    /// The start (m).
     pub from: f64,
-    /// Where it ends (m).
+    /// The end (m).
     pub to: f64,
-    /// Whether it ends in a change point.
+    /// True if it ends in a change point.
     pub change_point: bool,
 }
 
-/// The ranges of one length, in order, the three others as they are; none where these do not close with any.
+/// The ranges of one length in order, the three others constant; empty if they close with none.
 ///
 /// ```
 /// use hodograph_sweep::extreme::Grashof;
@@ -64,7 +66,7 @@ pub fn ranges(lengths: [f64; 4], which: Length) -> Result<Vec<Range>, Diagnostic
     let [p, q, r] = [others[0], others[1], others[2]];
     let (low, high) = ((r - p - q).max(0.0), p + q + r);
     let changes = [p + q - r, p + r - q, q + r - p];
-    // Sums that differ by rounding are one place.
+    // Sums that differ by rounding are equal.
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * high;
     let mut places: Vec<f64> = changes.into_iter().chain([p, low, high]).filter(|x| *x >= low && *x <= high).collect();
     places.sort_by(f64::total_cmp);
@@ -76,7 +78,7 @@ pub fn ranges(lengths: [f64; 4], which: Length) -> Result<Vec<Range>, Diagnostic
         let (kind, to) = (grashof_of(all), w[1]);
         let change_point = to < high && changes.iter().any(|c| near(*c, to));
         match out.last_mut() {
-            // The type goes on, and no change point parts it.
+            // The type is the same, and no change point separates the ranges.
             Some(last) if last.kind == kind && !last.change_point => (last.to, last.change_point) = (to, change_point),
             _ => out.push(Range { kind, from: w[0], to, change_point }),
         }
@@ -88,7 +90,8 @@ pub fn ranges(lengths: [f64; 4], which: Length) -> Result<Vec<Range>, Diagnostic
 mod tests {
     use super::*;
 
-    /// Against the rule itself, at lengths all over the range: Grashof's inequality written out, and which link is the shortest.
+    /// Compares with the rule itself, at lengths all over the range: Grashof's inequality written
+    /// out, and the shortest link.
     #[test]
     fn every_length_has_the_type_of_its_range() {
         let mut seed = 7u64;

@@ -1,9 +1,12 @@
-//! Judging a design by its scene as written: where it really goes, its defects, transmission, Grashof's type.
+//! Judging of a design by its scene as written: its actual motion, defects, transmission angle,
+//! Grashof type.
 //!
-//! The scene is read back, placed and swept by the rooms that every other scene goes through; the formula that made it has no say.
-//! A wanted position counts as reached when the sweep from the first position arrives there without leaving its branch. What is not
-//! reached is on another branch (the driver would have to pass a dead point) or on another circuit (no motion joins the two): told
-//! apart by driving the other links, and by Grashof's invariant where no single link drives through.
+//! The scene is read back, placed and swept by the modules that every other scene uses,
+//! independently of the formula that gave the design. A wanted position is reached if the sweep
+//! from the first position arrives there without leaving its branch. A position that is not reached
+//! is on another branch (the driver would have to pass a dead centre) or on another circuit (no
+//! motion joins the two). The two cases are distinguished by driving the other links, and by
+//! Grashof's invariant where no single link drives through.
 
 use super::candidate::{Candidate, Demand, Draft, Wanted, scene_text};
 use super::order;
@@ -18,40 +21,43 @@ use hodograph_sweep::{Placed, Stations, Sweep, Table, Width};
 use serde_json::{Value as Json, json};
 use std::f64::consts::{PI, TAU};
 
-/// A place that is farther off than this part of the size is not reached. The formula leaves some 1e-13; another assembly is off by
-/// whole lengths, but for positions next to a dead point, where the two are one to half the digits.
+/// A place farther off than this share of the size is not reached. The formula leaves some 1e-13;
+/// another assembly is off by whole lengths, except for positions next to a dead centre, where the
+/// two agree to half the digits.
 const REACHED: f64 = 1e-9;
 
-/// The transmission angle that is wanted where the task says nothing, 40° as in course books.
+/// The least acceptable transmission angle if the task gives none (rad): 40° as in course books.
 pub const USUAL_GAMMA: f64 = 40.0 * PI / 180.0;
 
-/// What the finished scene does.
+/// Results of the finished scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Judged {
-    /// The largest distance of a wanted place from where the scene has it (m), over the positions that are reached.
+    /// The largest distance of a wanted place from the actual one (m), over the positions reached.
     pub off_m: f64,
     /// The size of the mechanism (m).
     pub size_m: f64,
-    /// The least transmission angle (rad) and the driver's position there: over the whole turn, or between the wanted positions.
+    /// The least transmission angle and the driver's position there (rad): over the whole turn, or
+    /// between the wanted positions.
     pub transmission: Option<(f64, f64)>,
     /// The type of a four-bar.
     pub grashof: Option<Grashof>,
-    /// Whether the driver turns fully.
+    /// True if the driver turns fully.
     pub rotates: bool,
     /// The time ratio of the last output that has one.
     pub time_ratio: Option<f64>,
     /// The stroke of that output (rad or m).
     pub stroke: Option<f64>,
-    /// Circuit, branch and order defects, and a driver that is no crank where one is wanted.
+    /// Circuit, branch and order defects, and a driver that is no crank where one is demanded.
     pub defects: Vec<Diagnostic>,
-    /// The rest that sweeping tells.
+    /// Further remarks from the sweep.
     pub remarks: Vec<Diagnostic>,
 }
 
-/// Judges a draft; `gamma` is the least transmission angle that is wanted (rad).
+/// Judges a draft; `gamma` is the least acceptable transmission angle (rad).
 ///
 /// # Errors
-/// A scene of ours that cannot be read or placed; a draft that is impossible is no such scene.
+/// A scene that cannot be read or placed, which is an error of this program: impossible drafts have
+/// none.
 pub fn judge(draft: Draft, gamma: f64) -> Result<Candidate, Faults> {
     let text = scene_text(&draft.scene);
     let scene = scene::read(&text)?.value;
@@ -65,12 +71,13 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<Candidate, Faults> {
     judged.size_m = walk.size_m;
     let drivers = positions(&draft, &walk, &mut judged);
     if draft.ordered {
-        // A position on another circuit is still met at its own angle once the linkage is reassembled.
+        // A position on another circuit is still met at its own angle once the linkage is
+        // reassembled.
         let at = |i: usize, angle: f64| drivers.iter().find(|d| d.0 == i).map_or_else(|| walk.nearest(angle), |d| d.1);
         let all: Vec<(usize, f64)> = draft.wanted.iter().enumerate().map(|(i, w)| (i, at(i, w.driver))).collect();
         judged.defects.extend(order::defect(&all, judged.rotates));
     }
-    // Of a function the driver's angles are given, not its places alone.
+    // A function prescribes the driver's angles, not its places alone.
     if !draft.course.is_empty() && !judged.rotates && judged.defects.is_empty() {
         judged.defects.extend(turned_otherwise(&draft, &drivers));
     }
@@ -88,7 +95,7 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<Candidate, Faults> {
     Ok(Candidate { draft, judged })
 }
 
-/// Whether the motion as a whole is what was wanted.
+/// Adds defects for demands on the whole motion that are not met.
 fn demands(draft: &Draft, judged: &mut Judged) {
     for demand in &draft.demands {
         let missed = match *demand {
@@ -108,7 +115,8 @@ fn demands(draft: &Draft, judged: &mut Judged) {
     }
 }
 
-/// Whether a value of the whole motion is not the wanted one. Extremes are located to some 1e-12, and a stroke between them likewise.
+/// True if a value of the whole motion differs from the wanted one. Extremes are located to some
+/// 1e-12, and so is a stroke between them.
 fn off(real: Option<f64>, wanted: f64) -> bool {
     real.is_none_or(|r| (r - wanted).abs() > 1e-9 * wanted.abs().max(1e-3))
 }
@@ -122,7 +130,8 @@ fn least(limits: &Limits) -> Option<(f64, f64)> {
     limits.transmission.iter().map(|t| (t.angle, t.driver)).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// Goes to all wanted positions; returns the driver's position at those that are reached, in the order of the wishes.
+/// Visits all wanted positions; returns the driver's position at those that are reached, in the
+/// order of the draft.
 fn positions(draft: &Draft, walk: &Walk, judged: &mut Judged) -> Vec<(usize, f64)> {
     let mut reached = Vec::new();
     let mut others: [Vec<usize>; 2] = Default::default();
@@ -155,7 +164,7 @@ fn positions(draft: &Draft, walk: &Walk, judged: &mut Judged) -> Vec<(usize, f64
     reached
 }
 
-/// Positions by their numbers from 1: neighbours in a row as a range.
+/// Positions by their numbers from 1, consecutive ones as a range.
 fn listed(all: &[usize]) -> Both {
     let mut rows: Vec<[usize; 2]> = Vec::new();
     for i in all {
@@ -173,7 +182,8 @@ fn listed(all: &[usize]) -> Both {
     Both::names(&each)
 }
 
-/// Positions of a driver that only swings which are met by another turn than the wanted one: its angles count from position 1, whole turns too.
+/// Reports positions that an oscillating driver meets with another number of turns than wanted: its
+/// angles, full turns included, count from position 1.
 fn turned_otherwise(draft: &Draft, drivers: &[(usize, f64)]) -> Option<Diagnostic> {
     let start = drivers.iter().find(|d| d.0 == 0)?.1;
     let turn = |i: usize| draft.wanted[i].driver - draft.wanted[0].driver;
@@ -186,7 +196,7 @@ fn turned_otherwise(draft: &Draft, drivers: &[(usize, f64)]) -> Option<Diagnosti
     (!other.is_empty()).then(|| Diagnostic::warning("defect-order", message))
 }
 
-/// A scene that can be asked where its points are at a position of its driver.
+/// A scene that gives the places of its points at a position of its driver.
 struct Walk {
     scene: Scene,
     mechanism: Mechanism,
@@ -197,7 +207,7 @@ struct Walk {
 }
 
 impl Walk {
-    /// The places of all points are its questions.
+    /// The results asked of the scene are the places of all its points.
     fn new(scene: &Json, limits: &Limits) -> Result<Walk, Faults> {
         let text = scene_text(scene);
         let plain = scene::read(&text)?.value;
@@ -214,13 +224,14 @@ impl Walk {
         Some(Sweep::new(&placed, 0).ok()?.run(&Stations::of_values(drivers, 1.0), Width::One, Table::default()))
     }
 
-    /// An angle in the turn nearest to where the scene stands.
+    /// The angle, changed by full turns, nearest to the driver's position in the scene.
     fn nearest(&self, angle: f64) -> f64 {
         let now = Placed::new(&self.scene, &self.mechanism).map_or(angle, |p| position_now(&self.scene, &p.at, 0));
         angle - TAU * libm::rint((angle - now) / TAU)
     }
 
-    /// The driver's positions that a wanted angle may be: the turn nearest to where the scene stands, or all within the range.
+    /// The possible driver positions for a wanted angle: the one nearest to the scene's position,
+    /// or all within the range.
     fn drivers(&self, angle: f64) -> Vec<f64> {
         let near = self.nearest(angle);
         if self.full {
@@ -231,7 +242,7 @@ impl Walk {
         [near, near + TAU, near - TAU].into_iter().filter(inside).map(|x| x.max(low).min(high)).collect()
     }
 
-    /// The driver's position at which all places are as wanted, and the largest distance left.
+    /// The driver's position at which all places are as wanted, and the largest distance left (m).
     fn reach(&self, wanted: &Wanted) -> Option<(f64, f64)> {
         let off = |driver: &f64| {
             let table = self.table(vec![*driver])?;
@@ -242,13 +253,13 @@ impl Walk {
         all.filter(|(_, off)| *off <= REACHED * self.size_m).min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Whether no motion joins a position with the first one: neither driving the follower nor the coupler gets there, and the circuits
-    /// of a Grashof chain tell the two apart.
+    /// True if no motion joins a position with the first one: neither driving the follower nor the
+    /// coupler leads there, and the circuits of a Grashof chain differ.
     fn other_circuit(&self, scene: &Json, first: Option<&Wanted>, wanted: &Wanted) -> bool {
         let Some((_, [a, b, c, d])) = self.grashof else { return false };
         let mut sorted = [a, b, c, d];
         sorted.sort_by(f64::total_cmp);
-        // Without a link that turns fully all assemblies are joined.
+        // Without a link that turns fully, all assemblies are joined.
         if sorted[0] + sorted[3] > sorted[1] + sorted[2] {
             return false;
         }
@@ -265,8 +276,8 @@ impl Walk {
         found(&self.table(vec![self.drivers(0.0).first().copied().unwrap_or(self.range[0])])?, name, 0)
     }
 
-    /// The least transmission angle of a four-bar between the wanted positions; `of_all` is the least one of the whole range, which has been solved for and
-    /// holds where it lies between them.
+    /// The least transmission angle of a four-bar between the wanted positions; `of_all` is the
+    /// exact one of the whole range, which applies if it is between them.
     fn transmission(&self, drivers: &[(usize, f64)], of_all: Option<(f64, f64)>) -> Option<(f64, f64)> {
         const STEPS: usize = 360;
         const NEAR: f64 = 1e-9;
@@ -294,15 +305,15 @@ fn found(table: &Table, name: &str, row: usize) -> Option<Point> {
     Some(Point::new(of('x')?, of('y')?))
 }
 
-/// On which circuit of a Grashof chain a position lies: the sense of the angle at a joint that is on neither end of the shortest link.
-/// That angle never comes to 0 or 180°.
+/// The circuit of a Grashof chain in a position: the sense of the angle at a joint that is on
+/// neither end of the shortest link. This angle never becomes 0 or 180°.
 fn invariant([a, b, c, d]: [Point; 4], [ab, bc, cd, ad]: [f64; 4]) -> Option<bool> {
     let sense = |p: Point, q: Point, r: Point| (p - q).cross(r - q) > 0.0;
     let least = ab.min(bc).min(cd).min(ad);
     Some(if least == ab || least == ad { sense(b, c, d) } else { sense(d, a, b) })
 }
 
-/// Whether driving another link leads from one position to another.
+/// True if driving another link leads from one position to another.
 fn driven_by(scene: &Json, link: &str, from: &Wanted, to: &Wanted) -> bool {
     let reached = || -> Option<bool> {
         let mut scene = scene.clone();
@@ -332,15 +343,15 @@ fn driven_by(scene: &Json, link: &str, from: &Wanted, to: &Wanted) -> bool {
     reached().unwrap_or(false)
 }
 
-/// A deviation below this part of the size is the rounding of the lengths.
+/// A deviation below this share of the size is the rounding of the lengths.
 const ROUNDING: f64 = 1e-12;
 
-/// In words, with its size: how far the finished scene is from what was wanted.
+/// The text that states the distance of the finished scene from the wanted places.
 pub fn accuracy(candidate: &Candidate) -> Both {
     let judged = &candidate.judged;
     if judged.off_m <= ROUNDING * judged.size_m {
         let size = metres(judged.size_m);
-        // Between its precision points a function is missed by its structural error.
+        // Between its precision points a function has its structural error.
         return if candidate.draft.course.is_empty() {
             both!("what was wanted is met exactly (size {size})", "精确满足要求（机构尺寸 {size}）")
         } else {

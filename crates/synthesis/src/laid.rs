@@ -1,8 +1,10 @@
-//! A four-bar of computed lengths drawn in positions of its crank, and measured.
+//! Drawings of a four-bar of computed lengths in positions of its crank, and measurements on them.
 //!
-//! Least squares, the exchange, searches and given proportions end in lengths that no crossing of circles gives. A draughtsman proves them
-//! by laying them off: B on the crank's circle, C where the arcs about B and D cross, E by the set square from BC; what the points miss is
-//! read off the paper. The assembly of a position is the design's, all places are the compasses'.
+//! Least squares, the exchange, searches and given proportions result in lengths that no
+//! intersection of circles gives. They are checked by laying them off: B on the crank's circle, C
+//! where the arcs about B and D intersect, E by the set square from BC; the distances of the points
+//! from the wanted places are read from the paper. The assembly of a position is the design's; all
+//! places are constructed.
 
 use super::board::{Board, Line, Weight};
 use super::candidate::{Draft, Wanted};
@@ -10,17 +12,18 @@ use super::told::of;
 use hodograph_base::diag::Both;
 use hodograph_base::geom::{Point, Vec2};
 
-/// Positions that one drawing shows: more would hide one another.
+/// Greatest number of positions in one drawing, so that they do not hide one another.
 const SHOWN: usize = 12;
-/// Circles that miss one another by no more touch in a dead point (mm).
+/// Circles that miss one another by no more than this touch in a dead centre (mm).
 const TOUCH_MM: f64 = 1e-6;
 
-/// The indices of the positions that are drawn: all, or so many evenly taken with the first and the last.
+/// The indices of the positions to draw: all, or [`SHOWN`] evenly distributed ones including the
+/// first and the last.
 pub fn shown(count: usize) -> Vec<usize> {
     if count <= SHOWN { (0..count).collect() } else { (0..SHOWN).map(|k| k * (count - 1) / (SHOWN - 1)).collect() }
 }
 
-/// A letter with numbers of positions: `E1, E2, E3`.
+/// A letter with position numbers: `E1, E2, E3`.
 pub fn numbered(letter: &str, of: &[usize]) -> Both {
     let all: Vec<String> = of.iter().map(|k| format!("{letter}{k}")).collect();
     Both::names(&all)
@@ -39,7 +42,7 @@ pub struct Laid {
     pub coupler: f64,
     /// CD.
     pub follower: f64,
-    /// E along BC from B, and to the left of it.
+    /// E along BC from B, and to the left of BC.
     e: Option<Vec2>,
 }
 
@@ -50,12 +53,12 @@ pub struct Pins {
     pub b: Point,
     /// Pin of coupler and follower.
     pub c: Point,
-    /// Coupler point; C where there is none.
+    /// The coupler point; C if there is none.
     pub e: Point,
 }
 
 impl Laid {
-    /// The pivots and the design's lengths laid off (m).
+    /// Lays off the pivots and the lengths of a design (m).
     pub fn off(board: &Board, draft: &Draft, [a, d]: [Point; 2], e: Option<Vec2>) -> Laid {
         let opening = |name: &str| board.mm(of(draft, name));
         Laid {
@@ -73,7 +76,7 @@ impl Laid {
         self.a + Vec2::from_angle(crank) * self.crank
     }
 
-    /// The position at an angle of the crank, C on a side of BD.
+    /// The position at a crank angle (rad), C on one side of BD.
     pub fn at(&self, board: &Board, crank: f64, left: bool) -> Option<Pins> {
         let b = self.b(crank);
         let c = match board.circles(b, self.coupler, self.d, self.follower) {
@@ -90,7 +93,7 @@ impl Laid {
         Some(Pins { b, c, e: self.e.map_or(c, |e| b + e.rotate_by(along)) })
     }
 
-    /// C in a dead point, on the line DB.
+    /// C in a dead centre, on the line DB.
     fn touching(&self, b: Point) -> Option<Point> {
         let line = Line::through(self.d, b)?;
         let apart = self.d.distance(b);
@@ -108,7 +111,7 @@ impl Laid {
     }
 }
 
-/// On which side of BD a wanted position has C.
+/// True if C of a wanted position is left of BD.
 pub fn side(wanted: &Wanted, d: Point) -> Option<bool> {
     let place = |name: &str| wanted.places.iter().find(|p| p.0 == name).map(|p| p.1);
     let (b, c) = (place("B")?, place("C")?);

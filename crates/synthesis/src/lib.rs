@@ -1,11 +1,13 @@
-//! Synthesis: from a file that says what a linkage is to do to scenes that do it.
+//! Synthesis: from a file that states the task of a linkage to scenes that fulfil it.
 //!
-//! A synthesis file has the front of a scene (title, units, parameters, paper) and a kind of task ([`KINDS`], a file for each). [`read`]
-//! gives a [`Task`], [`solve`] its [`Design`]: all solutions as [`Candidate`]s, each with a scene that every other command takes, judged
-//! by sweeping that scene ([`judge`]). Numbers come from closed formulas; the construction with ruler and paper is drawn from the same
-//! data by its own arithmetic and must agree with them.
+//! A synthesis file has the front of a scene (title, units, parameters, paper) and a kind of task
+//! ([`KINDS`], one file for each). [`read`] returns a [`Task`], [`solve`] its [`Design`]: all
+//! solutions as [`Candidate`]s, each with a scene that every other command accepts, judged by
+//! sweeping that scene ([`judge`]). Numbers come from closed formulas; the construction with ruler
+//! and paper is drawn from the same data by its own arithmetic and must agree with them.
 //!
-//! Not decided here: how a scene moves ([`hodograph_sweep`], [`hodograph_mechanism::position`]).
+//! The motion of a scene is calculated elsewhere ([`hodograph_sweep`],
+//! [`hodograph_mechanism::position`]).
 //!
 //! ```
 //! let task = hodograph_synthesis::read(r#"{"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.5,
@@ -19,9 +21,10 @@
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+// clippy.toml lists the functions of f64 with platform-dependent last bits; tests may use them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
-// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+// The module lists name private modules too; `cargo doc --document-private-items` follows those
+// links.
 #![allow(rustdoc::private_intra_doc_links)]
 
 #[doc(hidden)]
@@ -64,51 +67,52 @@ use std::cell::RefCell;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// What a kind of task knows to do.
+/// A task of one kind, as read from its file.
 pub trait Wish: Debug + Send + Sync {
-    /// What it is called where the file has no title.
+    /// The title if the file has none.
     fn title(&self) -> Both;
 
-    /// The rate of the driver (rad/s) where the file names none.
+    /// The angular velocity of the driver (rad/s) if the file gives none.
     fn rate(&self) -> f64 {
         USUAL_OMEGA
     }
 
-    /// All designs, in any order, with what is to be said of the task as a whole.
+    /// Returns all designs, in any order, with remarks on the task as a whole.
     ///
     /// # Errors
-    /// There is none: which root is not real, and the nearest wish that has one.
+    /// If there is no solution: the root that is not real, and the nearest feasible task.
     fn solve(&self, heading: &Heading) -> Result<Found, Faults>;
 
-    /// Draws the construction of a design on the board, from what is given: the formula's numbers are only what it is compared with. What
-    /// least squares, an exchange or a search computed is laid off, and what it misses is measured. `None` where the drawing does not close.
+    /// Draws the construction of a design on the board, from the givens; the formula's numbers
+    /// serve for comparison only. Results of least squares, an exchange or a search are laid off,
+    /// and their deviations are measured. `None` where the drawing does not close.
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()>;
 
-    /// The task as a problem: what is given and wanted.
+    /// The task as a problem: givens and unknowns.
     fn statement(&self) -> Statement;
 
     /// The closed formula with the numbers of a design.
     fn proof(&self, draft: &Draft) -> Vec<Proof>;
 }
 
-/// What a kind of task finds.
+/// The result of solving a kind of task.
 #[derive(Clone, Debug, Default)]
 pub struct Found {
     /// All designs.
     pub drafts: Vec<Draft>,
     /// Numbers of the task as a whole, such as precision points and poles.
     pub numbers: Vec<Number>,
-    /// What is to be said of it as a whole.
+    /// Remarks on the task as a whole.
     pub notes: Vec<Diagnostic>,
 }
 
-/// A kind of task: one file in this room.
+/// A kind of task: one file in this crate.
 pub struct KindOfTask {
-    /// Its name, the value of `"synthesis"`.
+    /// The name, the value of `"synthesis"`.
     pub name: &'static str,
-    /// What it does, in a line.
+    /// The description in one line, English and Chinese.
     pub what: [&'static str; 2],
-    /// Its keys, beside those of the front and of every task.
+    /// The keys, in addition to those of the front and of every task.
     pub keys: &'static [&'static str],
     read: fn(&Form) -> Option<Box<dyn Wish>>,
 }
@@ -117,29 +121,29 @@ pub struct KindOfTask {
 pub const KINDS: &[&KindOfTask] =
     &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND, &path::KIND, &cognates::KIND, &straight_line::KIND];
 
-/// The keys of every task.
+/// The keys common to all tasks.
 const COMMON: [&str; 3] = ["synthesis", "omega", "transmission"];
 
-/// A synthesis file, read.
+/// A synthesis file as read.
 #[derive(Clone, Debug)]
 pub struct Task {
-    /// The name of its kind.
+    /// The name of the kind of task.
     pub kind: &'static str,
-    /// How its scenes are headed and driven.
+    /// The head and the driver of its scenes.
     pub heading: Heading,
-    /// The language it names.
+    /// The language, if the file names one.
     pub language: Option<Lang>,
-    /// Its sheet and scales.
+    /// The sheet and the scales.
     pub paper: Paper,
-    /// The units in which is printed.
+    /// The units of printed quantities.
     pub book: Book,
-    /// The least transmission angle that is wanted (rad).
+    /// The least acceptable transmission angle (rad).
     pub transmission: f64,
     wish: Arc<dyn Wish>,
 }
 
 impl Task {
-    /// The task as a problem: what is given and wanted.
+    /// The task as a problem: givens and unknowns.
     pub fn statement(&self) -> Statement {
         self.wish.statement().written(&self.book)
     }
@@ -150,22 +154,23 @@ impl Task {
     }
 }
 
-/// All that a task comes to.
+/// The results of a task.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// All solutions, the best first: without defect, with a crank that turns fully, of approximations the
-    /// nearest, the greatest least transmission angle, the smallest.
+    /// All solutions, the best first. They are ordered by: no defects, a crank that turns fully,
+    /// the least error of an approximation, the greatest least transmission angle, the smallest
+    /// size.
     pub candidates: Vec<Candidate>,
     /// Numbers of the task as a whole, such as precision points and poles.
     pub numbers: Vec<Number>,
-    /// What is to be said of the task as a whole.
+    /// Remarks on the task as a whole.
     pub notes: Vec<Diagnostic>,
 }
 
-/// The rate of the driver where the task gives none (rad/s).
+/// The angular velocity of the driver if the task gives none (rad/s).
 const USUAL_OMEGA: f64 = 10.0;
 
-/// Whether a file says that it is a synthesis file.
+/// Returns true for a synthesis file.
 pub fn is_task(source: &[u8]) -> bool {
     json::parse(source, &mut Faults::default()).is_ok_and(|(_, root)| form::is_task(&root))
 }
@@ -211,7 +216,7 @@ fn of_kind(root: &Node, text: &str, faults: &RefCell<Faults>) -> Option<Task> {
     Some(Task { kind: kind.name, heading, language: front.language, paper: front.paper, book: front.book, transmission, wish })
 }
 
-/// The kind that the file names.
+/// The kind that the file names; reports a missing or unknown name.
 fn kind_of(root: &Node, faults: &mut Faults) -> Option<&'static KindOfTask> {
     let NodeKind::Object(members) = &root.kind else {
         faults.push(Diagnostic::error("not-a-task", both!("a synthesis file is a JSON object", "综合文件是一个 JSON 对象")).at(root.span));
@@ -237,10 +242,10 @@ fn kind_of(root: &Node, faults: &mut Faults) -> Option<&'static KindOfTask> {
     found
 }
 
-/// Solves a task: all solutions, judged by their scenes and sorted.
+/// Solves a task: returns all solutions, judged by their scenes and sorted.
 ///
 /// # Errors
-/// There is no solution: which root is not real, and the nearest wish that has one.
+/// If there is no solution: the root that is not real, and the nearest feasible task.
 pub fn solve(task: &Task) -> Result<Design, Faults> {
     let Found { drafts, numbers, notes } = task.wish.solve(&task.heading)?;
     let mut candidates = Vec::new();
@@ -259,10 +264,11 @@ pub fn solve(task: &Task) -> Result<Design, Faults> {
     Ok(Design { candidates, numbers, notes })
 }
 
-/// The construction of a candidate with ruler and compasses, to a scale (m for a mm of paper); `None` where it does not close on paper.
+/// Draws the construction of a candidate with ruler and compasses, to a scale (metres per
+/// millimetre of paper); `None` where it does not close on paper.
 ///
 /// # Errors
-/// The drawing and the formula disagree, which is an error of ours.
+/// Drawing and formula disagree, which is an error of this program.
 pub fn construct(task: &Task, candidate: &Candidate, mu_l: f64) -> Result<Option<Board>, Faults> {
     let mut board = Board::new(mu_l);
     let drawn = task.wish.construct(&candidate.draft, &mut board);
@@ -286,5 +292,6 @@ pub fn construct(task: &Task, candidate: &Candidate, mu_l: f64) -> Result<Option
     Ok(Some(board))
 }
 
-/// Drawing and formula agree to this: both are of double precision, crossings under small angles cost a few digits.
+/// Greatest relative difference of drawing and formula: both have double precision, and
+/// intersections under small angles cost a few digits.
 const AGREEMENT: f64 = 1e-7;

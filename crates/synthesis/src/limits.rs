@@ -1,9 +1,11 @@
-//! Given limit positions, `"synthesis": "limits"`: a crank-rocker or slider-crank by the limit places of C ([`two_places`]), and the press 压床, a
-//! crank-rocker whose rocker DCE drives a ram through EF.
+//! Given limit positions, `"synthesis": "limits"`: a crank-rocker or slider-crank by the limit
+//! places of C ([`two_places`]), and the press 压床, a crank-rocker with a rocker DCE that drives a
+//! ram through EF.
 //!
-//! Of the press the rocker's limits ψ₁, ψ₂ count from the upward vertical, clockwise. From the ram's stroke H comes DE (H = 2 DE sin((ψ₂ − ψ₁)/2)
-//! where the limits lie evenly about the horizontal; else by the secant method from there), from the ratios CE/CD and EF/DE the rest;
-//! crank and coupler are half the difference and half the sum of AC₁ and AC₂.
+//! The limit angles ψ₁, ψ₂ of the press's rocker count from the upward vertical, clockwise. The
+//! ram's stroke H determines DE: H = 2 DE sin((ψ₂ − ψ₁)/2) where the limits are symmetrical about
+//! the horizontal; else by the secant method from there. The ratios CE/CD and EF/DE give the other
+//! lengths; crank and coupler are half the difference and half the sum of AC₁ and AC₂.
 
 mod explained;
 mod two_places;
@@ -20,7 +22,7 @@ use hodograph_base::geom::{Point, Vec2};
 use serde_json::{Value as Json, json};
 use std::f64::consts::PI;
 
-/// The kind.
+/// Limit positions as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "limits",
     what: [
@@ -33,9 +35,9 @@ pub const KIND: KindOfTask = KindOfTask {
 
 #[derive(Clone, Debug)]
 struct Press {
-    /// A, from D.
+    /// A relative to D (m).
     a: Point,
-    /// The ram's line, right of D.
+    /// The distance of the ram's line to the right of D (m).
     x2: f64,
     angles: [f64; 2],
     stroke: f64,
@@ -43,10 +45,10 @@ struct Press {
     ef_de: f64,
 }
 
-/// What reads the wish for a linkage.
+/// Reads the task for a linkage.
 type Reader = fn(&Form) -> Option<Box<dyn Wish>>;
 
-/// The linkages, each with what reads it.
+/// The linkages, each with its reader.
 const LINKAGES: [(&str, Reader); 3] = [("crank-rocker", two_places::rocker), ("slider-crank", two_places::slider), ("press", press)];
 
 fn read(form: &Form) -> Option<Box<dyn Wish>> {
@@ -87,7 +89,7 @@ fn press(form: &Form) -> Option<Box<dyn Wish>> {
     Some(Box::new(Press { a: Point::new(x1?, -y?), x2: x2?, angles: [p, q], stroke: stroke?, ce_cd: ce_cd?, ef_de: ef_de? }))
 }
 
-/// A direction counted from the upward vertical, clockwise.
+/// The unit vector at an angle from the upward vertical, clockwise.
 fn from_vertical(angle: f64) -> Vec2 {
     Vec2::new(libm::sin(angle), libm::cos(angle))
 }
@@ -101,14 +103,14 @@ impl Press {
         (down2 >= 0.0).then(|| Point::new(self.x2, e.y - down2.sqrt()))
     }
 
-    /// DE for the stroke.
+    /// DE for the stroke (m).
     fn de(&self) -> Option<f64> {
         let [p, q] = self.angles;
         let stroke = |de: f64| Some(self.f(de, p)?.y - self.f(de, q)?.y);
         let mut x = self.stroke / (libm::cos(p) - libm::cos(q));
         let mut y = stroke(x)? - self.stroke;
         let mut next = x * (1.0 - y / self.stroke.max(y.abs()) - 1e-3);
-        // The secant method; four digits more in each step near the root.
+        // The secant method; each step gains up to four digits near the root.
         for _ in 0..60 {
             if y.abs() <= 1e-15 * self.stroke {
                 break;
@@ -124,7 +126,8 @@ impl Press {
         (y.abs() <= 1e-12 * self.stroke).then_some(x)
     }
 
-    /// Whether its crank turns through: AB the shortest link, Grashof's sum, both limits of the rocker on one side of AD.
+    /// True if the crank turns fully: AB is the shortest link, Grashof's sum holds, and both limits
+    /// of the rocker are on one side of AD.
     fn turns(&self) -> bool {
         let Some(de) = self.de().filter(|de| *de > 0.0) else { return false };
         let cd = de / (1.0 + self.ce_cd);
@@ -136,7 +139,7 @@ impl Press {
         ab > 1e-6 * bc && ab < bc.min(cd).min(ad) && 2.0 * (ab + longest) < ab + bc + cd + ad && sides[0] * sides[1] > 0.0
     }
 
-    /// What the limits do not have: a crank that turns through, a ram that goes one way.
+    /// Warnings for a crank that does not turn fully and a ram that reverses between the limits.
     fn warned(&self) -> Vec<Diagnostic> {
         let crank = || {
             let message = both!("the crank does not turn through with A in this place", "A 在此位置时曲柄不能整周转动");
@@ -150,21 +153,22 @@ impl Press {
         crank.into_iter().chain((!self.one_way()).then(ram)).collect()
     }
 
-    /// Whether the ram goes one way while the rocker swings from limit to limit: EF must not lie down too far.
+    /// True if the ram moves in one direction while the rocker swings from limit to limit: EF must
+    /// not be inclined too far.
     fn one_way(&self) -> bool {
         const STEPS: usize = 60;
         let [p, q] = self.angles;
         let Some(de) = self.de() else { return false };
         (0..=STEPS).all(|i| {
             let angle = p + (q - p) * i as f64 / STEPS as f64;
-            // dF = −DE (sin ψ + tan δ cos ψ) dψ, δ the lean of EF.
+            // dF = −DE (sin ψ + tan δ cos ψ) dψ, δ the inclination of EF.
             let aside = self.x2 - de * libm::sin(angle);
             let down = ((de * self.ef_de - aside) * (de * self.ef_de + aside)).sqrt();
             libm::sin(angle) + aside / down * libm::cos(angle) > 0.0
         })
     }
 
-    /// The nearest line of the ram that EF reaches throughout.
+    /// The nearest line of the ram on which it does not reverse and the crank turns fully.
     fn nearest_line(&self) -> Both {
         let with = |x2: f64| Press { x2: x2 * 1e-3, ..self.clone() };
         match number(self.x2 * 1e3, self.stroke * 1e3, |mm| with(mm).turns() && with(mm).one_way()) {
@@ -175,7 +179,7 @@ impl Press {
         }
     }
 
-    /// The nearest place of A whose crank turns through.
+    /// The nearest place of A with a crank that turns fully.
     fn nearest(&self) -> Both {
         let scale = self.a.to_vec2().norm().max(self.stroke) * 1e3;
         let with = |a: Point| Press { a, ..self.clone() }.turns();
@@ -255,7 +259,8 @@ impl Wish for Press {
         let [p, q] = self.angles;
         let (d, a) = (Point::ORIGIN, board.at(self.a));
         let lay = |angle: f64| Line { at: d, along: from_vertical(angle) };
-        // Level limits: the chord of E is the stroke, as long as EF stands alike in both.
+        // Symmetrical limits: the chord of E is the stroke, because EF has the same inclination in
+        // both.
         let even = (p + q - PI).abs() < 1e-9;
         let de = if even {
             let half = Line::ray(Point::new(0.0, board.mm(self.stroke) / 2.0), 0.0);
@@ -275,7 +280,7 @@ impl Wish for Press {
         let [c1, c2] = [e1, e2].map(|e| d + (e - d) * (1.0 / (1.0 + self.ce_cd)));
         board.step(both!("Divide DE by the given ratio: C1 and C2; mark A", "按给定比例分 DE 得 C1、C2；标出 A"));
         board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin).mark("C_1", c1).mark("C_2", c2).mark("A", a).read("CD", d, c1);
-        // F is the ram.
+        // The letter F names the ram.
         board.halve_at(a, [c1, c2], "K")
     }
 

@@ -1,24 +1,27 @@
-//! The nearest wish that works: one number of a wish that has no solution is moved away from what was given until there is one.
+//! The nearest feasible task: one number of a task without a solution is varied from its given
+//! value until there is a solution.
 //!
-//! Steps grow to either side; between the last that fails and the first that works the border is bisected, and told rounded
-//! to the working side, so that what is told, put in as it stands, works.
+//! Steps grow to either side. Between the last number that fails and the first that works the limit
+//! is bisected, and rounded to the working side, so that the printed number works as it is.
 
 use hodograph_base::digits::significant;
 
-/// Steps begin with this part of the number and end with so many times it.
+/// The first step and the bound of the steps, as shares of the scale.
 const STEPS: [f64; 2] = [1e-3, 30.0];
-/// By how much the steps grow: fine where a try costs little, so that narrow ranges are met, else coarse.
+/// The growth of the steps: fine where a trial costs little, so that narrow ranges are found; else
+/// coarse.
 const FINE: f64 = 1.04;
 const COARSE: f64 = 1.25;
-/// Digits that are told.
+/// Significant digits of a proposed number.
 const DIGITS: i32 = 4;
 
-/// The number nearest to one that was given with which a wish works; `scale` is what a large change of it is.
+/// The number nearest to the given one with which a task works; `scale` is the size of a large
+/// change.
 pub fn number(given: f64, scale: f64, works: impl Fn(f64) -> bool) -> Option<f64> {
     by_steps(given, scale, FINE, &works)
 }
 
-/// The same in coarse steps, for wishes that take long to be tried.
+/// Searches like [`number()`] but in coarse steps, for tasks with expensive trials.
 pub fn roughly(given: f64, scale: f64, works: impl Fn(f64) -> bool) -> Option<f64> {
     by_steps(given, scale, COARSE, &works)
 }
@@ -43,14 +46,14 @@ fn border(mut fails: f64, mut good: f64, works: &dyn Fn(f64) -> bool) -> f64 {
         let middle = (fails + good) / 2.0;
         if works(middle) { good = middle } else { fails = middle }
     }
-    // Rounded away from what fails; a few units more where the border is no border of a range.
+    // Rounded towards the working side; a few units further where rounding alone does not suffice.
     let unit = libm::pow(10.0, libm::floor(libm::log10(good.abs().max(1e-12))) + 1.0 - f64::from(DIGITS));
     let away = if good > fails { 1.0 } else { -1.0 };
     let round = if good > fails { libm::ceil(good / unit) } else { libm::floor(good / unit) };
     (0..8).map(|k| (round + away * f64::from(k)) * unit).find(|v| works(*v)).unwrap_or(good)
 }
 
-/// A number with the digits that it has, without zeros at its end.
+/// Returns a number with all of its digits, without trailing zeros.
 pub fn told(value: f64) -> String {
     let text = significant(value, 12);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }

@@ -1,9 +1,11 @@
-//! Order defects: whether the driver meets the wanted positions one after the other without turning back.
+//! Order defects: wanted positions that the driver does not meet one after the other without
+//! reversing.
 
 use hodograph_base::diag::{Both, Diagnostic, both};
 use std::f64::consts::TAU;
 
-/// The defect of a list of positions, each with the driver's place (rad); a crank that turns fully may pass its start once.
+/// The defect of a list of positions, each with the driver's position (rad); a crank that turns
+/// fully may pass its start once.
 pub fn defect(drivers: &[(usize, f64)], rotates: bool) -> Option<Diagnostic> {
     let steps: Vec<f64> = drivers.windows(2).map(|w| w[1].1 - w[0].1).collect();
     let forward = |sense: f64| match rotates {

@@ -1,22 +1,23 @@
-//! Real roots of polynomials in one unknown, all of them.
+//! All real roots of polynomials in one unknown.
 //!
-//! Between two neighbouring roots of the derivative a polynomial has at most one root, which bisection cannot miss; so the degrees are
-//! climbed from the line upward. Outermost bounds are Cauchy's. Touching roots are found as far as rounding shows a change of sign or a
-//! value that is zero to rounding.
+//! Between two neighbouring roots of the derivative a polynomial has at most one root, which
+//! bisection cannot miss; so the roots of the derivatives are found in order of degree, from the
+//! linear one upward. The outer bounds are Cauchy's. Double roots are found if rounding leaves a
+//! change of sign or a value that is zero to rounding.
 
 use hodograph_base::number::{Dd, Real};
 
-/// A polynomial, its coefficients from the constant up.
+/// A polynomial: its coefficients from the constant upward.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Poly(pub Vec<Dd>);
 
 impl Poly {
-    /// Its value.
+    /// The value at x.
     pub fn at(&self, x: Dd) -> Dd {
         self.0.iter().rev().fold(Dd::from_f64(0.0), |sum, c| sum * x + *c)
     }
 
-    /// c₀ + c₁x.
+    /// The polynomial c₀ + c₁x.
     pub fn line(c0: Dd, c1: Dd) -> Poly {
         Poly(vec![c0, c1])
     }
@@ -32,7 +33,7 @@ impl Poly {
         Poly(out)
     }
 
-    /// The sum with a multiple of another.
+    /// The sum with a multiple of another polynomial.
     pub fn plus(&self, other: &Poly, factor: f64) -> Poly {
         let zero = Dd::from_f64(0.0);
         let of = |p: &Poly, i: usize| p.0.get(i).copied().unwrap_or(zero);
@@ -40,7 +41,7 @@ impl Poly {
         Poly((0..count).map(|i| of(self, i) + of(other, i) * Dd::from_f64(factor)).collect())
     }
 
-    /// Divided by x − root, the rest left out.
+    /// The quotient by x − root, without the remainder.
     pub fn without(&self, root: Dd) -> Poly {
         let mut out = Vec::new();
         let mut carry = Dd::from_f64(0.0);
@@ -69,8 +70,8 @@ impl Poly {
         out
     }
 
-    /// Its real roots in order. Leading coefficients that are zero beside the others are left out: 1e-20 of them is what double-double
-    /// numbers leave of a term that cancels.
+    /// The real roots in order. Leading coefficients that are zero relative to the others are left
+    /// out: double-double numbers leave 1e-20 of a term that cancels.
     pub fn real_roots(&self) -> Vec<Dd> {
         let size = self.0.iter().map(|c| c.approx().abs()).fold(0.0, f64::max);
         let mut c = self.0.clone();
@@ -95,7 +96,7 @@ impl Poly {
         roots
     }
 
-    /// The root between two places of different signs.
+    /// The root between two places with values of different signs.
     fn bisected(&self, mut low: Dd, mut high: Dd) -> Option<Dd> {
         let (a, b) = (self.at(low).approx(), self.at(high).approx());
         if a == 0.0 {
@@ -107,7 +108,7 @@ impl Poly {
         if a.signum() == b.signum() {
             return None;
         }
-        // As many halvings as a double-double number has digits, from the largest bound.
+        // As many halvings of the largest bound as a double-double number has digits.
         for _ in 0..220 {
             let middle = (low + high) / Dd::from_f64(2.0);
             let at = self.at(middle).approx();

@@ -1,6 +1,7 @@
 //! The JSON Schema of the synthesis file, for editors and other programs.
 //!
-//! It says the keys and their shapes for all kinds together; which of them a kind takes only [`super::read`] knows.
+//! It describes the keys and their shapes for all kinds together; only [`super::read`] decides
+//! which of them a kind accepts.
 
 /// The schema, draft 2020-12.
 pub fn schema() -> &'static str {

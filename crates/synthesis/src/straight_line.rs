@@ -1,9 +1,13 @@
-//! Straight lines, `"synthesis": "straight-line"`: linkages whose point E runs nearly or exactly straight, made to the wanted length.
+//! Straight lines, `"synthesis": "straight-line"`: linkages with a point E that moves on a nearly
+//! or exactly straight line of the wanted length.
 //!
-//! Watt: two rods of 5 and a coupler of 2, E its middle. Chebyshev: frame 4, crossed rods 5, coupler 2, E its middle, over the frame's
-//! length. Roberts: frame 2, coupler 1, rods and the sides of the coupler's triangle 1.2, E its apex, from pivot to pivot. Hoeken: crank 1, frame 2, coupler and rocker 2.5, BE twice BC, over half a turn of the crank; other `ratios` are taken. Exact
-//! are Scott-Russell's crank on the middle of a rod whose end slides, and Peaucellier's inversor, OC · OP = L² − s². Length and deviation
-//! are those of the finished scene, swept, with the extremes located.
+//! Watt: two rods of 5 and a coupler of 2, E its midpoint. Chebyshev: frame 4, crossed rods 5,
+//! coupler 2, E its midpoint, over the frame's length. Roberts: frame 2, coupler 1, rods and the
+//! sides of the coupler's triangle 1.2, E its apex, from pivot to pivot. Hoeken: crank 1, frame 2,
+//! coupler and rocker 2.5, BE twice BC, over half a turn of the crank; other `ratios` may be given.
+//! Exact linkages are Scott-Russell's crank on the midpoint of a rod with a sliding end, and
+//! Peaucellier's inversor, OC · OP = L² − s². Length and deviation are those of the finished scene,
+//! swept, with the extremes located.
 
 mod drawing;
 mod explained;
@@ -22,7 +26,7 @@ use hodograph_sweep::{Placed, Stations, Width, of_values, run, zoom};
 use serde_json::{Value as Json, json};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The kind.
+/// Straight lines as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "straight-line",
     what: [
@@ -53,14 +57,15 @@ const NAMES: [(&str, Linkage); 6] = [
     ("peaucellier", Linkage::Peaucellier),
 ];
 
-/// Half the swing of a driver where the file gives none: of Watt's rods, whose deviation grows with its fifth power, and of the others.
+/// Half the driver's swing if the file gives none (rad): of Watt's linkage, whose deviation grows
+/// with its fifth power, and of the others.
 const WATT_SWING: f64 = 20.0 * PI / 180.0;
 const SWING: f64 = 45.0 * PI / 180.0;
-/// A swing read from degrees may be so much larger than the most that is told (rad).
+/// A swing read from degrees may exceed the printed greatest swing by this much (rad).
 const ROUNDING: f64 = 1e-12;
-/// Positions of a sweep between which extremes are located.
+/// Number of steps of a sweep between which extremes are located.
 const STEPS: usize = 360;
-/// The length along which a located range falls short of a limit of the driver.
+/// The angle by which a located range falls short of a limit of the driver (rad).
 const SHORT: f64 = 1e-13;
 
 #[derive(Clone, Debug)]
@@ -68,9 +73,9 @@ struct Task {
     linkage: Linkage,
     /// The wanted length (m).
     length: f64,
-    /// Half the driver's swing to either side of the middle (rad).
+    /// Half the driver's swing, to either side of the middle (rad).
     swing: f64,
-    /// Frame and rods over the crank, of Hoeken's linkage.
+    /// Frame and rods over the crank, for Hoeken's linkage.
     ratios: [f64; 2],
 }
 
@@ -82,7 +87,8 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     let usual = if linkage == Linkage::Watt { WATT_SWING } else { SWING };
     let swings = matches!(linkage, Linkage::Watt | Linkage::ScottRussell | Linkage::Peaucellier);
     let swing = if form.has("swing") { form.angle("swing")? / 2.0 } else { usual };
-    // Beyond 27.02° one of Watt's rods passes its dead point, beyond 2 arccos(3.5/4) = 57.91° C is too near for Peaucellier's arms.
+    // Beyond 27.02° one of Watt's rods passes its dead centre; beyond 2 arccos(3.5/4) = 57.91° C is
+    // too near for Peaucellier's arms.
     let most = match linkage {
         Linkage::Watt => 27.0_f64.to_radians(),
         Linkage::Peaucellier => 57.5_f64.to_radians(),
@@ -106,11 +112,11 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     Some(Box::new(Task { linkage, length: length?, swing, ratios }))
 }
 
-/// Frame and rods of Hoeken's linkage over its crank.
+/// Reads frame and rods of Hoeken's linkage over its crank.
 fn ratios(form: &Form, linkage: Linkage) -> Option<[f64; 2]> {
     let [p, q] = form.several::<2>(form.node("ratios")?, "ratios", "[2, 2.5]")?;
     let (frame, rod) = (form.number_of(p, "ratios")?, form.number_of(q, "ratios")?);
-    // The crank is the shortest and turns fully, and the dyad reaches: s + l < p + q.
+    // The crank is the shortest link and turns fully, and the dyad closes: s + l < p + q.
     let turns = frame > 1.0 && rod > 1.0 && 1.0 + frame < 2.0 * rod;
     if linkage == Linkage::Hoeken && turns {
         return Some([frame, rod]);
@@ -128,7 +134,7 @@ fn ratios(form: &Form, linkage: Linkage) -> Option<[f64; 2]> {
     None
 }
 
-/// The ratios next to these, a hundredth within the change point, to three decimals.
+/// The nearest feasible ratios, a hundredth inside the change point, to three decimals.
 fn nearest_ratios([frame, rod]: [f64; 2]) -> Both {
     let up = |v: f64| (v * 1e3).ceil() / 1e3;
     let frame = up(frame.max(1.01));
@@ -136,11 +142,12 @@ fn nearest_ratios([frame, rod]: [f64; 2]) -> Both {
     both!("write [{frame}, {rod}]", "请写 [{frame}, {rod}]")
 }
 
-/// A linkage at scale 1: its scene at a scale, the driver's range, the axis of the line, and the places of E at the ends and the middle.
+/// A linkage at a scale: its scene, the driver's range, the axis of the line, and the places of E
+/// at the ends and the middle.
 struct Made {
     scene: Json,
     range: [f64; 2],
-    /// `x` or `y`: along the line.
+    /// The direction of the line, `x` or `y`.
     along: char,
     wanted: Vec<Wanted>,
     numbers: Vec<Number>,
@@ -192,7 +199,8 @@ impl Task {
                 four(l, [low + SHORT, FRAC_PI_2], 'x', libm::atan2(4.0, 3.0))
             }
             Linkage::Roberts => {
-                // E in D, where B stands over the middle of AD; E in A, where C does, and AB leads AC by half the coupler's angle twice.
+                // E in D: B is above the midpoint of AD. E in A: C is there; AB leads AC by half
+                // the coupler's angle twice.
                 let from = libm::acos(1.0 / ROBERTS);
                 let to = from + 2.0 * libm::asin(0.5 / ROBERTS);
                 four(roberts(k), [from, to], 'x', libm::acos(0.5 / ROBERTS))
@@ -237,14 +245,15 @@ fn chebyshev(k: f64) -> FourBar {
 /// Rods, and the equal sides of the coupler's triangle, of Roberts' linkage over its coupler.
 const ROBERTS: f64 = 1.2;
 
-/// Roberts' linkage in its middle position: the coupler level, its apex down on the frame.
+/// Roberts' linkage in its middle position: the coupler level, its apex below on the frame.
 fn roberts(k: f64) -> FourBar {
     let at = |x: f64, y: f64| Point::new(k * x, k * y);
     let high = (ROBERTS * ROBERTS - 0.25).sqrt();
     FourBar { a: at(0.0, 0.0), b: at(0.5, high), c: at(1.5, high), d: at(2.0, 0.0), e: Some(Vec2::new(0.5 * k, -high * k)) }
 }
 
-/// Hoeken's linkage with its crank away from the rocker's pivot: the middle of the straight stretch.
+/// Hoeken's linkage with its crank pointing away from the rocker's pivot: the middle of the
+/// straight stretch.
 fn hoeken(k: f64, [frame, rod]: [f64; 2]) -> FourBar {
     let (b, d) = (Point::new(-k, 0.0), Point::new(frame * k, 0.0));
     let half = (frame + 1.0) / 2.0 * k;
@@ -260,7 +269,8 @@ impl FourBar {
     }
 }
 
-/// The points C, X, Y, E of Peaucellier's inversor with K right of O, for an angle of the crank KC.
+/// The points C, X, Y, E of Peaucellier's inversor with K to the right of O, for an angle of the
+/// crank KC.
 fn inversor(k: f64, crank: f64) -> Option<[Point; 4]> {
     let c = Point::new(2.0 * k, 0.0) + Vec2::from_angle(crank) * (2.0 * k);
     let x = meet(Point::ORIGIN, 6.0 * k, c, 2.5 * k, true)?;
@@ -268,7 +278,7 @@ fn inversor(k: f64, crank: f64) -> Option<[Point; 4]> {
     Some([c, x, y, c + (x - c) + (y - c)])
 }
 
-/// Crank AB on the middle B of the rod CE, whose end C slides toward A.
+/// The scene with crank AB on the midpoint B of the rod CE, whose end C slides toward A.
 fn scott_russell(k: f64, angle: f64, heading: &Heading) -> Json {
     let mut scene = headed(heading);
     scene.insert("links".into(), json!({"1": ["A", "B"], "2": ["C", "B", "E"], "4": ["A"]}));
@@ -329,19 +339,20 @@ impl Wish for Task {
     }
 }
 
-/// A deviation below this part of the length is rounding.
+/// A deviation below this share of the length is rounding.
 const EXACT: f64 = 1e-11;
 
-/// The part of the length that the last [`SHORT`] of the driver before a dead point is worth: its square root, with room.
+/// The share of the length that corresponds to the last [`SHORT`] of the driver before a dead
+/// centre: about its square root, with a margin.
 const NEXT_TO_DEAD: f64 = 1e-6;
 
-/// What the finished scene does over its range.
+/// Measurements of the finished scene over its range.
 struct Measured {
-    /// From the least to the greatest coordinate along the line (m).
+    /// The difference of the greatest and the least coordinate along the line (m).
     length: f64,
-    /// From the least to the greatest coordinate across it (m).
+    /// The difference of the greatest and the least coordinate across the line (m).
     deviation: f64,
-    /// Across the line: the least and the greatest, each with the driver's position.
+    /// The least and the greatest coordinate across the line (m), each with the driver's position.
     extremes: [(f64, f64); 2],
     range: [f64; 2],
 }
@@ -354,7 +365,7 @@ impl Measured {
             Number::length("deviation", both!("from the least to the greatest deviation", "最大与最小偏离之差"), self.deviation),
             Number::ratio("relative", both!("deviation over length", "偏差与长度之比"), self.deviation / self.length),
         ];
-        // What is straight has no least and no greatest place.
+        // A straight line has no least and no greatest place.
         if self.deviation > 0.0 {
             out.extend([
                 Number::length("least", both!("least coordinate across the line", "横向坐标最小值"), low),
@@ -397,7 +408,8 @@ fn measure(made: &Made, wanted: f64) -> Result<Measured, Faults> {
     };
     let (length, deviation) = (b.1 - a.1, high.1 - low.1);
     let deviation = if deviation <= EXACT * length { 0.0 } else { deviation };
-    // A range that begins in a dead point is swept from next to it: the rest of the way is told by the wish.
+    // A range that begins in a dead centre is swept from next to it: the wanted length includes the
+    // rest.
     let length = if (length - wanted).abs() <= NEXT_TO_DEAD * wanted { wanted } else { length };
     Ok(Measured { length, deviation, extremes: [low, high], range: made.range })
 }

@@ -1,4 +1,4 @@
-//! Templates: a synthesis file for each kind of task, whose parameters can be set.
+//! Templates: a synthesis file for each kind of task, with adjustable parameters.
 
 use hodograph_base::diag::Both;
 use hodograph_templates::TASKS;
@@ -38,7 +38,7 @@ mod tests {
             let design = solve(&task.value).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
             let best = &design.candidates[0];
             assert_eq!(best.judged.defects, [], "{}", kind.name);
-            // Its proportions are given: there is nothing to construct.
+            // Its proportions are given: nothing is constructed.
             if kind.name == "straight-line" {
                 continue;
             }

@@ -1,8 +1,11 @@
-//! What a worksheet says of a task: what is given, what is wanted, and the closed formula with its numbers, the proof of the drawing.
+//! The text of a worksheet for a task: givens, unknowns, and the closed formula with its numbers as
+//! the proof of the drawing.
 //!
-//! Sentences have formulas between dollar signs; formulas are in the label language, with `\frac{a}{b}` and `\sqrt{a}` on their top level.
-//! Lengths and angles stand in them in SI between ⦃ and ⦄ ([`length`], [`angle`], [`place`]) until [`Statement::written`] and [`Proof::written`] put them
-//! in the units of the file. Decided here: the shapes, and how numbers stand in them. What is said is in the file of each kind.
+//! Sentences have formulas between dollar signs; formulas are in the label language, with
+//! `\frac{a}{b}` and `\sqrt{a}` on their top level. Lengths and angles in them are in SI between ⦃
+//! and ⦄ ([`length`], [`angle`], [`place`]) until [`Statement::written`] and [`Proof::written`]
+//! convert them to the units of the file. This module defines the structure and the format of
+//! numbers; the text itself is in the file of each kind.
 
 use super::candidate::{Draft, Number};
 use hodograph_base::diag::{Both, both};
@@ -13,20 +16,20 @@ use hodograph_scene::{Book, Kind};
 /// The task as a problem.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statement {
-    /// What is to be designed.
+    /// The linkage to design.
     pub task: Both,
-    /// What is given, a line each.
+    /// The givens, one per line.
     pub given: Vec<Both>,
-    /// What is wanted, a line each.
+    /// The unknowns, one per line.
     pub wanted: Vec<Both>,
-    /// So many steps of the construction show nothing but what is given.
+    /// The number of leading construction steps that show givens only.
     pub open_steps: usize,
 }
 
 /// A piece of the proof: a sentence, then formulas on lines of their own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proof {
-    /// What is done.
+    /// The sentence.
     pub what: Both,
     /// The formulas.
     pub formulas: Vec<String>,
@@ -38,7 +41,7 @@ impl Proof {
         Proof { what, formulas: formulas.into_iter().collect() }
     }
 
-    /// Its quantities in the units of a file.
+    /// The proof with its quantities in the units of a file.
     #[must_use]
     pub fn written(&self, book: &Book) -> Proof {
         Proof { what: both_written(&self.what, book), formulas: self.formulas.iter().map(|f| written(f, book)).collect() }
@@ -46,7 +49,7 @@ impl Proof {
 }
 
 impl Statement {
-    /// Its quantities in the units of a file.
+    /// The statement with its quantities in the units of a file.
     #[must_use]
     pub fn written(&self, book: &Book) -> Statement {
         let all = |list: &[Both]| list.iter().map(|b| both_written(b, book)).collect();
@@ -54,14 +57,15 @@ impl Statement {
     }
 }
 
-/// Around a quantity in SI: `⦃0.05⦄` a length, `⦃a1.2⦄` an angle, `⦃b0.05⦄` a length without its unit, `⦃u⦄` the unit of lengths.
+/// Delimiters of a quantity in SI: `⦃0.05⦄` a length, `⦃a1.2⦄` an angle, `⦃b0.05⦄` a length without
+/// its unit, `⦃u⦄` the unit of lengths.
 const QUANTITY: [char; 2] = ['\u{2983}', '\u{2984}'];
 
 fn both_written(text: &Both, book: &Book) -> Both {
     Both { en: written(&text.en, book), zh: written(&text.zh, book) }
 }
 
-/// A text with its quantities in the units of a file: millimetres and degrees, where it names none.
+/// A text with its quantities in the units of a file: in millimetres and degrees if it names none.
 fn written(text: &str, book: &Book) -> String {
     let [open, close] = QUANTITY;
     let mut out = String::with_capacity(text.len());
@@ -94,10 +98,11 @@ fn quantity_written(text: &str, book: &Book) -> String {
     if chosen { book.label(Kind::Length, &told) } else { format!("{told} mm") }
 }
 
-/// Digits of numbers in a proof.
+/// Significant digits of numbers in a proof.
 const DIGITS: usize = 6;
 
-/// A number in the label language: what is a short number is written so, else all digits of a rounded one are kept.
+/// A number in the label language: rounded, without trailing zeros if that is exact, else with all
+/// its digits.
 pub fn number(value: f64) -> String {
     let rounded = significant(value + 0.0, DIGITS);
     let exact = rounded.parse::<f64>().is_ok_and(|r| (r - value).abs() <= 1e-13 * value.abs());
@@ -120,7 +125,7 @@ pub fn angle(value_rad: f64) -> String {
     format!("{open}a{value_rad:e}{close}")
 }
 
-/// A number that is subtracted, with its sign: `− 0.5`, and `+ 0.5` for what is negative.
+/// A number that is subtracted, with its sign: `− 0.5`; `+ 0.5` for a negative number.
 pub fn subtracted(value: f64) -> String {
     format!("{} {}", if value < 0.0 { "+" } else { "−" }, number(value.abs()))
 }
@@ -132,12 +137,13 @@ pub fn place(at: Point) -> String {
     format!("({},\\, {})\\,\\text{{{open}u{close}}}", bare(at.x), bare(at.y))
 }
 
-/// The value of a number of a design by its name; NaN, which is printed as a dash, where it has none.
+/// The value of a number of a design by its name; NaN, which is printed as a dash, if there is
+/// none.
 pub fn of(draft: &Draft, name: &str) -> f64 {
     draft.numbers.iter().find(|n: &&Number| n.name == name).map_or(f64::NAN, |n| n.value)
 }
 
-/// The lengths of a four-bar as what is wanted.
+/// The lengths of a four-bar as unknowns.
 pub fn four_bar_wanted() -> Both {
     both!(
         "the lengths $l_{{AB}}$ (crank), $l_{{BC}}$ (coupler), $l_{{CD}}$ (follower)",
@@ -175,7 +181,7 @@ pub fn half_difference(ac: [f64; 2], ab: f64, bc: f64) -> Proof {
     )
 }
 
-/// The centre of the circle through three places, as two linear equations and their root.
+/// The centre of the circle through three places, as two linear equations and their solution.
 pub fn centre_of_three(what: Both, places: [Point; 3], sought: &str, found: Point) -> Proof {
     let mm = |v: f64| v * 1e3;
     let equation = |p: Point, q: Point| {

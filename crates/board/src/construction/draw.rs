@@ -9,7 +9,7 @@ use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_base::kind::ByKind;
 use hodograph_base::number::Real;
 
-/// Scales by the kind of quantity, SI per mm. A diagram that has none is not drawn.
+/// Scales by kind of quantity (SI per mm). A diagram without a scale is not drawn.
 pub type Scales = ByKind;
 
 /// The givens of a construction, in numbers of one kind.
@@ -26,7 +26,7 @@ pub trait Givens<N> {
     fn path(&self, key: Key) -> Option<Track<N>>;
     /// The length (m) over which a path is drawn; the ruler is laid along its ends.
     fn reach(&self, path: Key) -> f64;
-    /// The place (m) that lies in the origin of the mechanism's drawing.
+    /// The place (m) at the origin of the mechanism's drawing.
     fn origin(&self) -> Point<N>;
     /// The size of the mechanism (m), to which the rounding of places is relative.
     fn extent(&self) -> f64;
@@ -166,9 +166,10 @@ pub(super) struct Board<'a, N, G, P> {
     pub(super) mm_l: f64,
 }
 
-/// A crossing is called parallel when its sine is no larger than what rounding makes of the two directions: each is a
-/// difference of places known to half a unit in the last place of the mechanism's size, divided by its length. Eight
-/// such units keep exact dead centres (sine 0 or a few units) on this side and poses 1e-9 rad away on the other.
+/// The bound below which a crossing counts as parallel, in units of the rounding of its two
+/// directions. Each direction is a difference of places known to half a unit in the last place of
+/// the mechanism's size, divided by its length. Eight such units keep exact dead centres (sine 0 or
+/// a few units) below the bound and poses 1e-9 rad away above it.
 const PARALLEL_UNITS: f64 = 8.0;
 
 impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
@@ -221,7 +222,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         self.mu[on.index()].expect("a diagram that is drawn has a scale")
     }
 
-    /// Makes a mark that is meant to fall at a place.
+    /// Makes a mark at an intended place.
     fn mark(&mut self, to: MarkId, at: Point<N>) {
         self.drawn.marks[to.index()] = Some(self.pencil.mark(self.on(to), at));
     }
@@ -242,7 +243,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
                     self.mark(to, self.paper(at));
                 }
             }
-            // Vectors begin where the pencil is set down, wherever that is.
+            // Vectors begin at the pencil's starting point, wherever it is.
             Name::Pole | Name::Image(_) | Name::End(_) | Name::Again(_) | Name::Vertex(_) => {
                 self.drawn.marks[to.index()] = Some(Point::origin())
             }
@@ -264,7 +265,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         self.givens.reach(path) / self.mm_l
     }
 
-    /// A direction that goes with a given path, as that was drawn.
+    /// A direction that follows a given path, as the path was drawn.
     fn turned(&self, path: Key, direction: Vec2<N>) -> Vec2<N> {
         match self.drawn.turns.get(path.index()) {
             Some(Some(turn)) if !P::EXACT => direction.rotate_by(*turn),
@@ -272,7 +273,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         }
     }
 
-    /// From one mark to another on the mechanism, in metres.
+    /// The vector from one mark to another on the mechanism, in metres.
     fn arm(&self, from: MarkId, to: MarkId) -> Result<Vec2<N>, Why> {
         Ok((self.place(to)? - self.place(from)?) * self.mu_l)
     }
@@ -336,7 +337,8 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         if direction.unit { v.unit().ok_or(Why::Coincide) } else { Ok(v) }
     }
 
-    /// The distance (mm) of the two marks from which a direction is taken: the joints of an arm, the ends of a path.
+    /// The distance (mm) of the two marks that define a direction: the joints of an arm, the ends
+    /// of a path.
     fn apart(&self, base: &Base) -> Result<f64, Why> {
         Ok(match base {
             _ if P::EXACT => 0.0,
@@ -354,7 +356,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         let laid = self.place(through).and_then(|at| Ok((at, self.direction(along)?, self.apart(&along.base)?)));
         let (at, v, apart) = match laid {
             Ok(laid) => laid,
-            // What a place of the mechanism needs may be missing: then it is missing too.
+            // A place of the mechanism is missing if a place that it depends on is.
             Err(_) if kind == DiagramKind::Plane => return Ok(()),
             Err(why) => return Err(why),
         };
@@ -368,7 +370,8 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         Ok(())
     }
 
-    /// Size of the mechanism over the length from which a direction is taken: how rounding of places acts on it.
+    /// The size of the mechanism over the length from which a direction is taken: the effect of the
+    /// rounding of places.
     fn rounding(&self, line: LineId) -> Result<f64, Why> {
         let base = &self.construction.lines[line.index()].along.base;
         Ok(match *base {
@@ -391,7 +394,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         };
         let c = cross_lines(p, u, q, w);
         let rounding = if plane { 1.0 } else { 1.0 + self.rounding(lines[0])? + self.rounding(lines[1])? };
-        // Numbers that know their error are undecided where the lines may be parallel.
+        // Numbers with error bounds are undecided where the lines may be parallel.
         let parallel = !plane && !N::knows_its_error() && c.sine.approx().abs() <= PARALLEL_UNITS * f64::EPSILON * rounding;
         if parallel || !c.at.is_finite() {
             return if plane { Ok(()) } else { Err(Why::Parallel(lines, to)) };

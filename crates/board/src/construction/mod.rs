@@ -1,11 +1,13 @@
 //! The construction language: the acts of ruler, set squares and compasses, without coordinates.
 //!
-//! A [`Construction`] is the list of all acts, as plain data: no coordinates, no scales, no digits, no words. [`draw()`] evaluates it for given places
-//! and numbers ([`Givens`]), scales and a [`pencil`], and returns where everything falls ([`Drawn`]). Choosing scales, proving
-//! digits and simulating a blunt pencil are evaluations of one construction, in poses, kinds of number and pencils of their own.
+//! A [`Construction`] is the list of all acts, as plain data: no coordinates, no scales, no digits,
+//! no words. [`draw()`] evaluates it for given places and numbers ([`Givens`]), scales and a
+//! [`pencil`], and returns the places of all marks and lines ([`Drawn`]). Choosing scales, proving
+//! digits and simulating a blunt pencil are evaluations of one construction, in poses, kinds of
+//! number and pencils of their own.
 //!
-//! The language knows neither plans nor scenes: what is given, and what a mark or a vector stands for, is a [`Key`] of whoever wrote the
-//! construction.
+//! The language is independent of plans and scenes: the givens, and the meaning of a mark or a
+//! vector, are identified by a [`Key`] of the construction's author.
 //!
 //! The velocity of B of a crank AB, ω·AB square to AB:
 //! ```
@@ -234,7 +236,8 @@ pub enum Number {
     Plain(i32),
     /// The vector from one mark to another, measured: mm × μ.
     Vector(MarkId, MarkId),
-    /// The part of the vector from one mark to another that lies across an arm, measured (mm): positive where it turns the arm counter-clockwise.
+    /// The component across an arm of the vector from one mark to another, measured (mm): positive
+    /// where it turns the arm counter-clockwise.
     Across {
         /// From here.
         from: MarkId,
@@ -243,9 +246,10 @@ pub enum Number {
         /// The arm.
         arm: Base,
     },
-    /// The part of the vector from one mark to another along a direction, measured: mm × μ.
+    /// The component along a direction of the vector from one mark to another, measured: mm × μ.
     Along(MarkId, MarkId, Direction),
-    /// The moment of a force about a mark of the mechanism: its arm is measured, and multiplied with its magnitude. Counter-clockwise plus.
+    /// The moment of a force about a mark of the mechanism, counter-clockwise positive: its arm is
+    /// measured, and multiplied by its magnitude.
     Moment {
         /// The force.
         force: Base,
@@ -262,15 +266,15 @@ pub enum Number {
     Radius(Key),
     /// μ of a diagram (SI per mm).
     Scale(DiagramId),
-    /// −a.
+    /// The negative −a.
     Negative(NumberId),
-    /// a + b.
+    /// The sum a + b.
     Sum(NumberId, NumberId),
-    /// a − b.
+    /// The difference a − b.
     Difference(NumberId, NumberId),
-    /// a b.
+    /// The product a b.
     Product(NumberId, NumberId),
-    /// a / b.
+    /// The quotient a / b.
     Quotient(NumberId, NumberId),
 }
 
@@ -318,7 +322,7 @@ pub enum Op {
         /// The image of the third.
         to: MarkId,
     },
-    /// A mark falls on another.
+    /// Puts a mark on another.
     Same {
         /// The other.
         mark: MarkId,
@@ -337,7 +341,7 @@ pub enum Op {
         terms: Vec<Key>,
         /// The mark.
         at: MarkId,
-        /// The mark that lies there, because the last of them would end in it.
+        /// The mark at that place, in which the last of them would end.
         to: Option<MarkId>,
     },
 }

@@ -1,8 +1,8 @@
-//! Pencils: where a mark really falls, and so what a drawing is worth.
+//! Pencils: the actual places of marks, and so the accuracy of a drawing.
 //!
-//! Every act of drawing goes through a [`Pencil`]: setting out a joint, ending a vector, laying a ruler, pricking a crossing, reading a
-//! length. The [`Exact`] one puts every mark where it is meant and costs nothing; a [`Blunt`] one misses by what a hand
-//! misses; [`Single`] keeps every drawn number in f32.
+//! Every act of drawing uses a [`Pencil`]: setting out a joint, ending a vector, laying a ruler,
+//! marking a crossing, reading a length. [`Exact`] puts every mark at its intended place at no
+//! cost; [`Blunt`] adds the errors of a hand; [`Single`] keeps every drawn number in f32.
 
 use hodograph_base::diagram::DiagramKind;
 use hodograph_base::geom::{Point, Vec2};
@@ -12,35 +12,37 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 use std::cell::RefCell;
 use std::collections::VecDeque;
 
-/// The part of a normal error in the plane, independent in x and y, that lies within the stated pencil error.
+/// The share of a normal error in the plane, independent in x and y, that is within the stated
+/// pencil error.
 pub const WITHIN: f64 = 0.95;
 
-/// The pencil error with which textbooks and this project calculate where nothing else is said (mm): a fine line is twice as wide.
+/// The usual pencil error (mm), with which textbooks and this project calculate by default: a fine
+/// line is twice as wide.
 pub const USUAL_MM: f64 = 0.1;
 
-/// The radius in units of the standard deviation of x (and of y) within which [`WITHIN`] of the marks lie: √(−2 ln 0.05) = 2.448.
+/// The radius in units of the standard deviation of x (and of y) that contains the share [`WITHIN`]
+/// of the marks: √(−2 ln 0.05) = 2.448.
 pub fn radius_in_deviations() -> f64 {
     (-2.0 * libm::log(1.0 - WITHIN)).sqrt()
 }
 
-/// What draws.
+/// A drawing instrument with its errors.
 ///
-/// `on` tells the diagram. All lengths are
-/// millimetres of paper.
+/// `on` is the kind of the diagram. All lengths are millimetres of paper.
 pub trait Pencil<N: Real = f64> {
-    /// Whether every mark falls where it is meant: then nothing else is ever asked.
+    /// True if every mark falls at its intended place: then no other method is called.
     const EXACT: bool;
 
-    /// A mark that is meant to fall at `at`.
+    /// The mark for the intended place `at`.
     fn mark(&mut self, on: DiagramKind, at: Point<N>) -> Point<N>;
 
-    /// A vector measured: its end is read as well as a mark is made.
+    /// A measured vector: reading its end has the error of a mark.
     fn read(&mut self, on: DiagramKind, v: Vec2<N>) -> Vec2<N> {
         self.mark(on, v.to_point()).to_vec2()
     }
 
-    /// The unit direction that a ruler takes which is laid along two marks `apart_mm` apart in the direction of the unit
-    /// vector `u`: it misses each of them by itself.
+    /// The unit direction of a ruler laid along two marks `apart_mm` apart in the direction of the
+    /// unit vector `u`: it misses each of them independently.
     fn ruler(&mut self, on: DiagramKind, u: Vec2<N>, apart_mm: f64) -> Vec2<N> {
         let from = self.mark(on, Point::origin());
         let to = self.mark(on, (u * N::from_f64(apart_mm)).to_point());
@@ -48,7 +50,7 @@ pub trait Pencil<N: Real = f64> {
     }
 }
 
-/// Puts every mark where it is meant.
+/// The exact pencil: puts every mark at its intended place.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Exact;
 
@@ -68,12 +70,14 @@ impl<N: Real> Pencil<N> for Exact {
     }
 }
 
-/// Misses every mark by an independent error in the plane.
+/// The blunt pencil: every mark has an independent error in the plane.
 ///
-/// The error is normal, alike in all directions, and the stated pencil error is the radius within which 95 % of the marks
-/// fall. Normal, because a miss is the sum of many small causes (width of the line, seat of the compass, the eye) and has no sharp
-/// bound as an error spread evenly over a disc would have; and because sums of normal errors are normal, so that what a
-/// chain of steps makes of it can be derived as well as simulated. The same seed gives the same drawing on every machine.
+/// The error is normal and equal in all directions, and the stated pencil error is the radius that
+/// contains 95 % of the marks. It is normal because a miss is the sum of many small causes (width
+/// of the line, seat of the compass, the eye) and has no sharp bound, unlike an error spread evenly
+/// over a disc; and because sums of normal errors are normal, so that the effect of a chain of
+/// steps can be derived as well as simulated. The same seed gives the same drawing on every
+/// machine.
 #[derive(Clone, Debug)]
 pub struct Blunt {
     error_mm: f64,
@@ -81,7 +85,7 @@ pub struct Blunt {
 }
 
 impl Blunt {
-    /// A pencil of a given error (mm, 95 %).
+    /// Returns a pencil with a given error (mm, 95 %).
     pub fn new(error_mm: f64, seed: u64) -> Blunt {
         Blunt { error_mm, chance: Pcg64Mcg::seed_from_u64(seed) }
     }
@@ -96,22 +100,23 @@ impl Pencil for Blunt {
     const EXACT: bool = false;
 
     fn mark(&mut self, _: DiagramKind, at: Point) -> Point {
-        // The distance of a normal error is Rayleigh's: P(r > R) = exp(−R²/2σ²), which is 5 % at the stated error.
+        // The distance of a normal error has a Rayleigh distribution: P(r > R) = exp(−R²/2σ²),
+        // which is 5 % at the stated error.
         let distance = self.error_mm * (libm::log(self.uniform()) / libm::log(1.0 - WITHIN)).sqrt();
         at + Vec2::from_angle(self.uniform() * std::f64::consts::TAU) * distance
     }
 }
 
-/// Returns the bound within which the part [`WITHIN`] of some errors falls; `None` without errors, and
-/// where it is infinite.
+/// Returns the bound that contains the share [`WITHIN`] of some errors; `None` without errors, and
+/// for an infinite bound.
 pub fn bound(mut errors: Vec<f64>) -> Option<f64> {
     errors.sort_by(f64::total_cmp);
     let within = ((WITHIN * errors.len() as f64).ceil() as usize).saturating_sub(1);
     errors.get(within).copied().filter(|v| v.is_finite())
 }
 
-/// A hand that draws on the mechanism's paper: exactly, or with a pencil that misses. It marks every given
-/// place and lays every given direction once, however often the construction comes back to them.
+/// A hand that draws on the mechanism's paper: exactly, or with a pencil that misses. It marks
+/// every given place and lays every given direction once, however often the construction uses them.
 #[derive(Clone, Debug)]
 pub struct Hand {
     /// Units of the drawing's places per millimetre of paper.
@@ -124,7 +129,7 @@ pub struct Hand {
 }
 
 impl Default for Hand {
-    /// The exact hand.
+    /// Returns the exact hand.
     fn default() -> Hand {
         Hand { per_mm: 1.0, pencil: RefCell::default(), laid: RefCell::default(), ruled: RefCell::default(), decisions: RefCell::default() }
     }
@@ -136,13 +141,15 @@ impl Hand {
         Hand { per_mm, pencil: RefCell::new(Some(pencil)), ..Hand::default() }
     }
 
-    /// Returns a hand with a pencil that draws once more what the exact hand `self` has drawn, with its decisions.
+    /// Returns a hand with a pencil that repeats the drawing of the exact hand `self`, with its
+    /// decisions.
     pub fn again(&self, pencil: Blunt, per_mm: f64) -> Hand {
         Hand { decisions: self.decisions.clone(), ..Hand::with(pencil, per_mm) }
     }
 
-    /// Decides between two ways to draw on. The exact hand decides as the numbers are; a hand that draws again
-    /// decides as the exact one did, so that its marks miss but its construction is the same.
+    /// Decides between two ways to continue a drawing. The exact hand decides by the numbers; a
+    /// hand that repeats a drawing decides as the exact one did, so that its marks miss but its
+    /// construction is the same.
     pub fn decide(&self, now: bool) -> bool {
         let mut decisions = self.decisions.borrow_mut();
         if self.misses() {
@@ -157,7 +164,7 @@ impl Hand {
         self.pencil.borrow().is_some()
     }
 
-    /// Returns the mark that is meant to fall at a place.
+    /// Returns the mark for an intended place.
     pub fn mark(&self, at: Point) -> Point {
         match self.pencil.borrow_mut().as_mut() {
             Some(pencil) => at + pencil.mark(DiagramKind::Plane, Point::ORIGIN).to_vec2() * self.per_mm,
@@ -170,7 +177,7 @@ impl Hand {
         self.laid_off(place, place)
     }
 
-    /// Returns the mark of a given place whose key is another value: the place as it is written.
+    /// Returns the mark of a given place under another key: the place as it is written.
     pub fn laid_off(&self, key: Point, at: Point) -> Point {
         if let Some((_, mark)) = self.laid.borrow().iter().find(|(known, _)| *known == key) {
             return *mark;
@@ -180,7 +187,7 @@ impl Hand {
         mark
     }
 
-    /// Returns the direction of a ruler along a given unit vector, laid at two marks of a distance.
+    /// Returns the direction of a ruler along a given unit vector, laid at two marks `apart` apart.
     pub fn ruler(&self, u: Vec2, apart: f64) -> Vec2 {
         if let Some((_, ruled)) = self.ruled.borrow().iter().find(|(known, _)| *known == u) {
             return *ruled;
@@ -191,7 +198,7 @@ impl Hand {
     }
 }
 
-/// Rounds every drawn number to f32: what single precision makes of a drawing.
+/// The pencil of single precision: rounds every drawn number to f32.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Single;
 
@@ -224,7 +231,7 @@ mod tests {
         let draw = |seed| Blunt::new(0.5, seed).mark(DiagramKind::Plane, Point::ORIGIN);
         assert_eq!(draw(1), draw(1));
         assert_ne!(draw(1), draw(2));
-        // A value, so that a change of the generator or of its use shows.
+        // A recorded value, so that a change of the generator or of its use shows.
         let at = draw(1);
         assert_eq!((format!("{:.9}", at.x), format!("{:.9}", at.y)), ("0.073749692".into(), "0.086409678".into()));
     }

@@ -1,16 +1,17 @@
-//! Scales in other numbers.
+//! Scales in other kinds of number.
 
 use hodograph_base::digits::shortest;
 use hodograph_base::number::Real;
 
-/// A scale in other numbers: the decimal that it is printed as, and no neighbour of it.
+/// A scale as another kind of number: the decimal that is printed, exactly, and not a neighbour of
+/// it.
 pub fn number<N: Real>(mu: f64) -> N {
     let error = if N::knows_its_error() { mu.abs() * f64::EPSILON } else { 0.0 };
     N::from_bounded(mu, error).filter(|_| error == 0.0 || is_nearest_to_its_decimal(mu)).unwrap_or_else(|| N::from_decimal(&shortest(mu)))
 }
 
-/// Whether a scale is the nearest double to a decimal of few digits, told without writing it: n and 10^e are exact, and so their
-/// quotient is rounded correctly.
+/// True if a scale is the nearest double to a decimal of few digits, tested without writing it: n
+/// and 10^e are exact, and so their quotient is rounded correctly.
 fn is_nearest_to_its_decimal(mu: f64) -> bool {
     let mut power = 1.0;
     // 10^22 is the largest power of ten that a double holds; `shortest` writes twelve digits.

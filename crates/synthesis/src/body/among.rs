@@ -1,9 +1,10 @@
 //! Four positions without a line: pivots of the centre-point curve within a box, or at two inscribed angles.
 //!
-//! A box is crossed by lines both ways; where the curve meets them within it are the pivots to choose among. Pairs of them are ranked by
-//! the least transmission angle in the four positions, those first whose follower stays on one side of BD; the best are told, apart from
-//! one another. The inscribed angle β of a centre point M is ∠P₁₂MP₂₃, that of the circles of the construction; two circles of one β cross
-//! in two centre points.
+//! The curve is intersected with lines across the box in both directions; the intersections inside
+//! it are the candidates for pivots. Pairs of them are ranked: those whose follower stays on one
+//! side of BD come first, then by the least transmission angle in the four positions. The best
+//! pairs with distinct pivots are returned. The inscribed angle β of a centre point M is ∠P₁₂MP₂₃,
+//! that of the circles of the construction; two circles of one β intersect in two centre points.
 
 use super::burmester::{Pair, on_line};
 use super::pose::Position;
@@ -13,24 +14,24 @@ use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use std::f64::consts::PI;
 
-/// Lines across a box each way.
+/// Lines across a box in each direction.
 const LINES: usize = 24;
-/// Pairs that are told, and how far apart their pivots are (part of the box).
+/// Number of pairs returned, and the least distance of their pivots (share of the box).
 const TOLD: usize = 6;
 const APART: f64 = 0.04;
-/// A link so many times as long as another is of no use.
+/// The greatest useful ratio of two lengths.
 const UNEVEN: f64 = 20.0;
 
-/// Which pivots of the curve are meant.
+/// The choice of pivots on the centre-point curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Among {
-    /// All within a box, by its least and greatest corner (m).
+    /// Pivots within a box, given by its least and greatest corner (m).
     Box([Point; 2]),
-    /// Those of two inscribed angles (rad): of A and of D.
+    /// Pivots with two inscribed angles (rad): of A and of D.
     Angles([f64; 2]),
 }
 
-/// Reads `box` or `angles`; `None` where one is there and cannot be read.
+/// Reads `box` or `angles`; the outer `None` where a key is present and cannot be read.
 pub(super) fn read(form: &Form) -> Option<Option<Among>> {
     match (form.has("box"), form.has("angles")) {
         (false, false) => Some(None),
@@ -75,7 +76,7 @@ pub(super) fn read(form: &Form) -> Option<Option<Among>> {
     }
 }
 
-/// The pairs of dyads that are told, the best first; in each the first is that of A.
+/// The best pairs of dyads, the best first; the first dyad of a pair is that of A.
 pub(super) fn pairs(positions: &[Position], among: Among) -> Vec<[Pair; 2]> {
     match among {
         Among::Box(corners) => best(positions, &within(positions, corners), corners),
@@ -91,7 +92,7 @@ fn size(positions: &[Position]) -> f64 {
     positions.iter().map(|p| p.origin.distance(positions[0].origin)).fold(0.0, f64::max)
 }
 
-/// Centre points within a box.
+/// The centre points within a box.
 fn within(positions: &[Position], [low, high]: [Point; 2]) -> Vec<Pair> {
     let inside = |p: &Pair| p.centre.x >= low.x && p.centre.x <= high.x && p.centre.y >= low.y && p.centre.y <= high.y;
     let part = |k: usize| (k as f64 + 0.5) / LINES as f64;
@@ -100,7 +101,7 @@ fn within(positions: &[Position], [low, high]: [Point; 2]) -> Vec<Pair> {
     level.chain(upright).flat_map(|(through, along)| on_line(positions, through, along)).filter(inside).collect()
 }
 
-/// The best pairs, their pivots apart.
+/// The best pairs with distinct pivots.
 fn best(positions: &[Position], all: &[Pair], [low, high]: [Point; 2]) -> Vec<[Pair; 2]> {
     let mut ranked: Vec<(bool, f64, [Pair; 2])> = Vec::new();
     for (i, p) in all.iter().enumerate() {
@@ -125,7 +126,8 @@ fn best(positions: &[Position], all: &[Pair], [low, high]: [Point; 2]) -> Vec<[P
     told
 }
 
-/// Whether C stays on one side of BD in the four positions, and the least transmission angle there; `None` for what cannot be built.
+/// True if C stays on one side of BD in the four positions, with the least transmission angle there
+/// (rad); `None` for a linkage that cannot be built.
 fn rank(positions: &[Position], [p, q]: [&Pair; 2]) -> Option<(bool, f64)> {
     let lengths = [p.centre.distance(p.pin), p.pin.distance(q.pin), q.pin.distance(q.centre), p.centre.distance(q.centre)];
     let (least, most) = lengths.iter().fold((f64::INFINITY, 0.0_f64), |(l, m), x| (l.min(*x), m.max(*x)));
@@ -144,8 +146,9 @@ fn rank(positions: &[Position], [p, q]: [&Pair; 2]) -> Option<(bool, f64)> {
     Some((sides.iter().all(|s| *s == sides[0]), gamma))
 }
 
-/// The centre points of an inscribed angle: circles over P₁₂P₂₃ and P₁₄P₃₄ with their centres at the cotangent of the angle over the
-/// middles of the chords; brought onto the cubic along a line.
+/// The centre points of an inscribed angle: the intersections of the circles over P₁₂P₂₃ and
+/// P₁₄P₃₄, whose centres are at half the chord times the angle's cotangent above the midpoints of
+/// the chords; then corrected onto the cubic along a line.
 pub(super) fn at_angle(positions: &[Position], angle: f64) -> Vec<Pair> {
     let pole = |i: usize, j: usize| positions[i].pole(&positions[j]);
     let found = || {
@@ -163,6 +166,6 @@ pub(super) fn at_angle(positions: &[Position], angle: f64) -> Vec<Pair> {
         let all = [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)].into_iter().flat_map(|along| on_line(positions, m, along));
         all.min_by(|a, b| a.centre.distance(m).total_cmp(&b.centre.distance(m)))
     };
-    // Where two poles are one, both circles pass through it, whatever the angle.
+    // Where two poles coincide, both circles pass through them for any angle.
     found().unwrap_or_default().into_iter().filter(|m| poles.iter().all(|p| p.distance(*m) > near)).filter_map(on_curve).collect()
 }

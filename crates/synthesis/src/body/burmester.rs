@@ -1,11 +1,13 @@
 //! Burmester's pairs: pins of a body that lie on one circle in four or five positions, with the centres of those circles.
 //!
-//! A pin W (in position 1) stays at one distance from M when, for each position j, W·a_j(M) = c_j(M), with the displacement
-//! W_j = R_j W + t_j: a_j = R_jᵀ(t_j − M) + M and c_j = M·t_j − |t_j|²/2, both linear in M. Three positions more than the first are
-//! consistent where det(a_j, c_j) = 0: the centre-point curve, a circular cubic. On a line it has up to three roots. The cubics of 1234
-//! and of 1235 meet in nine points: two are the circular points at infinity, three the poles P₁₂, P₁₃, P₂₃ at which rows 2 and 3 depend
-//! on one another, four are Burmester's (0, 2 or 4 of them real). Eliminated by Sylvester's resultant in double-double numbers, of
-//! degree 7 in one coordinate; the poles are divided out, and each pair is refined by Newton's method on the four equations.
+//! A pin W (in position 1) stays at one distance from M if, for each position j, W·a_j(M) = c_j(M),
+//! with the displacement W_j = R_j W + t_j: a_j = R_jᵀ(t_j − M) + M and c_j = M·t_j − |t_j|²/2,
+//! both linear in M. Three positions beyond the first are consistent where det(a_j, c_j) = 0: the
+//! centre-point curve, a circular cubic. On a line it has up to three roots. The cubics of 1234 and
+//! of 1235 meet in nine points: two are the circular points at infinity, three the poles P₁₂, P₁₃,
+//! P₂₃ at which rows 2 and 3 are dependent, four are Burmester's (0, 2 or 4 of them real). They are
+//! eliminated by Sylvester's resultant in double-double numbers, of degree 7 in one coordinate; the
+//! poles are divided out, and each pair is refined by Newton's method on the four equations.
 //!
 //! *Source*: Burmester; O. Bottema and B. Roth, Theoretical Kinematics, ch. VIII.
 
@@ -18,7 +20,7 @@ use nalgebra::{Matrix4, Vector4};
 /// A pin of the body and the centre of its circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
-    /// Where the pin is in position 1.
+    /// The place of the pin in position 1.
     pub pin: Point,
     /// The fixed pivot.
     pub centre: Point,
@@ -31,8 +33,9 @@ struct Move {
     t: Vec2,
 }
 
-/// Positions in coordinates whose origin and unit suit them: the numbers of the elimination then are of one size. The axes are turned by
-/// an angle that no data single out, so that no two roots share their first coordinate by symmetry.
+/// Positions in coordinates with a suitable origin and unit, so that the numbers of the elimination
+/// are of one magnitude. The axes are turned by an arbitrary angle, so that no two roots have equal
+/// first coordinates by symmetry.
 struct Frame {
     origin: Point,
     unit: f64,
@@ -40,7 +43,7 @@ struct Frame {
     moves: Vec<Move>,
 }
 
-/// A turn of the axes that is no simple part of a full one.
+/// A rotation of the axes that is no simple fraction of a full turn.
 const ASKEW: f64 = 0.739_085_133_215_160_6;
 
 impl Frame {
@@ -70,7 +73,7 @@ impl Frame {
         self.origin + v.rotate_by(self.axis) * self.unit
     }
 
-    /// The row (a_x, a_y, c) of a displacement, each a line in s where M = p + s q.
+    /// The row (a_x, a_y, c) of a displacement, each linear in s on M = p + s q.
     fn row(&self, j: usize, p: [Dd; 2], q: [Dd; 2]) -> [Poly; 3] {
         let Move { r, t } = self.moves[j];
         let d = Dd::from_f64;
@@ -85,7 +88,7 @@ impl Frame {
         [Poly::line(ax(p, [tx, ty]), ax(q, zero)), Poly::line(ay(p, [tx, ty]), ay(q, zero)), Poly::line(c0, c1)]
     }
 
-    /// The centre-point cubic along a line M = p + s q, of position 1 and three displacements.
+    /// The centre-point cubic along a line M = p + s q, for position 1 and three displacements.
     fn cubic(&self, rows: [usize; 3], p: [Dd; 2], q: [Dd; 2]) -> Poly {
         let [a, b, c] = rows.map(|j| self.row(j, p, q));
         let minor = |x: &Poly, y: &Poly, z: &Poly, w: &Poly| x.times(w).plus(&y.times(z), -1.0);
@@ -95,7 +98,7 @@ impl Frame {
         first.plus(&second, -1.0).plus(&third, 1.0)
     }
 
-    /// The pin of a centre: least squares over the rows, by the normal equations of two unknowns.
+    /// The pin of a centre: least squares over the rows, by the normal equations in two unknowns.
     fn pin(&self, m: Vec2) -> Option<Vec2> {
         let (mut xx, mut xy, mut yy, mut xc, mut yc) = (0.0, 0.0, 0.0, 0.0, 0.0);
         for Move { r, t } in &self.moves {
@@ -118,7 +121,8 @@ impl Frame {
     }
 }
 
-/// The centre points of four positions on a line, with their pins; up to three, from the line's point onward.
+/// The centre points of four positions on a line, with their pins: up to three, in the direction of
+/// the line.
 pub fn on_line(positions: &[Position], through: Point, direction: Vec2) -> Vec<Pair> {
     let Some(frame) = Frame::of(positions) else { return Vec::new() };
     let p = frame.inward(through);
@@ -128,7 +132,7 @@ pub fn on_line(positions: &[Position], through: Point, direction: Vec2) -> Vec<P
     roots.into_iter().filter_map(|s| frame.pair(p + q * s.approx())).collect()
 }
 
-/// The determinant of a square matrix by Gauss' elimination with the largest pivots.
+/// The determinant of a square matrix, by Gaussian elimination with pivoting.
 fn determinant<const N: usize>(mut m: [[Dd; N]; N]) -> Dd {
     let mut det = Dd::from_f64(1.0);
     for k in 0..N {
@@ -170,7 +174,7 @@ pub fn of_five(positions: &[Position]) -> Vec<Pair> {
     let Some(frame) = Frame::of(positions) else { return Vec::new() };
     let d = Dd::from_f64;
     let along_y = |x: Dd, last: usize| frame.cubic([0, 1, last], [x, d(0.0)], [d(0.0), d(1.0)]);
-    // Eight places fix a polynomial of degree seven; Chebyshev's spread them well.
+    // Eight values determine a polynomial of degree seven; Chebyshev points distribute them well.
     let xs: Vec<Dd> = (0..8).map(|k| d(2.0 * libm::cos(std::f64::consts::PI * (2 * k + 1) as f64 / 16.0))).collect();
     let ys: Vec<Dd> = xs.iter().map(|x| resultant(&along_y(*x, 2), &along_y(*x, 3))).collect();
     let mut p = Poly::through(&xs, &ys);
@@ -195,7 +199,7 @@ pub fn of_five(positions: &[Position]) -> Vec<Pair> {
 }
 
 impl Frame {
-    /// Newton's method on the four equations in pin and centre; `None` where it leads away.
+    /// Newton's method on the four equations in pin and centre; `None` where it diverges.
     fn refined(&self, m: Vec2, w: Vec2) -> Option<Pair> {
         let mut x = Vector4::new(m.x, m.y, w.x, w.y);
         let mut size = f64::INFINITY;
@@ -220,7 +224,7 @@ impl Frame {
                 break;
             }
         }
-        // A pole solves three of the equations; there the steps do not die away.
+        // A pole solves three of the equations; there the steps do not converge.
         (size < 1e-8).then(|| Pair { pin: self.outward(Vec2::new(x[2], x[3])), centre: self.outward(Vec2::new(x[0], x[1])) })
     }
 }

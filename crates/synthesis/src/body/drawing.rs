@@ -1,4 +1,5 @@
-//! Body guidance drawn: bisectors for two and three positions, inversion for given pivots, the centre-point curve for four and five.
+//! Drawings of body guidance: bisectors for two and three positions, inversion for given pivots,
+//! the centre-point curve for four and five.
 
 use super::among::Among;
 use super::pose::Position;
@@ -22,13 +23,14 @@ impl Body {
         }
     }
 
-    /// A length that suits the drawing: a quarter of the way that the body goes.
+    /// A length that suits the drawing: a third of the body's greatest displacement (mm).
     fn reach(&self, board: &Board) -> f64 {
         let far = self.positions.iter().map(|p| p.origin.distance(self.positions[0].origin)).fold(0.0, f64::max);
         board.mm(if far > 0.0 { far / 3.0 } else { 0.05 })
     }
 
-    /// Lays off the positions: in each two points of the body, its origin and one along its direction, with one opening of the compasses for all.
+    /// Lays off the positions. In each, two points of the body are drawn: its origin and one along
+    /// its direction, with one opening of the compasses for all.
     fn positions_drawn(&self, board: &mut Board) -> Vec<[Point; 2]> {
         board.step(both!(
             "Lay off the given positions of the body: its origin E and its direction",
@@ -46,7 +48,7 @@ impl Body {
         bodies
     }
 
-    /// Pin in position 1 and pivot of one side.
+    /// The pin in position 1 and the pivot of one side.
     fn side(&self, draft: &Draft, board: &mut Board, bodies: &[[Point; 2]], side: usize) -> Option<[Point; 2]> {
         let [pin, pivot] = [["B", "C"], ["A", "D"]].map(|n| n[side]);
         let (places, sought) = match self.moving[side] {
@@ -87,7 +89,7 @@ impl Body {
                 let line = board.bisector(p, q)?;
                 let name = if self.moving[side].is_some() { sought.to_owned() } else { format!("{sought}1") };
                 let of = |axis: &str| draft.numbers.iter().find(|n| n.name == format!("{name}_{axis}")).map(|n| n.value);
-                // Any point of the bisector serves: the chosen one is laid off along it.
+                // Any point of the bisector is a solution: the chosen one is laid off along it.
                 let chosen = board.at(Point::new(of("x")?, of("y")?));
                 line.place((chosen - line.at).dot(line.along))
             }
@@ -100,7 +102,7 @@ impl Body {
         Some(if self.moving[side].is_some() { [given, found] } else { [found, given] })
     }
 
-    /// A pole: bisectors of two points of the body.
+    /// A pole: the intersection of the bisectors of two points of the body.
     fn pole(&self, board: &mut Board, bodies: &[[Point; 2]], [i, j]: [usize; 2]) -> Option<Point> {
         let (p, q) = (bodies.get(i)?, bodies.get(j)?);
         let (one, other) = (bisector(p[0], q[0])?, bisector(p[1], q[1])?);
@@ -109,7 +111,8 @@ impl Body {
         Some(at)
     }
 
-    /// The centre-point curve by the opposite-pole quadrilateral: circles over P₁₂P₂₃ and P₁₄P₃₄ with the same inscribed angle.
+    /// The centre-point curve by the opposite-pole quadrilateral: circles over P₁₂P₂₃ and P₁₄P₃₄
+    /// with equal inscribed angles.
     fn curve(&self, draft: &Draft, board: &mut Board, bodies: &[[Point; 2]]) -> Option<()> {
         board.step(both!(
             "Find the poles of the positions: in each two bisectors of the places of points of the body meet",
@@ -131,7 +134,7 @@ impl Body {
             },
             Method::Burmester => self.on_both(board, bodies, &curve, quadrilateral)?,
         };
-        // The design's two pivots are meant.
+        // The two pivots of the design are the ones sought.
         let wanted = |name: &str| {
             let of = |axis: &str| draft.numbers.iter().find(|n| n.name == format!("{name}_{axis}")).map(|n| n.value);
             Some(board.at(Point::new(of("x")?, of("y")?)))
@@ -156,7 +159,7 @@ impl Body {
         finished(board, [[b, a], [c, d]])
     }
 
-    /// Where the curve crosses the given line.
+    /// The intersections of the curve with the given line.
     fn on_the_line(&self, board: &mut Board, curve: &[Vec<Found>], poles: [Point; 4]) -> Option<Vec<Point>> {
         let (through, direction) = self.line?;
         let line = Line { at: board.at(through), along: direction };
@@ -173,7 +176,8 @@ impl Body {
         Some(roots)
     }
 
-    /// Within a box: where the curve has the height of the chosen pivots; at inscribed angles: where their circles cross.
+    /// The pivots within a box, where the curve has the height of the chosen pivots; or at
+    /// inscribed angles, where their circles intersect.
     fn among_them(&self, draft: &Draft, board: &mut Board, among: Among, curve: &[Vec<Found>], poles: [Point; 4]) -> Vec<Point> {
         match among {
             Among::Box(corners) => {
@@ -207,7 +211,8 @@ impl Body {
         }
     }
 
-    /// Where the curves of 1234 and of 1235 cross: the angles over P₁₂P₂₃ and P₁₅P₃₅ are equal too.
+    /// The intersections of the curves of 1234 and of 1235: there the angles over P₁₂P₂₃ and P₁₅P₃₅
+    /// are equal too.
     fn on_both(&self, board: &mut Board, bodies: &[[Point; 2]], curve: &[Vec<Found>], poles: [Point; 4]) -> Option<Vec<Point>> {
         board.step(both!(
             "The same with P15 and P35: where both curves cross are Burmester's centre points",
@@ -222,13 +227,13 @@ impl Body {
     }
 }
 
-/// Without drawing: the line on which all points are as far from one place as from the other.
+/// The bisector of two places, without drawing.
 fn bisector(p: Point, q: Point) -> Option<Line> {
     let [one, other] = cross_circles(p, 0.7 * p.distance(q), q, 0.7 * p.distance(q))?;
     Line::through(one, other)
 }
 
-/// The four-bar that comes out: pin and pivot of both sides.
+/// The resulting four-bar: pin and pivot of both sides.
 fn finished(board: &mut Board, [[b, a], [c, d]]: [[Point; 2]; 2]) -> Option<()> {
     board.step(both!("Draw the linkage AB1C1D in position 1", "作位置 1 的机构 AB1C1D"));
     board.line(a, b, Weight::Result).line(b, c, Weight::Result).line(c, d, Weight::Result);
@@ -236,10 +241,11 @@ fn finished(board: &mut Board, [[b, a], [c, d]]: [[Point; 2]; 2]) -> Option<()> 
     Some(())
 }
 
-/// A centre point: the inscribed angle of its circles and its place.
+/// A centre point: the inscribed angle of its circles, and its place.
 type Found = (f64, Point);
 
-/// The circle over a chord under an inscribed angle (rad, signed): the centre on the bisector.
+/// The circle over a chord for an inscribed angle (rad, signed): centre on the bisector, and
+/// radius.
 fn over(p: Point, q: Point, angle: f64) -> Option<(Point, f64)> {
     let lean = PI / 2.0 - angle;
     let (one, other) = (Line::ray(p, (q - p).angle() + lean), Line::ray(q, (p - q).angle() - lean));
@@ -247,7 +253,7 @@ fn over(p: Point, q: Point, angle: f64) -> Option<(Point, f64)> {
     Some((centre, centre.distance(p)))
 }
 
-/// The two crossings of both circles for one inscribed angle.
+/// The two intersections of both circles for one inscribed angle.
 fn at_angle([p12, p23, p14, p34]: [Point; 4], angle: f64) -> Option<[Point; 2]> {
     let ((c, r), (d, s)) = (over(p12, p23, angle)?, over(p14, p34, angle)?);
     cross_circles(c, r, d, s)
@@ -256,7 +262,7 @@ fn at_angle([p12, p23, p14, p34]: [Point; 4], angle: f64) -> Option<[Point; 2]> 
 /// Steps of the inscribed angle.
 const STEPS: usize = 2880;
 
-/// Pieces of the curve: each crossing followed while the angle runs.
+/// The pieces of the curve: each intersection followed as the angle varies.
 fn centre_points(poles: [Point; 4]) -> Vec<Vec<Found>> {
     let mut pieces: Vec<Vec<Found>> = Vec::new();
     for k in 0..2 {
@@ -274,7 +280,7 @@ fn centre_points(poles: [Point; 4]) -> Vec<Vec<Found>> {
     pieces
 }
 
-/// The places of the curve at which something vanishes, by bisection of the inscribed angle.
+/// The points of the curve at which a function vanishes, by bisection of the inscribed angle.
 fn crossings(curve: &[Vec<Found>], poles: [Point; 4], off: &dyn Fn(Point) -> f64) -> Vec<Point> {
     let mut out = Vec::new();
     for w in curve.iter().flat_map(|piece| piece.windows(2)) {

@@ -1,8 +1,10 @@
 //! Body guidance 按连杆预定位置, `"synthesis": "body"`: a coupler through two to five positions.
 //!
-//! Three positions: a moving pin's places lie on the circle about its pivot; a pivot, carried back with the body into position 1, lies on
-//! the circle about its pin. Two positions leave one thing free on each bisector, four fix a curve of pins (taken where a line cuts it),
-//! five fix up to four pins. Each pair of pins with its centres is a four-bar; either may drive.
+//! In three positions, the places of a moving pin are on the circle about its pivot; the places of
+//! a pivot, moved back with the body into position 1, are on the circle about its pin. Two
+//! positions leave one free parameter on each bisector. Four determine a curve of pins, which a
+//! given line intersects; five determine up to four pins. Each pair of pins with their centres is a
+//! four-bar; either side may be the driver.
 
 mod among;
 pub mod burmester;
@@ -25,7 +27,7 @@ use hodograph_base::geom::{Point, Vec2};
 use pose::{Position, centre};
 use std::cmp::Ordering;
 
-/// The kind.
+/// Body guidance as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "body",
     what: ["a coupler through two to five positions", "按连杆的二至五个预定位置设计"],
@@ -33,29 +35,29 @@ pub const KIND: KindOfTask = KindOfTask {
     read,
 };
 
-/// Bisectors that cross under less than this put the pivot far off.
+/// The angle below which two bisectors put the pivot too far away.
 const FAR: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
 #[derive(Clone, Debug)]
 struct Body {
     positions: Vec<Position>,
-    /// Pins B and C in the body's frame.
+    /// Pins B and C in the body's frame (m).
     moving: [Option<Vec2>; 2],
-    /// Pivots A and D.
+    /// Pivots A and D (m).
     ground: [Option<Point>; 2],
     line: Option<(Point, Vec2)>,
-    /// Of four positions, where there is no line.
+    /// The choice of pivots for four positions without a line.
     among: Option<Among>,
 }
 
-/// How the pins are found, which the number of positions decides.
+/// The method of finding the pins, determined by the number of positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Method {
-    /// Two or three positions: bisectors.
+    /// For two or three positions: bisectors.
     Bisectors,
-    /// Four: the centre-point curve and a line.
+    /// For four: the centre-point curve and a line.
     Curve,
-    /// Five: where two curves cross.
+    /// For five: the intersections of two curves.
     Burmester,
 }
 
@@ -110,7 +112,7 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     Some(Box::new(Body { positions, moving, ground, line, among }))
 }
 
-/// Whether what is given fits the number of positions.
+/// Returns true if the givens fit the number of positions; reports what is missing.
 fn enough(form: &Form, count: usize, moving: &[Option<Vec2>; 2], ground: &[Option<Point>; 2], line: bool) -> bool {
     let dyads = [0, 1].map(|i| (moving[i].is_some(), ground[i].is_some()));
     let (message, help) = match method(count) {
@@ -201,7 +203,7 @@ impl Wish for Body {
     }
 }
 
-/// A pair in numbers.
+/// The numbers of a pair.
 fn told(k: usize, p: &Pair) -> Vec<Number> {
     let (centre, pin) = (both!("pivot {k}", "固定铰链 {k}"), both!("pin {k} in position 1", "动铰链 {k}（位置 1）"));
     vec![
@@ -214,7 +216,7 @@ fn told(k: usize, p: &Pair) -> Vec<Number> {
 }
 
 impl Body {
-    /// Four positions, the pivots in a box or at two inscribed angles.
+    /// The linkages of four positions with the pivots in a box or at two inscribed angles.
     fn chosen(&self, among: Among, heading: &Heading) -> Result<Found, Faults> {
         let pairs = among::pairs(&self.positions, among);
         if pairs.is_empty() {
@@ -228,7 +230,7 @@ impl Body {
         method(self.positions.len())
     }
 
-    /// The poles of all displacements.
+    /// The poles of all displacements, as numbers.
     fn poles(&self) -> Vec<Number> {
         let mut out = Vec::new();
         for j in 1..self.positions.len() {
@@ -269,7 +271,8 @@ impl Body {
         Ok(if moving { Pair { pin: places[0], centre: found } } else { Pair { pin: found, centre: places[0] } })
     }
 
-    /// Of two positions any point of the bisector serves: where the line crosses it, else the one from which the link turns by 60°.
+    /// The point of a bisector that is taken for two positions: its intersection with the line if
+    /// one is given, else the point from which the link turns by 60°.
     fn on_bisector(&self, p: Point, q: Point, sought: &str, notes: &mut Vec<Diagnostic>) -> Point {
         let (middle, across) = (p + (q - p) * 0.5, (q - p).perp());
         if let Some((through, direction)) = self.line {
@@ -312,7 +315,7 @@ impl Body {
     }
 }
 
-/// What is to be said of the sizes.
+/// Remarks on the sizes.
 fn remarks(four: &FourBar) -> Vec<Diagnostic> {
     let [ab, bc, cd, _] = four.lengths();
     let short = ab.min(bc).min(cd);

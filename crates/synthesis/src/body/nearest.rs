@@ -1,4 +1,5 @@
-//! What the nearest wish is where no linkage guides the body: another pin, another place of a position, another line, box or angle.
+//! The nearest feasible task where no linkage guides the body: another pin, another place of a
+//! position, another line, box or angle.
 
 use super::among::{self, Among};
 use super::burmester::{of_five, on_line};
@@ -9,22 +10,24 @@ use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use std::f64::consts::FRAC_PI_2;
 
-/// A change of one number: how far it goes (mm or degrees), and what is to be written.
+/// A change of one number: its amount (mm or degrees), and the text that proposes it.
 type Change = (f64, Both);
 
 impl Body {
-    /// The sizes among which numbers are changed (mm).
+    /// The range over which numbers are varied (mm).
     fn scale(&self) -> f64 {
         let far = |p: &Position| p.origin.distance(self.positions[0].origin);
         self.positions.iter().map(far).fold(0.0, f64::max).max(1e-3) * 1e3
     }
 
-    /// Whether the three places that a side's pin, or its pivot carried back, takes lie on a circle of some use.
+    /// True if the three places of a side's pin, or of its pivot moved back, are on a circle of
+    /// practical size.
     fn round(&self, side: usize) -> bool {
         matches!(self.places(side)[..], [p, q, r] if centre(p, q, r).is_some_and(|(_, angle)| angle >= FAR))
     }
 
-    /// The places of a side's given joint: of its pin in the positions, or of its pivot, carried back with the body.
+    /// The places of a side's given joint: of its pin in the positions, or of its pivot, moved back
+    /// with the body.
     pub(super) fn places(&self, side: usize) -> Vec<Point> {
         match (self.moving[side], self.ground[side]) {
             (Some(local), _) => self.positions.iter().map(|p| p.place(local)).collect(),
@@ -32,7 +35,8 @@ impl Body {
         }
     }
 
-    /// A joint whose places lie in line is guided straight, not about a pivot: which place of it, or of position 2, would do.
+    /// Reports a joint whose places are collinear, so that a slider guides it and no pivot;
+    /// proposes a place of it, or of position 2, that works.
     pub(super) fn straight(&self, side: usize) -> Diagnostic {
         let [pin, pivot] = [["B", "C"], ["A", "D"]].map(|n| n[side]);
         let moving = self.moving[side].is_some();
@@ -57,7 +61,8 @@ impl Body {
         Diagnostic::error("no-real-solution", message).help(help)
     }
 
-    /// A joint that does not move between two positions: the pole, which is on no circle of a link.
+    /// Reports a joint that does not move between two positions: the pole, which is on no circle of
+    /// a link.
     pub(super) fn still(&self, side: usize) -> Diagnostic {
         let given = if self.moving[side].is_some() { ["B", "C"] } else { ["A", "D"] }[side];
         let own = self.moving[side].unwrap_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2());
@@ -67,7 +72,7 @@ impl Body {
         Diagnostic::error("no-real-solution", message).help(help)
     }
 
-    /// Two joints in one place make no link of the two sides.
+    /// Reports two joints in one place, which make no link of the two sides.
     pub(super) fn one_joint(&self, pairs: &[super::Pair]) -> Option<Diagnostic> {
         let [one, other] = pairs else { return None };
         let near = |p: Point, q: Point| p.distance(q) <= 1e-9 * self.scale() * 1e-3;
@@ -85,7 +90,7 @@ impl Body {
         Some(Diagnostic::error("wrong-given", message).help(help))
     }
 
-    /// The given joint elsewhere along an axis.
+    /// The given joint moved along an axis to a place that works.
     fn joint(&self, side: usize, given: &str, axis: usize) -> Option<Change> {
         let own = self.moving[side].unwrap_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2());
         let mut at = [own.x * 1e3, own.y * 1e3];
@@ -107,7 +112,7 @@ impl Body {
         Some(((at[axis] - from).abs(), said))
     }
 
-    /// Position 2 elsewhere along an axis, so that both sides do.
+    /// Position 2 moved along an axis so that both sides work.
     fn second(&self, side: usize, axis: usize) -> Option<Change> {
         let own = self.positions[1];
         let mut at = [own.origin.x * 1e3, own.origin.y * 1e3];
@@ -124,7 +129,8 @@ impl Body {
         Some(((at[axis] - from).abs(), said))
     }
 
-    /// A line that cuts the centre-point curve of four positions twice: the given one moved, else one through some place of it.
+    /// A line that intersects the centre-point curve of four positions at least twice: the given
+    /// one, moved across itself.
     fn cutting(&self, positions: &[Position], (through, along): (Point, Vec2)) -> Option<Both> {
         let cuts = |at: Point| on_line(positions, at, along).len() > 1;
         let across = along.perp();
@@ -141,7 +147,7 @@ impl Body {
         ))
     }
 
-    /// Fewer than two pivots.
+    /// Reports fewer than two pivots.
     pub(super) fn too_few(&self, count: usize) -> Diagnostic {
         let level = (self.positions[0].origin, Vec2::new(1.0, 0.0));
         let (message, help) = match self.method() {
@@ -194,7 +200,7 @@ impl Body {
         Some(both!("position 5 under {}° has one", "位置 5 的转角取 {}° 时有解", told(angle)))
     }
 
-    /// No pivots in the box or at the angles.
+    /// Reports that there are no pivots in the box or at the angles.
     pub(super) fn none_among(&self, among: Among) -> Diagnostic {
         let (message, help) = match among {
             Among::Box([low, high]) => {
@@ -241,7 +247,7 @@ impl Body {
         Diagnostic::error("no-real-solution", message).help(help)
     }
 
-    /// Two inscribed angles, each the nearest whose circles cross in a pivot.
+    /// Two inscribed angles, each the nearest whose circles intersect in a pivot.
     fn seen(&self, angles: [f64; 2]) -> Option<Both> {
         let crosses = |deg: f64| {
             let inside = deg > 0.0 && deg < FRAC_PI_2.to_degrees() * 2.0;
@@ -252,14 +258,14 @@ impl Body {
             if crosses(own) { Some(own) } else { roughly(own, 45.0, crosses) }
         };
         let [p, q] = [near(angles[0])?, near(angles[1])?];
-        // Of one angle there may be one pivot only.
+        // One angle may have one pivot only.
         let both_found = |q: f64| !among::pairs(&self.positions, Among::Angles([p, q].map(f64::to_radians))).is_empty();
         let q = if both_found(q) { q } else { roughly(q, 45.0, |v| crosses(v) && both_found(v))? };
         Some(both!("\"angles\": [\"{} deg\", \"{} deg\"] has some", "\"angles\": [\"{} deg\", \"{} deg\"] 时有解", told(p), told(q)))
     }
 }
 
-/// A place on the grid of a hundredth of a millimetre, in which it is told.
+/// A place rounded to a hundredth of a millimetre, as it is printed.
 fn rounded(p: Point) -> Point {
     let on = |v: f64| libm::rint(v * 1e5) / 1e5;
     Point::new(on(p.x), on(p.y))

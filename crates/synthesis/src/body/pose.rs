@@ -1,9 +1,10 @@
-//! Positions of a body: displacements from the first one, poles, and what makes a pin run on a circle.
+//! Positions of a body: displacements from the first one, poles, and circles through the places of
+//! a pin.
 
 use hodograph_base::geom::{Point, Vec2};
 use std::f64::consts::PI;
 
-/// Where the body's frame is.
+/// The position of the body's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Position {
     /// Its origin (m).
@@ -18,17 +19,18 @@ impl Position {
         self.origin + local.rotate_by(Vec2::from_angle(self.angle))
     }
 
-    /// A place carried from this position of the body to another.
+    /// A place moved with the body from this position to another.
     pub fn carry(&self, to: &Position, at: Point) -> Point {
         to.origin + (at - self.origin).rotate_by(Vec2::from_angle(to.angle - self.angle))
     }
 
-    /// The pole of the displacement to another position: the point that stays; `None` where the body does not turn.
+    /// The pole of the displacement to another position: the fixed point; `None` where the body
+    /// does not rotate.
     ///
-    /// P = M + (o' − o)⊥ / (2 tan(δ/2)), M the middle of both origins, δ the turning.
+    /// P = M + (o' − o)⊥ / (2 tan(δ/2)), M the midpoint of both origins, δ the rotation.
     pub fn pole(&self, to: &Position) -> Option<Point> {
         let half = (to.angle - self.angle) / 2.0;
-        // A turning of whole turns is none: the sine of its half tells that to rounding.
+        // A rotation by full turns is none: the sine of its half shows that to rounding.
         if libm::sin(half).abs() < 1e-12 {
             return None;
         }
@@ -37,12 +39,14 @@ impl Position {
     }
 }
 
-/// The centre of the circle through three points; `None` where they lie in a line. Also the angle under which the bisectors cross (rad).
+/// The centre of the circle through three points, and the angle under which the bisectors intersect
+/// (rad); `None` where the points are collinear.
 pub fn centre(p: Point, q: Point, r: Point) -> Option<(Point, f64)> {
     let (u, v) = (q - p, r - p);
     let cross = u.cross(v);
     let angle = libm::asin((cross.abs() / (u.norm() * v.norm())).min(1.0));
-    // Under 1e-9 the centre is as far as the pivots of no linkage; below it rounding would place it.
+    // Below 1e-9 the centre is farther away than the pivots of any linkage, and rounding determines
+    // its place.
     if !(angle > 1e-9 && u.norm() > 0.0 && v.norm() > 0.0) {
         return None;
     }

@@ -1,8 +1,10 @@
-//! Positions as they are written: origin and angle of the body, or the places of two of its points.
+//! Positions as written in the file: origin and angle of the body, or the places of two of its
+//! points.
 //!
-//! Two points B, C of the body tell a position as `[x, y, angle]` does: B is its origin, BC its direction. They keep one distance; coordinates have the
-//! digits of a book, so a small difference is told and C taken at the mean distance. B and C then are the moving pins of two or three positions, unless
-//! others or pivots are given.
+//! Two points B, C of the body define a position as `[x, y, angle]` does: B is its origin, BC its
+//! direction. Their distance is constant. Coordinates have the digits of a book, so a small
+//! difference is reported and C is taken at the mean distance. B and C then are the moving pins of
+//! two or three positions, unless other pins or pivots are given.
 
 use super::pose::Position;
 use crate::form::Form;
@@ -11,23 +13,24 @@ use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::json::{Kind, Node};
 
-/// Distances of two points of a body that differ by no more than this part of them are one, written with the digits of a book.
+/// Two distances of the points of a body that differ by no more than this share are equal, as
+/// written with the digits of a book.
 const WRITTEN: f64 = 1e-2;
-/// Below this part of the distance a difference is rounding.
+/// A difference below this share of the distance is rounding.
 const EXACT: f64 = 1e-9;
 
-/// How positions are written.
+/// An example of positions as written.
 const EXAMPLE: &str = "[[\"0 mm\", \"0 mm\", \"0 deg\"], ...]";
 
-/// The positions of a body, and the pins that they name in its frame.
+/// The positions of a body, and the pins that they define in its frame.
 pub(super) struct Told {
-    /// Position by position.
+    /// The positions in order.
     pub all: Vec<Position>,
-    /// B and C, where positions are told by their places.
+    /// B and C in the body's frame, where positions are given by their places.
     pub pins: Option<[Vec2; 2]>,
 }
 
-/// Reads them: two to five, of which no two are the same.
+/// Reads two to five positions, no two of them equal.
 pub(super) fn read(form: &Form) -> Option<Told> {
     let items = form.items("positions", EXAMPLE, 2)?;
     if items.len() > 5 {
@@ -96,7 +99,7 @@ fn by_places(form: &Form, items: &[Node]) -> Option<Told> {
     Some(Told { all, pins: Some([Vec2::ZERO, Vec2::new(mean, 0.0)]) })
 }
 
-/// Whether no two positions are the same.
+/// True if no two positions are equal; reports those that are.
 fn apart(form: &Form, items: &[Node], all: &[Position]) -> bool {
     for (j, q) in all.iter().enumerate() {
         for (i, p) in all[..j].iter().enumerate() {

@@ -1,15 +1,16 @@
-//! Wanted against real: the output's angle over the range of a function, and the extremes of its deviation.
+//! Wanted and actual output angle over the range of a function, and the extremes of the deviation.
 
 use super::freudenstein::{Generator, extremes};
 use super::{Function, Target};
 use crate::candidate::{Compared, Number};
 use hodograph_base::diag::both;
 
-/// Deviations (rad) and rests below this are rounding.
+/// Deviations (rad) and residuals below this are rounding.
 const NOTHING: f64 = 1e-12;
 
 impl Function {
-    /// Wanted against real over the range: at every half degree of the input, as course designs ask, 40 to 720 places.
+    /// Wanted and actual output angle over the range: at every half degree of the input, as course
+    /// designs require, 40 to 720 places.
     pub(super) fn sampled(&self, g: &Generator) -> Vec<Compared> {
         let Target::Curve { range, swings, .. } = &self.target else { return Vec::new() };
         let count = (swings[0].abs().to_degrees() * 2.0).round().clamp(40.0, 720.0) as usize;
@@ -22,7 +23,8 @@ impl Function {
         (0..=count).filter_map(compared).collect()
     }
 
-    /// The greatest deviation, returned too, and where the extremes lie; of pairs the deviations there.
+    /// Adds the greatest deviation, which is also returned, and the places of the extremes; for
+    /// pairs, the deviations at them.
     pub(super) fn deviations(&self, g: &Generator, numbers: &mut Vec<Number>) -> f64 {
         let deviation = both!("structural error", "结构误差");
         match &self.target {
@@ -31,7 +33,7 @@ impl Function {
                 let places = extremes(g, *range, &step_of);
                 let value = |x: f64| self.target.step(x).and_then(|s| g.deviation(s));
                 let all: Vec<(f64, f64)> = places.iter().filter_map(|x| Some((*x, value(*x)?))).collect();
-                // What is met everywhere has no places of rounding.
+                // A function that is met everywhere has extremes of rounding only.
                 if all.iter().all(|(_, e)| e.abs() < NOTHING) {
                     numbers.push(Number::angle("max_error", both!("greatest structural error", "最大结构误差"), 0.0));
                     return 0.0;

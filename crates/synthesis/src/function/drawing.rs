@@ -1,4 +1,5 @@
-//! Three pairs of angles drawn by inversion 反转法: the crank's positions B, turned back about D by the follower's steps.
+//! Three pairs of angles drawn by inversion 反转法: the crank's positions B, turned back about D by
+//! the follower's angles.
 
 use super::Function;
 use crate::board::{Board, Line, Weight};
@@ -8,10 +9,12 @@ use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
 
 impl Function {
-    /// Frame and crank are laid off; C₁ comes out. Of more than three pairs that are met exactly the first three are drawn.
+    /// Frame and crank are laid off; C₁ results. Of more than three pairs that are met exactly, the
+    /// first three are drawn.
     pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         let number = |name: &str| draft.numbers.iter().find(|n| n.name == name).map(|n| n.value);
-        // Where least squares or the exchange leave deviations, no crossing of circles is the linkage.
+        // Where least squares or the exchange leave deviations, no intersection of circles gives
+        // the linkage.
         if draft.error > 0.0 {
             return self.laid_on(draft, board);
         }

@@ -6,7 +6,8 @@ use crate::told::{angle, length, number, of, subtracted};
 use crate::{Proof, Statement};
 use hodograph_base::diag::{Both, both};
 
-/// Pairs that stand in a list of what is given, and equations in a proof; of more the first are told.
+/// Greatest number of pairs in the list of givens, and of equations in a proof; of more, the first
+/// are printed.
 const TOLD: usize = 12;
 const EQUATIONS: usize = 5;
 
@@ -93,7 +94,8 @@ impl Function {
         let at = |k: usize| [0, 1].map(|i| starts[i] + self.steps[k][i]);
         let turned = |i: usize| if of(draft, ["K1", "K2"][i]) < 0.0 { std::f64::consts::PI } else { 0.0 };
         let equation = |k: usize| {
-            // K belongs to the arms as they come out of the equations: a turned arm counts from the other side.
+            // K belongs to the arms as the equations give them: a reversed arm counts from the
+            // opposite direction.
             let [phi, psi] = at(k);
             let (phi, psi) = (phi - turned(0), psi - turned(1));
             let near = |v: f64| libm::atan2(libm::sin(v), libm::cos(v));
@@ -131,7 +133,7 @@ impl Function {
         }
     }
 
-    /// How the constants are found.
+    /// The method by which the constants are found.
     fn how(&self, exact: bool) -> Both {
         let free = self.start.iter().filter(|s| s.is_none()).count();
         match (exact, self.minimax) {

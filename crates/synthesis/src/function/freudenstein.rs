@@ -1,13 +1,15 @@
 //! Freudenstein's equation K₁ cos ψ − K₂ cos θ + K₃ = cos(θ − ψ) with K₁ = d/a, K₂ = d/c, K₃ = (a² − b² + c² + d²)/2ac.
 //!
-//! Linear in K: three pairs of angles give it, more by least squares. With starting angles unknown it is solved together with them by
-//! Newton's method from a grid of starts, so that all real roots are found; α₀ + 180° with −a is the same linkage, so half turns are
-//! scanned. Deviations of the output angle are differentiated implicitly: for Gauss–Newton on the angles and for Remez' exchange.
+//! The equation is linear in K: three pairs of angles determine K, more do so by least squares.
+//! Unknown starting angles are solved for together with K by Newton's method from a grid of starts,
+//! so that all real roots are found; α₀ + 180° with −a is the same linkage, so only half turns are
+//! scanned. Deviations of the output angle are differentiated implicitly, for Gauss–Newton on the
+//! angles and for the Remez exchange.
 
 use nalgebra::{DMatrix, DVector, SVector};
 use std::f64::consts::PI;
 
-/// A pair of angles from the starting angles (rad).
+/// Pairs of input and output angle, counted from the starting angles (rad).
 pub type Steps = Vec<[f64; 2]>;
 
 /// A function generator: starting angles and K.
@@ -20,7 +22,8 @@ pub struct Generator {
 }
 
 impl Generator {
-    /// The lengths a, b, c for a frame of 1; a and c may be negative: arms turned by 180°. `None` where b would not be real.
+    /// The lengths a, b, c for a frame of 1; a and c may be negative, for arms reversed by 180°.
+    /// `None` where b is not real.
     pub fn lengths(&self) -> Option<[f64; 3]> {
         let [k1, k2, k3] = self.k;
         let (a, c) = (1.0 / k1, 1.0 / k2);
@@ -28,13 +31,14 @@ impl Generator {
         (b2 > 0.0 && a.is_finite() && c.is_finite()).then(|| [a, b2.sqrt(), c])
     }
 
-    /// The equation's rest at a pair.
+    /// The residual of the equation at a pair.
     pub fn rest(&self, step: [f64; 2]) -> f64 {
         let [t, p] = [self.start[0] + step[0], self.start[1] + step[1]];
         self.k[0] * libm::cos(p) - self.k[1] * libm::cos(t) + self.k[2] - libm::cos(t - p)
     }
 
-    /// The output's real angle for an input step, on the branch next to a wanted angle; `None` where the linkage does not reach.
+    /// The actual output angle for an input angle, on the branch nearest to a wanted angle; `None`
+    /// where the linkage does not close.
     pub fn output(&self, step: f64, near: f64) -> Option<f64> {
         let t = self.start[0] + step;
         let (x, y) = (self.k[0] - libm::cos(t), -libm::sin(t));
@@ -48,13 +52,13 @@ impl Generator {
         both.into_iter().min_by(|a, b| (a - near).abs().total_cmp(&(b - near).abs()))
     }
 
-    /// Real less wanted output at a pair.
+    /// The deviation at a pair: actual minus wanted output angle (rad).
     pub fn deviation(&self, step: [f64; 2]) -> Option<f64> {
         let wanted = self.start[1] + step[1];
         Some(self.output(step[0], wanted)? - wanted)
     }
 
-    /// The deviation and its derivatives by K₁, K₂, K₃, α₀, φ₀.
+    /// The deviation and its derivatives with respect to K₁, K₂, K₃, α₀, φ₀.
     fn slopes(&self, step: [f64; 2]) -> Option<(f64, [f64; 5])> {
         let t = self.start[0] + step[0];
         let p = self.output(step[0], self.start[1] + step[1])?;
@@ -72,7 +76,8 @@ impl Generator {
         out
     }
 
-    /// The same linkage with both arms positive: a negative one is turned by 180°. Starting angles within a turn.
+    /// The linkage with both arms positive: a negative arm is reversed by 180°. Starting angles are
+    /// reduced to one turn.
     pub fn upright(mut self) -> Generator {
         for i in 0..2 {
             if self.k[i] < 0.0 {
@@ -86,7 +91,7 @@ impl Generator {
     }
 }
 
-/// K by linear least squares (three pairs: exactly), for given starting angles.
+/// K by linear least squares (exact for three pairs), for given starting angles.
 pub fn linear(start: [f64; 2], steps: &Steps) -> Option<Generator> {
     let row = |s: &[f64; 2]| [start[0] + s[0], start[1] + s[1]];
     let m = DMatrix::from_fn(steps.len(), 3, |i, j| {
@@ -103,10 +108,11 @@ pub fn linear(start: [f64; 2], steps: &Steps) -> Option<Generator> {
     g.k.iter().all(|k| k.is_finite() && k.abs() < 1e6).then_some(g)
 }
 
-/// Starts in a half turn.
+/// Number of starts in a half turn.
 const GRID: usize = 24;
 
-/// All linkages through as many pairs as there are unknowns: three and one more for each free starting angle.
+/// All linkages through as many pairs as there are unknowns: three, and one more for each free
+/// starting angle.
 pub fn exact(start: [Option<f64>; 2], steps: &Steps) -> Vec<Generator> {
     let free: Vec<usize> = [3, 4].into_iter().filter(|p| start[p - 3].is_none()).collect();
     let grid = |given: Option<f64>| match given {
@@ -118,7 +124,7 @@ pub fn exact(start: [Option<f64>; 2], steps: &Steps) -> Vec<Generator> {
         for phi in grid(start[1]) {
             let Some(g) = linear([alpha, phi], steps) else { continue };
             let Some(g) = newton(g, &free, steps) else { continue };
-            // With given starting angles a negative arm stays as it is: its sign is told.
+            // With given starting angles a negative arm is kept: its sign is reported.
             let upright = if free.is_empty() { g } else { g.upright() };
             let same = |f: &Generator| (0..2).all(|i| libm::sin((f.start[i] - upright.start[i]) / 2.0).abs() < 1e-7);
             if !found.iter().any(same) {
@@ -151,7 +157,8 @@ fn newton(mut g: Generator, free: &[usize], steps: &Steps) -> Option<Generator> 
         });
         let rest = DVector::from_fn(n, |i, _| -g.rest(steps[i]));
         let step = m.lu().solve(&rest)?;
-        // Long steps of a far start are cut: the angles' part is meaningful within a radian.
+        // Long steps from a distant start are shortened: the angles' linearisation is meaningful
+        // within a radian.
         let cut = (0.5 / step.rows(3, n - 3).amax().max(0.5)).min(1.0);
         g = g.moved(&places, (step.clone() * cut).as_slice());
         let now = step.amax();
@@ -167,7 +174,7 @@ fn newton(mut g: Generator, free: &[usize], steps: &Steps) -> Option<Generator> 
     (left < 1e-12 * (1.0 + g.k.iter().map(|k| k.abs()).fold(0.0, f64::max))).then_some(g)
 }
 
-/// Gauss–Newton on the deviations of the output angle, from a first guess.
+/// Gauss–Newton on the deviations of the output angle, from an initial guess.
 pub fn least_squares(mut g: Generator, free_start: [bool; 2], steps: &Steps) -> Option<Generator> {
     let places: Vec<usize> = (0..5).filter(|p| *p < 3 || free_start[p - 3]).collect();
     let sum = |g: &Generator| steps.iter().map(|s| Some(g.deviation(*s)?.powi_two())).sum::<Option<f64>>();
@@ -197,7 +204,7 @@ pub fn least_squares(mut g: Generator, free_start: [bool; 2], steps: &Steps) -> 
     Some(g)
 }
 
-/// The square, by multiplication.
+/// Squares by multiplication.
 trait Squared {
     fn powi_two(self) -> f64;
 }
@@ -208,8 +215,8 @@ impl Squared for f64 {
     }
 }
 
-/// Remez' exchange: all five parameters, six equal deviations of alternating sign. `step_of` gives the pair at a place of the range.
-/// Returns the linkage, the level, and the six places.
+/// The Remez exchange: all five parameters, six equal deviations of alternating sign. `step_of`
+/// gives the pair at a place of the range. Returns the linkage, the level, and the six places.
 pub fn minimax(first: Generator, range: [f64; 2], step_of: &dyn Fn(f64) -> Option<[f64; 2]>) -> Option<(Generator, f64, Vec<f64>)> {
     let mut g = first;
     let mut places = extremes(&g, range, step_of);
@@ -252,7 +259,8 @@ pub fn minimax(first: Generator, range: [f64; 2], step_of: &dyn Fn(f64) -> Optio
     None
 }
 
-/// The places of the extreme deviations over a range, its ends among them: sampled, then Newton's method on central differences.
+/// The places of the extreme deviations over a range, including its ends: sampled, then refined by
+/// Newton's method on central differences.
 pub fn extremes(g: &Generator, [from, to]: [f64; 2], step_of: &dyn Fn(f64) -> Option<[f64; 2]>) -> Vec<f64> {
     const SAMPLES: usize = 720;
     let at = |x: f64| step_of(x).and_then(|s| g.deviation(s));
@@ -270,7 +278,8 @@ pub fn extremes(g: &Generator, [from, to]: [f64; 2], step_of: &dyn Fn(f64) -> Op
     found
 }
 
-/// Where a function turns, next to a sample: the slope by Richardson's central differences, its zero by the secant method.
+/// The place of an extreme next to a sample: the slope by Richardson's central differences, its
+/// zero by the secant method.
 fn turning(at: &dyn Fn(f64) -> Option<f64>, near: f64, step: f64) -> f64 {
     let h = step * 0.5;
     let slope = |x: f64| {

@@ -1,7 +1,9 @@
-//! Approximations of a function drawn by laying on (图解试凑法): what the compasses give against the wanted directions of the follower.
+//! Approximations of a function drawn by the overlay method 图解试凑法: the compasses' results against
+//! the wanted directions of the follower.
 //!
-//! With the computed lengths the arcs about the crank's positions cross the follower's arc beside the rays that are wanted, as they do
-//! when a tracing of the rays is laid on the crank's positions; the follower's real angles are read.
+//! With the computed lengths, the arcs about the crank's positions intersect the follower's arc
+//! beside the wanted rays, as they do when a tracing of the rays is laid over the crank's
+//! positions; the follower's actual angles are read.
 
 use super::freudenstein::Generator;
 use super::{Function, Target};
@@ -12,11 +14,12 @@ use crate::told::of;
 use hodograph_base::diag::both;
 use hodograph_base::geom::{Point, Vec2};
 
-/// A ray reaches so far beyond the follower's arc.
+/// Length of a ray over the radius of the follower's arc.
 const BEYOND: f64 = 1.15;
 
 impl Function {
-    /// The positions that are drawn, with their numbers: the pairs, or the places of a curve's extreme deviations.
+    /// The drawn positions with their numbers: the pairs, or the places of a curve's extreme
+    /// deviations.
     fn compared(&self, numbers: &[Number]) -> Vec<(usize, [f64; 2])> {
         let all: Vec<(usize, [f64; 2])> = match &self.target {
             Target::Curve { .. } => {
@@ -28,14 +31,14 @@ impl Function {
         shown(all.len()).into_iter().map(|k| all[k]).collect()
     }
 
-    /// The follower's real angles at the positions that are drawn.
+    /// The follower's actual angles at the drawn positions.
     pub(super) fn outputs(&self, g: &Generator, numbers: &[Number]) -> Vec<Number> {
         let what = both!("real angle of the follower", "从动杆的实际角");
         let real = |(k, s): &(usize, [f64; 2])| Some(Number::angle(&format!("psi{k}"), what.clone(), g.output(s[0], g.start[1] + s[1])?));
         self.compared(numbers).iter().filter_map(real).collect()
     }
 
-    /// Crank positions, wanted rays, and the crossings of the arcs.
+    /// Draws crank positions, wanted rays, and the intersections of the arcs.
     pub(super) fn laid_on(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         let d = Point::new(of(draft, "AD"), 0.0);
         let laid = Laid::off(board, draft, [Point::ORIGIN, d], None);

@@ -1,8 +1,10 @@
-//! Function generation 按两连架杆对应位置, `"synthesis": "function"`: the output's angle as a function of the crank's.
+//! Function generation 按两连架杆对应位置, `"synthesis": "function"`: the output angle as a function of the
+//! crank angle.
 //!
-//! Either a function y(x) at Chebyshev's precision points x_k = (a+b)/2 − (b−a)/2 cos((2k−1)π/2n), or pairs of angles. A starting angle
-//! that is not given is an unknown. As many pairs as unknowns are met exactly ([`freudenstein`]; with crank and frame given, by
-//! inversion), more by least squares, or the greatest deviation is made least (`"fit": "minimax"`).
+//! The function is either y(x) at Chebyshev's precision points x_k = (a+b)/2 − (b−a)/2
+//! cos((2k−1)π/2n), or pairs of angles. A starting angle that is not given is an unknown. As many
+//! pairs as unknowns are met exactly ([`freudenstein`]; with crank and frame given, by inversion),
+//! more by least squares; or the greatest deviation is minimised (`"fit": "minimax"`).
 
 mod course;
 mod drawing;
@@ -24,7 +26,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_scene::front::Curve;
 use std::f64::consts::PI;
 
-/// The kind.
+/// Function generation as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "function",
     what: ["the follower's angle as a function of the crank's", "按两连架杆的对应角位移（期望函数）设计"],
@@ -32,31 +34,31 @@ pub const KIND: KindOfTask = KindOfTask {
     read,
 };
 
-/// The frame where no size is given (m).
+/// The frame if no size is given (m).
 const USUAL_FRAME: f64 = 0.1;
 
 #[derive(Clone, Debug)]
 struct Function {
     target: Target,
     steps: Steps,
-    /// Starting angles, where they are given.
+    /// Starting angles, if given (rad).
     start: [Option<f64>; 2],
     minimax: bool,
     frame: Option<f64>,
     crank: Option<f64>,
 }
 
-/// What the output is to follow.
+/// The function that the output follows.
 #[derive(Clone, Debug)]
 enum Target {
-    /// Pairs of angles; what the output's first one is counted from (rad).
+    /// Pairs of angles; `zero` is the angle from which the first output angle is counted (rad).
     Pairs { zero: f64 },
     /// y(x) over a range, with the swings of input and output.
     Curve { text: String, curve: Curve, range: [f64; 2], swings: [f64; 2], values: [f64; 2], places: Vec<f64> },
 }
 
 impl Target {
-    /// The steps of input and output at x.
+    /// The input and output angles at x, from their starting angles (rad).
     fn step(&self, x: f64) -> Option<[f64; 2]> {
         let Target::Curve { curve, range, swings, values, .. } = self else { return None };
         let along = (x - range[0]) / (range[1] - range[0]);
@@ -158,7 +160,7 @@ fn coincide(steps: &Steps) -> Option<(usize, usize)> {
 
 type Read = (Target, Steps, [Option<f64>; 2]);
 
-/// Precision points by Chebyshev's spacing.
+/// Reads precision points with Chebyshev's spacing.
 fn of_curve(form: &Form) -> Option<Read> {
     let f = form.inner("function", &["y", "from", "to"])?;
     f.need("y", "\"ln(x)\"")?;
@@ -238,7 +240,8 @@ pub fn chebyshev(from: f64, to: f64, n: usize) -> Vec<f64> {
     (1..=n).map(|k| (from + to) / 2.0 - (to - from) / 2.0 * libm::cos((2 * k - 1) as f64 * PI / (2 * n) as f64)).collect()
 }
 
-/// Pairs as written: absolute, or counted from the start that is given (`from`), or from one that is unknown (`relative`).
+/// Reads pairs as written: absolute, or counted from a given start (`from`), or from an unknown one
+/// (`relative`).
 fn of_pairs(form: &Form) -> Option<Read> {
     let items = form.items("pairs", "[[\"60 deg\", \"0 deg\"], ...]", 2)?;
     let pair = |n| {
@@ -267,7 +270,7 @@ fn of_pairs(form: &Form) -> Option<Read> {
                 form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
                 return None;
             }
-            // Angles from a given start are as they are written; others count from the first.
+            // Angles from a given start are used as written; others count from the first.
             Some(from) => start[side] = Some(from),
             None => {
                 zero[side] = pairs[0][side];
@@ -351,7 +354,7 @@ impl Function {
         let [a, b, c] = g.lengths()?;
         let unit = unit.unwrap_or_else(|| self.crank.unwrap_or(USUAL_FRAME) / a);
         let d = Point::new(unit, 0.0);
-        // Steps count from the upright start; whole turns do not matter.
+        // Angles are counted from the start with positive arms, modulo full turns.
         let place = |s: &[f64; 2]| {
             let psi = g.output(s[0], g.start[1] + s[1])?;
             let (crank, follower) = (Vec2::from_angle(g.start[0] + s[0]), Vec2::from_angle(psi));

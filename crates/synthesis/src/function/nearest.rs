@@ -1,4 +1,4 @@
-//! What the nearest wish is where no four-bar generates the function.
+//! The nearest feasible task where no four-bar generates the function.
 
 use super::freudenstein::Generator;
 use super::{Function, Target};
@@ -6,13 +6,13 @@ use crate::nearest::{roughly, told};
 use hodograph_base::diag::{Both, both};
 
 impl Function {
-    /// The nearest wish that has a linkage: another starting angle, output swing or last pair, or crank.
+    /// The nearest feasible task: another starting angle, output swing or last pair, or crank.
     pub(super) fn nearest(&self) -> Both {
         let free = both!("leave a starting angle free, or take fewer points", "请让一个初始角待定，或减少点数");
         self.of_output().or_else(|| self.of_crank()).unwrap_or(free)
     }
 
-    /// What the output's angles would have to be.
+    /// The output angles with which a linkage exists.
     fn of_output(&self) -> Option<Both> {
         let degrees = |at: f64, scale: f64, with: &dyn Fn(f64) -> Function| roughly(at, scale, |v| with(v).works()).map(told);
         match (&self.target, self.start[1]) {
@@ -41,7 +41,7 @@ impl Function {
         }
     }
 
-    /// What the crank would have to be, where it is given beside the frame.
+    /// The crank with which a linkage exists, if it is given together with the frame.
     fn of_crank(&self) -> Option<Both> {
         let own = self.crank? * 1e3;
         let works = |mm: f64| mm > 0.0 && Function { crank: Some(mm * 1e-3), ..self.clone() }.works();
@@ -49,7 +49,7 @@ impl Function {
         Some(both!("\"crank\": \"{} mm\" has one", "\"crank\": \"{} mm\" 时有解", told(mm)))
     }
 
-    /// The same function over so many times the output's swing.
+    /// The function with the output's swing multiplied by a factor.
     fn swung(&self, times: f64) -> Function {
         let mut other = self.clone();
         other.steps.iter_mut().for_each(|s| s[1] *= times);
@@ -59,7 +59,7 @@ impl Function {
         other
     }
 
-    /// Whether some four-bar closes at all points.
+    /// True if some four-bar closes at all points.
     fn works(&self) -> bool {
         let closes = |g: &Generator| {
             let up = g.upright();
@@ -69,5 +69,5 @@ impl Function {
     }
 }
 
-/// A link this many times the frame is none.
+/// The greatest ratio of a link to the frame.
 const MOST: f64 = 100.0;

@@ -1,5 +1,5 @@
-//! Which linkages a function has: exactly through as many pairs as there are unknowns, by inversion, by least squares, by Remez' exchange; a parallelogram where
-//! both links turn alike.
+//! The linkages of a function: exactly through as many pairs as there are unknowns, by inversion,
+//! by least squares, by the Remez exchange; a parallelogram where both links rotate alike.
 
 use super::freudenstein::{Generator, Steps, exact, least_squares, linear, minimax};
 use super::{Function, Target, chebyshev};
@@ -8,18 +8,18 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 use std::f64::consts::PI;
 
-/// No link is longer than so many times another.
+/// The greatest ratio of two links.
 const MOST: f64 = 100.0;
-/// Angles nearer than this (rad) are alike.
+/// Angles that differ by less than this (rad) are equal.
 const ALIKE: f64 = 1e-12;
-/// Where a parallelogram starts if nothing is said, and its frame over its crank.
+/// The starting angle of a parallelogram if none is given (rad), and its frame over its crank.
 const USUAL_START: f64 = PI / 3.0;
 const USUAL_RATIO: f64 = 2.0;
-/// Shares of the output's swing from which least squares of the angles begin.
+/// Factors of the output's swing from which least squares of the angles begin.
 const DRAWN_TOGETHER: [f64; 8] = [1.0, 0.99, 0.97, 0.95, 0.9, 0.8, 1.03, 1.1];
 
 impl Function {
-    /// The solutions with their names.
+    /// The solutions with their descriptions.
     pub(super) fn generators(&self) -> Result<Vec<(Both, Generator)>, Both> {
         if self.minimax {
             return self.best();
@@ -54,12 +54,13 @@ impl Function {
         self.by_squares()
     }
 
-    /// More pairs than unknowns: linear least squares of K, then of the angles.
+    /// More pairs than unknowns: linear least squares for K, then least squares of the angles.
     fn by_squares(&self) -> Result<Vec<(Both, Generator)>, Both> {
         let free = self.start.map(|s| s.is_none());
         let grid = |given: Option<f64>| given.map_or_else(|| (0..24).map(|k| PI * k as f64 / 24.0).collect(), |a| vec![a]);
         let sum = |g: &Generator| self.steps.iter().map(|s| g.deviation(*s).map(|d| d * d)).sum::<Option<f64>>();
-        // Where the linear solution misses closing at a pair, angles drawn together a little lead to one that closes; least squares of the angles go on from it.
+        // Where the linear solution does not close at a pair, a slightly reduced swing gives one
+        // that closes; least squares of the angles start from it.
         let mut linear_best: Option<(f64, Generator)> = None;
         let mut best: Option<(f64, Generator)> = None;
         let keep = |kept: &mut Option<(f64, Generator)>, g: Generator| {
@@ -92,13 +93,14 @@ impl Function {
         Ok(all)
     }
 
-    /// The pairs with the output's angles drawn together about their middle.
+    /// The pairs with the output angles scaled by a factor about their mean.
     fn drawn_together(&self, share: f64) -> Steps {
         let middle = self.steps.iter().map(|s| s[1]).sum::<f64>() / self.steps.len() as f64;
         self.steps.iter().map(|[t, p]| [*t, middle + share * (p - middle)]).collect()
     }
 
-    /// C₁ is the centre of the circle through B₁ and the others, turned back about D by the output's steps.
+    /// C₁ is the centre of the circle through B₁ and the others, turned back about D by the output
+    /// angles.
     fn inverted(&self, alpha: f64, a: f64) -> Result<Vec<(Both, Generator)>, Both> {
         let d = Point::new(1.0, 0.0);
         let back = |s: &[f64; 2]| d + ((Vec2::from_angle(alpha + s[0]) * a).to_point() - d).rotate_by(Vec2::from_angle(-s[1]));
@@ -114,7 +116,7 @@ impl Function {
         Ok(vec![(both!("C1 by inversion about D", "以 D 为中心反转求得 C1"), Generator { start: [alpha, (c - d).angle()], k })])
     }
 
-    /// The best approximation, from the five Chebyshev points.
+    /// The best approximation, starting from the five Chebyshev points.
     fn best(&self) -> Result<Vec<(Both, Generator)>, Both> {
         let Target::Curve { range, .. } = &self.target else { return Ok(Vec::new()) };
         let steps: Steps = chebyshev(range[0], range[1], 5).into_iter().filter_map(|x| self.target.step(x)).collect();
@@ -130,7 +132,8 @@ impl Function {
         Ok(found.into_iter().map(|(g, ..)| (both!("least greatest deviation", "最大偏差最小"), g.upright())).collect())
     }
 
-    /// Where input and output turn alike from the same direction: a parallelogram, whatever its cranks.
+    /// A parallelogram with any cranks, where input and output rotate alike from the same
+    /// direction.
     fn parallelogram(&self) -> Option<(Both, Generator)> {
         let alike = self.steps.iter().all(|[t, p]| (t - p).abs() < ALIKE);
         let start = match self.start {
@@ -146,7 +149,7 @@ impl Function {
         alike.then_some((which, Generator { start: [start; 2], k: [ratio, ratio, 1.0] }))
     }
 
-    /// Two pairs, crank and frame given: K₂ and K₃ are left, from two linear equations.
+    /// Two pairs, crank and frame given: K₂ and K₃ remain, from two linear equations.
     fn two(&self, [alpha, phi]: [f64; 2], k1: f64) -> Result<Vec<(Both, Generator)>, Both> {
         let [one, other] = [0, 1].map(|k| {
             let (t, p) = (alpha + self.steps[k][0], phi + self.steps[k][1]);
@@ -165,7 +168,8 @@ impl Function {
     }
 }
 
-/// Whether no link is this many times another: such a thing is no linkage, but a root at infinity, cut off by rounding.
+/// True if no link is more than [`MOST`] times another: beyond, the solution is a root at infinity,
+/// cut off by rounding.
 fn bounded(g: &Generator) -> bool {
     let Some([a, b, c]) = g.lengths().map(|l| l.map(f64::abs)) else { return true };
     let all = [a, b, c, 1.0];

@@ -1,8 +1,9 @@
 //! Crank and coupler by the two limit places of C, `"linkage": "crank-rocker"` or `"slider-crank"`.
 //!
-//! In its limits crank and coupler lie in line: AB is half the difference of AC₁ and AC₂, BC half their sum. The places are given as such, or those
-//! of a rocker by its length, the frame and the angles ∠ADC₁, ∠ADC₂ (A the origin, D on the x axis). Of a rocker whose pivot is not given D lies on
-//! the bisector of C₁C₂, on either side.
+//! In the limits crank and coupler are collinear: AB is half the difference of AC₁ and AC₂, BC half
+//! their sum. The places are given as such; or those of a rocker are given by its length, the frame
+//! and the angles ∠ADC₁, ∠ADC₂ (A at the origin, D on the x axis). If the pivot of a rocker is not
+//! given, D is on the bisector of C₁C₂, on either side.
 
 use crate::board::{Board, Weight};
 use crate::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
@@ -18,9 +19,9 @@ use hodograph_base::geom::{Point, Vec2};
 use serde_json::{Value as Json, json};
 use std::f64::consts::PI;
 
-/// Lengths that differ by no more than this part of them are one, written with the digits of a book.
+/// Lengths that differ by no more than this share are equal, as written with the digits of a book.
 const WRITTEN: f64 = 5e-3;
-/// Limits whose distances from A differ by no more than this part have no crank.
+/// Limits with distances from A that differ by no more than this share have no crank.
 const NO_CRANK: f64 = 1e-9;
 
 #[derive(Clone, Debug)]
@@ -30,12 +31,12 @@ struct TwoPlaces {
     output: Output,
 }
 
-/// What C is a point of.
+/// The output link that carries C.
 #[derive(Clone, Debug)]
 enum Output {
-    /// A rocker about one of these; the angles ∠ADC of both limits, where these are given.
+    /// A rocker about one of these pivots; the angles ∠ADC of both limits, if given.
     Rocker { pivots: Vec<Point>, angles: Option<[f64; 2]> },
-    /// A slider on the line of both places.
+    /// A slider on the line through both places.
     Slider,
 }
 
@@ -92,7 +93,7 @@ fn by_places(form: &Form, rocker: bool) -> Option<Box<dyn Wish>> {
                     both!("a rocker has one length: move D onto the bisector of C1C2", "摇杆长不变：请把 D 移到 C1C2 的中垂线上"),
                 );
             }
-            // Brought onto the bisector: coordinates are rounded.
+            // Moved onto the bisector, because coordinates are rounded.
             let (middle, along) = (c[0] + (c[1] - c[0]) * 0.5, (c[1] - c[0]).unit()?);
             vec![d - along * along.dot(d - middle)]
         }
@@ -117,24 +118,24 @@ impl TwoPlaces {
         TwoPlaces { a: Point::ORIGIN, c, output: Output::Rocker { pivots: vec![d], angles: Some(angles) } }
     }
 
-    /// AC₁ and AC₂.
+    /// The distances AC₁ and AC₂ (m).
     fn reach(&self) -> [f64; 2] {
         self.c.map(|c| self.a.distance(c))
     }
 
-    /// Crank and coupler.
+    /// Crank and coupler (m).
     fn bars(&self) -> [f64; 2] {
         let [p, q] = self.reach();
         [(p - q).abs() / 2.0, (p + q) / 2.0]
     }
 
-    /// θ = ∠C₁AC₂.
+    /// The angle θ = ∠C₁AC₂ (rad).
     fn theta(&self) -> f64 {
         let [u, v] = self.c.map(|c| c - self.a);
         libm::atan2(u.cross(v).abs(), u.dot(v))
     }
 
-    /// Whether the crank turns through and one motion joins both limits.
+    /// True if the crank turns fully and one motion joins both limits.
     fn turns(&self) -> bool {
         let [ab, bc] = self.bars();
         if ab <= NO_CRANK * bc {
@@ -154,7 +155,7 @@ impl TwoPlaces {
         }
     }
 
-    /// The nearest wish whose crank turns through.
+    /// The nearest feasible task with a crank that turns fully.
     fn nearest(&self) -> Both {
         if let Output::Rocker { pivots, angles: Some(angles) } = &self.output
             && let Some(frame) = pivots.first().map(|d| d.x)
@@ -181,7 +182,8 @@ impl TwoPlaces {
     fn wanted(&self) -> Vec<Wanted> {
         let (reach, [ab, _]) = (self.reach(), self.bars());
         let at = |i: usize| {
-            // In the farther limit crank and coupler are stretched, in the nearer one they fold.
+            // In the farther limit crank and coupler are stretched, in the nearer one they are
+            // folded.
             let sense = if reach[i] > reach[1 - i] { 1.0 } else { -1.0 };
             let crank = (self.c[i] - self.a) * (sense / reach[i]);
             Wanted { driver: crank.angle(), places: vec![("B".into(), self.a + crank * ab), ("C".into(), self.c[i])] }

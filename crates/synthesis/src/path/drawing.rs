@@ -1,11 +1,13 @@
-//! Places of a coupler point drawn: B on the crank's circle or turned back about A, D carried back with the coupler, the centre of its places.
+//! Drawings of the places of a coupler point: B on the crank's circle or turned back about A, D
+//! moved back with the coupler, and the centre of its places.
 
 use crate::board::{Board, Weight};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
 
-/// Crank and BE given: B where two circles cross, D found by no construction where it is not given. All in metres but the board.
+/// Crank and BE given: B at the intersection of two circles, and D, if not given, without a
+/// construction. Arguments in metres.
 pub fn by_lengths(board: &mut Board, e: &[Point], [a, d]: [Point; 2], [crank, be]: [f64; 2], sides: &[bool]) -> Option<()> {
     let (a, e) = (board.at(a), e.iter().map(|p| board.at(*p)).collect::<Vec<Point>>());
     board.step(both!("Lay off A, D, the places of E and the crank circle", "作出 A、D、E 的各位置及曲柄圆"));
@@ -25,7 +27,7 @@ pub fn by_lengths(board: &mut Board, e: &[Point], [a, d]: [Point; 2], [crank, be
     follower(board, [a, d], &e, &b)
 }
 
-/// The crank's turns given: E turned back about A, B₁ the centre of its places.
+/// The crank's rotations given: E turned back about A, B₁ the centre of its places.
 pub fn by_turns(board: &mut Board, e: &[Point], [a, d]: [Point; 2], turns: &[f64]) -> Option<()> {
     let (a, e) = (board.at(a), e.iter().map(|p| board.at(*p)).collect::<Vec<Point>>());
     board.step(both!("Lay off A, D and the places of E", "作出 A、D 及 E 的各位置"));
@@ -62,7 +64,7 @@ fn numbered(letter: &str, dash: &str, of: std::ops::RangeInclusive<usize>) -> Bo
     Both::names(&all)
 }
 
-/// Marks what is given; D on the paper.
+/// Marks the givens; returns D on the paper.
 fn laid(board: &mut Board, a: Point, d: Point, e: &[Point]) -> Point {
     let d = board.at(d);
     board.mark("A", a).mark("D", d);
@@ -72,7 +74,8 @@ fn laid(board: &mut Board, a: Point, d: Point, e: &[Point]) -> Point {
     d
 }
 
-/// D carried back with the coupler; the circle through its first three places, on which any further one lies.
+/// D moved back with the coupler; the circle through its first three places, on which any further
+/// place lies.
 fn follower(board: &mut Board, [a, d]: [Point; 2], e: &[Point], b: &[Point]) -> Option<()> {
     board.step(both!(
         "Carry D back with the coupler BE into position 1: {}",

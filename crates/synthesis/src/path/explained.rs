@@ -9,7 +9,7 @@ use crate::{Proof, Statement};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::Point;
 
-/// Places that stand in a list; of more the first are told.
+/// Greatest number of places in a list; of more, the first are printed.
 const TOLD: usize = 12;
 
 impl Path {
@@ -139,7 +139,8 @@ impl Path {
     }
 }
 
-/// A from the positions of a plane that turns with the crank, B₁ from the places turned back, D and C₁ from those of the coupler.
+/// A from the positions of a plane that rotates with the crank, B₁ from the places turned back, D
+/// and C₁ from the positions of the coupler.
 fn by_burmester(e: &[Point], turns: &[f64], draft: &Draft) -> Vec<Proof> {
     let a = Point::new(of(draft, "A_x"), of(draft, "A_y"));
     let centre = Proof::new(
@@ -178,7 +179,7 @@ fn first_pin(e: &[Point], a: Point, turns: &[f64], draft: &Draft) -> Vec<Proof> 
     ]
 }
 
-/// The crank's turns from the first place; of many the first.
+/// The crank's rotations from the first place; of many, the first.
 fn turns_told(turns: &[f64]) -> Both {
     let turned: Vec<String> = turns.iter().skip(1).take(TOLD - 1).map(|t| angle(t - turns[0])).collect();
     let more = if turns.len() > TOLD { ", ..." } else { "" };
@@ -201,12 +202,12 @@ fn lengths_told([crank, be]: [f64; 2]) -> [Both; 2] {
     ]
 }
 
-/// B in all positions.
+/// The places of B in all positions.
 fn pins(draft: &Draft) -> Vec<Point> {
     draft.wanted.iter().flat_map(|w| &w.places).filter(|(n, _)| n == "B").map(|(_, p)| *p).collect()
 }
 
-/// Four or five places: D on the centre-point curve, checked by its places carried back.
+/// Four or five places: D on the centre-point curve, checked by its places moved back.
 fn several(e: &[Point], draft: &Draft) -> Vec<Proof> {
     let b = pins(draft);
     if b.len() != e.len() {

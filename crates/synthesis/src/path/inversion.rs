@@ -1,9 +1,13 @@
-//! Places of a coupler point met exactly: the crank's pin in each position, then the follower by inversion.
+//! Places of a coupler point met exactly: the crank pin in each position, then the follower by
+//! inversion.
 //!
-//! Either crank and BE are given: B_k lies where the crank's circle and the circle about E_k cross, on one side of AE_k. Or the crank's turns are
-//! given for three places: E₂ and E₃, turned back about A with the crank, lie as far from B₁ as E₁ does, which makes B₁ the centre of the circle through
-//! them. The coupler then is known in all positions. Of three, D carried back with it goes round C₁; of four, D lies on the centre-point curve of
-//! these positions ([`burmester`]), where a line cuts it; of five, D is one of Burmester's points. The pair of B and A is among them and is left out.
+//! Either crank and BE are given: B_k is the intersection of the crank's circle and the circle
+//! about E_k, on one side of AE_k. Or the crank's rotations are given for three places: E₂ and E₃,
+//! turned back about A with the crank, are as far from B₁ as E₁ is, so that B₁ is the centre of the
+//! circle through them. This determines all positions of the coupler. For three places, D moved
+//! back with the coupler is on a circle about C₁. For four, D is the intersection of a line with
+//! the centre-point curve of these positions ([`burmester`]); for five, D is one of Burmester's
+//! points. The pair of B and A is among the results and is left out.
 
 use super::sides::{Sides, told as sides_told};
 use crate::body::burmester::{self, Pair};
@@ -15,7 +19,8 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::metres;
 use hodograph_base::geom::{Point, Vec2};
 
-/// A pair of pin and pivot within this part of the size of A and B is theirs.
+/// A pair of pin and pivot that differs from B and A by no more than this share of the size is
+/// theirs.
 const SAME: f64 = 1e-6;
 
 /// B at each place, for crank and BE.
@@ -29,12 +34,12 @@ pub(super) fn pins(e: &[Point], a: Point, [crank, be]: [f64; 2], sides: &[bool])
     e.iter().zip(sides).enumerate().map(one).collect()
 }
 
-/// E carried back to the first position of the crank, which turns about A.
+/// The places of E turned back about A to the first position of the crank.
 pub(super) fn turned_back(e: &[Point], a: Point, turns: &[f64]) -> Vec<Point> {
     e.iter().zip(turns).map(|(e, t)| a + (*e - a).rotate_by(Vec2::from_angle(turns[0] - t))).collect()
 }
 
-/// B at three places that the crank meets at given turns.
+/// B at three places that the crank reaches at given rotations.
 pub(super) fn turned_pins(e: &[Point; 3], a: Point, turns: &[f64; 3]) -> Result<Vec<Point>, Both> {
     let back = turned_back(e, a, turns);
     let Some((b, _)) = centre(back[0], back[1], back[2]) else {
@@ -49,7 +54,8 @@ pub(super) fn turned_pins(e: &[Point; 3], a: Point, turns: &[f64; 3]) -> Result<
     Ok((0..3).map(|k| a + (b - a).rotate_by(Vec2::from_angle(turns[k] - turns[0]))).collect())
 }
 
-/// D carried back with the coupler from a position into the first; the coupler's direction is that of BE.
+/// D moved back with the coupler from position `k` into the first; the coupler's direction is that
+/// of BE.
 pub(super) fn back_to_first(d: Point, b: &[Point], e: &[Point], k: usize) -> Point {
     let local = (d - b[k]).divide_by(e[k] - b[k]);
     b[0] + local.rotate_by(e[0] - b[0])
@@ -64,7 +70,7 @@ pub(super) fn follower(e: &[Point], b: &[Point], d: Point) -> Result<Point, Both
     })
 }
 
-/// The pivots D and pins C of four positions on a line, or of five.
+/// The pivots D and pins C: of four positions on a line, or of five.
 pub(super) fn followers(e: &[Point], b: &[Point], a: Point, line: Option<(Point, Vec2)>) -> Vec<Pair> {
     let positions: Vec<Position> = e.iter().zip(b).map(|(e, b)| Position { origin: *e, angle: (*e - *b).angle() }).collect();
     let found = match line {
@@ -76,7 +82,7 @@ pub(super) fn followers(e: &[Point], b: &[Point], a: Point, line: Option<(Point,
     found.into_iter().filter(|p| !own(p)).collect()
 }
 
-/// The linkage in the positions of its coupler, C given in the first.
+/// The linkage in the positions of its coupler, with C given in the first.
 pub(super) fn draft(e: &[Point], b: &[Point], [a, d]: [Point; 2], c: Point, which: Both, heading: &Heading) -> Draft {
     let direction = |k: usize| e[k] - b[k];
     let carried = |k: usize| b[k] + (c - b[0]).divide_by(direction(0)).rotate_by(direction(k));
@@ -110,17 +116,17 @@ pub(super) fn three(e: &[Point; 3], [a, d]: [Point; 2], lengths: [f64; 2], sides
     Ok(draft(e, &b, [a, d], c, sides_told(sides), heading))
 }
 
-/// Three places at given turns of the crank.
+/// Three places at given rotations of the crank.
 pub(super) fn turned(e: &[Point; 3], [a, d]: [Point; 2], turns: &[f64; 3], heading: &Heading) -> Result<Draft, Both> {
     let b = turned_pins(e, a, turns)?;
     let c = follower(e, &b, d)?;
     Ok(draft(e, &b, [a, d], c, both!("the only solution", "唯一解"), heading))
 }
 
-/// The nearest BE, else the nearest crank, with which three places are reached.
+/// The nearest BE, else the nearest crank, with which the linkage reaches three places.
 pub(super) fn nearest(e: &[Point; 3], pivots: [Point; 2], [crank, be]: [f64; 2], sides: &Sides, heading: &Heading) -> Both {
     let works = |lengths: [f64; 2]| {
-        // A pivot of C farther off than a hundred times the frame is none.
+        // A pivot of C farther away than a hundred times the frame does not count.
         let near =
             |draft: Draft| draft.numbers.iter().all(|n| n.name != "CD" || n.value < 100.0 * pivots[0].distance(pivots[1]).max(crank));
         lengths.iter().all(|l| *l > 0.0) && sides.all.iter().any(|s| three(e, pivots, lengths, s, heading).is_ok_and(near))
@@ -129,7 +135,7 @@ pub(super) fn nearest(e: &[Point; 3], pivots: [Point; 2], [crank, be]: [f64; 2],
     nearest_lengths(e, pivots[0], [crank, be], scale, works)
 }
 
-/// The nearest BE, crank, or both, for which a wish works.
+/// The nearest BE, crank, or both, for which a task works.
 pub(super) fn nearest_lengths(e: &[Point], a: Point, [crank, be]: [f64; 2], scale: f64, works: impl Fn([f64; 2]) -> bool) -> Both {
     if let Some(mm) = number(be * 1e3, scale, |mm| works([crank, mm * 1e-3])) {
         return both!("\"BE\": \"{} mm\" does", "\"BE\": \"{} mm\" 时可以", told(mm));
@@ -137,7 +143,7 @@ pub(super) fn nearest_lengths(e: &[Point], a: Point, [crank, be]: [f64; 2], scal
     if let Some(mm) = number(crank * 1e3, scale, |mm| works([mm * 1e-3, be])) {
         return both!("\"crank\": \"{} mm\" does", "\"crank\": \"{} mm\" 时可以", told(mm));
     }
-    // BE between the nearest and the farthest place lets the shortest crank reach all.
+    // With BE between the nearest and the farthest place, the shortest crank reaches all.
     let far = e.iter().map(|p| p.distance(a) * 1e3);
     let (low, high) = far.fold((f64::INFINITY, 0.0_f64), |(l, h), x| (l.min(x), h.max(x)));
     let middle = libm::rint((low + high) / 2.0);

@@ -1,4 +1,5 @@
-//! The linkage of a search drawn at all places that it is to pass, and what its coupler point misses them by.
+//! Drawings of a linkage found by search at all places of its path, with the distances of its
+//! coupler point from them.
 
 use crate::board::{Board, Weight};
 use crate::candidate::{Draft, Number};
@@ -7,20 +8,21 @@ use crate::told::of;
 use hodograph_base::diag::both;
 use hodograph_base::geom::{Point, Vec2};
 
-/// A distance below this part of the path is rounding.
+/// A distance below this share of the path is rounding.
 const NOTHING: f64 = 1e-12;
 
-/// E is named beside its place where the eye parts the two (mm).
+/// The least distance (mm) at which E is named separately from its place.
 const APART_MM: f64 = 1.0;
 
-/// The distances of the coupler point from the places that are drawn (m).
+/// The distances of the coupler point from the drawn places (m).
 pub fn distances(far: &[f64], extent: f64) -> Vec<Number> {
     let what = both!("distance of E from the place", "E 到给定点的距离");
     let told = |v: f64| if v < NOTHING * extent { 0.0 } else { v };
     shown(far.len()).into_iter().map(|k| Number::length(&format!("delta{}", k + 1), what.clone(), told(far[k]))).collect()
 }
 
-/// The computed lengths laid off, the crank at its angle for each place, the distances read.
+/// Lays off the computed lengths, with the crank at its angle for each place, and reads the
+/// distances.
 pub fn drawn(board: &mut Board, draft: &Draft) -> Option<()> {
     let a = Point::new(of(draft, "A_x"), of(draft, "A_y"));
     let d = a + Vec2::from_angle(of(draft, "phi")) * of(draft, "AD");

@@ -1,8 +1,11 @@
-//! Path generation 按预定轨迹, `"synthesis": "path"`: a point E of the coupler through given places.
+//! Path generation 按预定轨迹, `"synthesis": "path"`: guides a point E of the coupler through given
+//! places.
 //!
-//! Places met exactly, by [`inversion`]: three with A, D and either crank and BE or the crank's turns; four and five with A, crank and BE; four at given
-//! turns of the crank with lines for A and D ([`prescribed`]). Five places
-//! and more with nothing else given: least squares of the distances ([`hodograph_search`]), or at given turns of the crank ([`hodograph_search::timed`]).
+//! Places met exactly, by [`inversion`]: three with A, D and either crank and BE or the crank's
+//! rotations; four and five with A, crank and BE; four at given rotations of the crank with lines
+//! for A and D ([`prescribed`]). Five places and more without other givens: least squares of the
+//! distances ([`hodograph_search`]), or at given rotations of the crank
+//! ([`hodograph_search::timed`]).
 
 mod drawing;
 mod explained;
@@ -24,7 +27,7 @@ use prescribed::Prescribed;
 use sides::Sides;
 use std::f64::consts::TAU;
 
-/// The kind.
+/// Path generation as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "path",
     what: ["a coupler point through given places", "按连杆上一点的预定轨迹设计"],
@@ -34,15 +37,15 @@ pub const KIND: KindOfTask = KindOfTask {
 
 #[derive(Clone, Debug)]
 enum Path {
-    /// Three places, crank and BE given.
+    /// Three places, with crank and BE given.
     Three { points: [Point; 3], pivots: [Point; 2], lengths: [f64; 2], sides: Sides },
-    /// Three places at given angles of the crank (rad).
+    /// Three places at given crank angles (rad).
     Turned { points: [Point; 3], pivots: [Point; 2], turns: [f64; 3] },
-    /// Four places at given angles of the crank.
+    /// Four places at given crank angles.
     Prescribed(Prescribed),
-    /// Four places with a line for D, or five; crank and BE given.
+    /// Four places with a line for D, or five; with crank and BE given.
     Several { points: Vec<Point>, a: Point, lengths: [f64; 2], sides: Sides, line: Option<(Point, Vec2)> },
-    /// Many, the crank's angles at them where these are given (rad).
+    /// Many places, with the crank angles at them if given (rad).
     Many { points: Vec<Point>, timing: Option<Vec<f64>>, seed: u64 },
 }
 
@@ -85,7 +88,7 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     }
 }
 
-/// The crank's angles at the places: one for each, of which no two are the same position of the crank.
+/// The crank angles at the places (rad): one for each, no two of them equal modulo a full turn.
 fn timing(form: &Form, places: usize) -> Option<Vec<f64>> {
     let angles: Vec<Option<f64>> = form.items("timing", TIMING, 1)?.iter().map(|n| form.angle_of(n, "timing")).collect();
     let angles: Vec<f64> = angles.into_iter().collect::<Option<_>>()?;
@@ -120,13 +123,13 @@ fn timing(form: &Form, places: usize) -> Option<Vec<f64>> {
     Some(angles)
 }
 
-/// A search that comes so near (parts of the path) has found what meets the places.
+/// A result of the search with an error below this share of the path meets the places exactly.
 const MET: f64 = 1e-9;
 
-/// How a timing is written.
+/// An example of crank angles as written.
 const TIMING: &str = "[\"0 deg\", \"20 deg\", ...]";
 
-/// Three places: A and D, with crank and BE or the crank's angles.
+/// Reads a task of three places: A and D, with crank and BE or the crank angles.
 fn three(form: &Form, points: [Point; 3]) -> Option<Box<dyn Wish>> {
     form.need("ground", "{\"A\": [\"0 mm\", \"0 mm\"], \"D\": [\"100 mm\", \"0 mm\"]}")?;
     let inner = form.inner("ground", &["A", "D"])?;
@@ -147,7 +150,7 @@ fn three(form: &Form, points: [Point; 3]) -> Option<Box<dyn Wish>> {
     Some(Box::new(Path::Three { points, pivots: [a?, d?], lengths: lengths?, sides: sides? }))
 }
 
-/// Four or five places: A, crank and BE; for four a line on which D lies.
+/// Reads a task of four or five places: A, crank and BE; for four, a line on which D lies.
 fn several(form: &Form, points: Vec<Point>) -> Option<Box<dyn Wish>> {
     if let Some(key) = ["timing", "seed"].into_iter().find(|k| form.has(k)) {
         let message = match key {
@@ -178,7 +181,7 @@ fn several(form: &Form, points: Vec<Point>) -> Option<Box<dyn Wish>> {
     Some(Box::new(Path::Several { points, a: a?, lengths: lengths?, sides: sides?, line }))
 }
 
-/// Crank and BE.
+/// Reads crank and BE (m).
 fn lengths(form: &Form) -> Option<[f64; 2]> {
     let (crank, be) = (form.need_size("crank", "\"30 mm\""), form.need_size("BE", "\"80 mm\""));
     Some([crank?, be?])
@@ -214,7 +217,7 @@ impl Wish for Path {
     }
 
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
-        // D, and A where it is not given, come from centre-point curves.
+        // D, and A if not given, come from centre-point curves.
         let found =
             |letter: &str| Point::new(super::told::of(draft, &format!("{letter}_x")), super::told::of(draft, &format!("{letter}_y")));
         let by_sides = |board: &mut Board, points: &[Point], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides| {
@@ -243,7 +246,7 @@ impl Wish for Path {
     }
 }
 
-/// Whether a linkage meets its places, and is none of a search.
+/// True if a linkage meets its places exactly, without a search.
 fn is_met(draft: &Draft) -> bool {
     draft.targets.is_empty()
 }
@@ -270,7 +273,8 @@ fn of_three(e: &[Point; 3], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides
     Err(faults)
 }
 
-/// Four or five places with crank and BE: a linkage for each pivot D that the positions of the coupler allow.
+/// Four or five places with crank and BE: a linkage for each pivot D that the coupler's positions
+/// allow.
 fn of_several(
     e: &[Point],
     a: Point,
@@ -328,7 +332,8 @@ fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Headi
         draft.remarks.extend(search::remarks(f, points));
         Some(draft)
     };
-    // Five places at given turns fix ten unknowns: what meets them is found without a search.
+    // Five places at given rotations determine ten unknowns: exact solutions are found without a
+    // search.
     let met = match timing {
         Some(turns) if points.len() == 5 => {
             let wish = Prescribed { points: points.to_vec(), turns: turns.to_vec(), lines: None };
@@ -351,7 +356,8 @@ fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Headi
     Ok(Found { drafts, numbers, notes: Vec::new() })
 }
 
-/// A linkage of the search: what it really does is wanted of its scene, how far that is from the places is told.
+/// The design of a search result: its scene is required to reach the places that the result
+/// actually has; their distances from the given places are numbers.
 fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
     let l = &fit.linkage;
     let at: Vec<search::Place> = fit.cranks.iter().map(|t| l.place(*t)).collect::<Option<_>>()?;

@@ -1,8 +1,10 @@
-//! Four and five places at given turns of the crank, all lengths free: of four A and D lie on lines, of five they are some of a few points.
+//! Four and five places at given crank rotations, all lengths unknown: for four places A and D are
+//! on lines, for five they are some of a few points.
 //!
-//! |E_k − A − R(β_k) w| = BE for all k, with w = AB₁: so the points E_k − R(β_k) w lie on a circle about A. They are the places of a pin of a
-//! plane that has its origin in E_k and turns with the crank, and A is a centre point of its positions ([`burmester`]). The coupler then is known in
-//! all positions, and D is a centre point of those.
+//! |E_k − A − R(β_k) w| = BE for all k, with w = AB₁: so the points E_k − R(β_k) w are on a circle
+//! about A. They are the places of a pin of a plane that has its origin in E_k and rotates with the
+//! crank, and A is a centre point of its positions ([`burmester`]). This determines all positions
+//! of the coupler, and D is a centre point of those.
 
 use super::inversion;
 use crate::body::burmester;
@@ -16,21 +18,21 @@ use hodograph_base::geom::{Point, Vec2};
 /// A line through a place.
 pub(super) type Ray = (Point, Vec2);
 
-/// The wish.
+/// The task of four or five places at given crank rotations.
 #[derive(Clone, Debug)]
 pub(super) struct Prescribed {
-    /// The places.
+    /// The places (m).
     pub points: Vec<Point>,
-    /// The crank's angles at them.
+    /// The crank angles at them (rad).
     pub turns: Vec<f64>,
-    /// Where A lies, and where D lies; of five places nothing is free.
+    /// The line of A and the line of D; `None` for five places, where nothing is free.
     pub lines: Option<[Ray; 2]>,
 }
 
-/// A crank shorter than this part of the distance of A from the path is none.
+/// A crank shorter than this share of the distance of A from the path counts as zero.
 const NONE: f64 = 1e-6;
 
-/// The line of a key.
+/// Reads the line under a key.
 pub(super) fn ray(form: &Form, key: &'static str) -> Option<Ray> {
     form.need(key, "{\"through\": [\"100 mm\", \"0 mm\"], \"angle\": \"0 deg\"}")?;
     let inner = form.inner(key, &["through", "angle"])?;
@@ -40,7 +42,7 @@ pub(super) fn ray(form: &Form, key: &'static str) -> Option<Ray> {
     Some((through?, Vec2::from_angle(angle?)))
 }
 
-/// Reads the wish for four places: `line` for D, and for A, which may have `line_A`.
+/// Reads a task of four places: `line` for D and A, or `line_A` for A.
 pub(super) fn read(form: &Form, points: Vec<Point>) -> Option<Prescribed> {
     if let Some(key) = ["ground", "crank", "BE", "side", "seed"].into_iter().find(|k| form.has(k)) {
         let message = both!(
@@ -61,7 +63,7 @@ pub(super) fn read(form: &Form, points: Vec<Point>) -> Option<Prescribed> {
 }
 
 impl Prescribed {
-    /// The pivots A, each with B in all places.
+    /// The pivots A, each with B at all places.
     fn cranks(&self) -> Vec<(Point, Vec<Point>)> {
         let positions: Vec<Position> = self.points.iter().zip(&self.turns).map(|(e, t)| Position { origin: *e, angle: *t }).collect();
         let crank = |pair: burmester::Pair| {
@@ -77,7 +79,7 @@ impl Prescribed {
         found.into_iter().filter_map(crank).collect()
     }
 
-    /// A linkage for each A and each D.
+    /// The linkages for each A and each D.
     pub(super) fn linkages(&self, heading: &Heading) -> Vec<Draft> {
         let e = &self.points;
         let of_crank = |(i, (a, b)): (usize, &(Point, Vec<Point>))| -> Vec<Draft> {
@@ -94,7 +96,7 @@ impl Prescribed {
         self.cranks().iter().enumerate().flat_map(of_crank).collect()
     }
 
-    /// The linkages of four places.
+    /// Returns the linkages, or the error if there are none.
     pub(super) fn solve(&self, heading: &Heading) -> Result<Vec<Draft>, Faults> {
         let drafts = self.linkages(heading);
         if !drafts.is_empty() {
@@ -111,7 +113,7 @@ impl Prescribed {
         Err(Diagnostic::error("no-real-solution", message).help(self.shifted()).into())
     }
 
-    /// The nearest of some lines, moved across themselves, that give a linkage.
+    /// The nearest given lines, moved across themselves, that give a linkage.
     fn shifted(&self) -> Both {
         let size = self.points.iter().map(|p| p.distance(self.points[0])).fold(0.0, f64::max);
         let moved = |by: f64| {

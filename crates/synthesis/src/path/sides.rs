@@ -1,20 +1,21 @@
-//! On which side of AE the crank's pin B lies at each place of a path.
+//! The side of AE on which the crank pin B is at each place of a path.
 //!
-//! One side for all places is the usual wish; a list names it place by place, for linkages whose crank and BE come in line between two places. Where
-//! the file says nothing, all are looked at, those with one side first.
+//! One side for all places is usual; a list gives it place by place, for linkages with crank and BE
+//! collinear between two places. Without a given side all choices are tried, those with one side
+//! first.
 
 use crate::form::Form;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::json::Kind;
 
-/// The sides that are looked at: left of AE, for each place.
+/// The choices of sides to try: true for left of AE, for each place.
 #[derive(Clone, Debug)]
 pub(super) struct Sides {
-    /// Each a list of as many entries as there are places.
+    /// The choices, each with as many entries as there are places.
     pub all: Vec<Vec<bool>>,
 }
 
-/// The words of the file.
+/// The words that the file uses.
 const WORDS: [&str; 2] = ["left of AE", "right of AE"];
 
 /// Reads `side`; `None` where it cannot be read.
@@ -40,7 +41,7 @@ pub(super) fn read(form: &Form, places: usize) -> Option<Sides> {
     Some(Sides { all: vec![sides] })
 }
 
-/// All choices, those of one side first, then by how often the side changes.
+/// All choices: those with one side first, then by the number of changes of side.
 fn every(places: usize) -> Vec<Vec<bool>> {
     let mut all: Vec<Vec<bool>> = (0..1_usize << places).map(|bits| (0..places).map(|k| bits >> k & 1 == 0).collect()).collect();
     let changes = |s: &Vec<bool>| s.windows(2).filter(|w| w[0] != w[1]).count();
@@ -48,7 +49,7 @@ fn every(places: usize) -> Vec<Vec<bool>> {
     all
 }
 
-/// In words.
+/// The choice in words.
 pub(super) fn told(sides: &[bool]) -> Both {
     let word = |left: &bool| if *left { both!("left", "左") } else { both!("right", "右") };
     match sides {

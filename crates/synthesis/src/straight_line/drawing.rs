@@ -1,4 +1,5 @@
-//! Straight-line linkages drawn at the ends of the stretch, in its middle and at the extremes of E; length and deviation read square.
+//! Drawings of straight-line linkages at the ends of the stretch, in its middle and at the extremes
+//! of E; length and deviation are read at right angles.
 
 use super::{Linkage, SHORT, Task};
 use crate::board::{Board, Line, Weight};
@@ -9,22 +10,23 @@ use crate::told::of;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 
-/// Positions of the driver nearer than this are one (rad).
+/// Driver positions that differ by less than this are equal (rad).
 const SAME: f64 = 1e-6;
-/// The line and the parallels reach so far beyond the stretch.
+/// The share of the stretch by which the line and the parallels extend beyond it.
 const BEYOND: f64 = 0.1;
 
-/// A position on paper: the place of E, the lines of the links, the pins, that of the driver first.
+/// A position on paper: the place of E, the segments of the links, and the pins, the driver's pin
+/// first.
 struct Position {
     e: Point,
     links: Vec<[Point; 2]>,
     pins: Vec<(&'static str, Point)>,
 }
 
-/// The position on a board for the driver's angle (rad).
+/// The position on a board for a driver angle (rad).
 type Placing = dyn Fn(&Board, f64) -> Option<Position>;
 
-/// How a linkage is laid off, and its position for the driver's angle.
+/// The linkage laid off on paper, and its position for a driver angle.
 struct Sheet {
     laid: Both,
     fixed: Vec<(&'static str, Point)>,
@@ -35,7 +37,7 @@ struct Sheet {
 }
 
 impl Task {
-    /// The computed lengths laid off; E at the positions that decide length and deviation.
+    /// Lays off the computed lengths; draws E at the positions that determine length and deviation.
     pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         let made = self.made(self.length / self.unit_length(), &Heading::default())?;
         let sheet = self.sheet(draft, board)?;
@@ -74,7 +76,7 @@ impl Task {
         Some(())
     }
 
-    /// Whether the range begins in a dead point of the driver.
+    /// True if the range begins in a dead centre of the driver.
     fn begins_dead(&self) -> bool {
         match self.linkage {
             Linkage::Chebyshev => true,
@@ -94,8 +96,9 @@ impl Task {
     }
 }
 
-/// The drivers' positions: the middle, the ends, and the extremes across the line where these lie elsewhere (rad). A range that is swept
-/// from next to a dead point is drawn from the dead point itself.
+/// The driver positions to draw (rad): the middle, the ends, and the extremes across the line if
+/// they are elsewhere. A range that is swept from next to a dead centre is drawn from the dead
+/// centre itself.
 fn drivers(draft: &Draft, middle: f64, dead: bool) -> Vec<f64> {
     let short = if dead { SHORT } else { 0.0 };
     let number = |name: &str| draft.numbers.iter().find(|n| n.name == name).map(|n| n.value);
@@ -109,7 +112,8 @@ fn drivers(draft: &Draft, middle: f64, dead: bool) -> Vec<f64> {
     all
 }
 
-/// The line through E₁, squares to it from the ends and parallels through the extremes; their distances are read.
+/// Draws the line through E₁, perpendiculars to it at the ends and parallels through the extremes;
+/// reads their distances.
 fn measured(board: &mut Board, all: &[Position], level: bool) {
     let along = if level { Vec2::new(1.0, 0.0) } else { Vec2::new(0.0, 1.0) };
     let Some(first) = all.first() else { return };
@@ -174,7 +178,7 @@ fn scott_russell(draft: &Draft, board: &Board) -> Sheet {
         laid: both!("Lay off A, the guide through it and the crank circle", "作 A、过 A 的导路及曲柄圆"),
         fixed: vec![("A", a)],
         circles: vec![(a, crank)],
-        // C comes out to twice the crank.
+        // C moves out to twice the crank's length.
         guide: Some([a, guide.place(2.0 * crank * (1.0 + BEYOND))]),
         moved: both!(
             "In the positions lay off AB, with BC = AB about B cut the guide in C, and lay off CE on CB",

@@ -1,4 +1,5 @@
-//! Straight-line linkages as problems; their proportions, and what sweeping the finished scene shows.
+//! Straight-line linkages as problems, with their proportions and the results of sweeping the
+//! finished scene.
 
 use super::{Linkage, Task};
 use crate::candidate::Draft;

@@ -1,4 +1,5 @@
-//! K and the chord C₁C₂ with the crank or the coupler: both limits of C lie under θ as seen from A, at the sum and the difference of the two bars.
+//! Crank-rockers by K, the chord C₁C₂ and the crank or the coupler: from A both limits of C appear
+//! under θ, at the sum and the difference of the two bars.
 //!
 //! By the law of cosines L² = AC₁² + AC₂² − 2 AC₁ AC₂ cos θ with AC = BC ± AB and the chord L = C₁C₂:
 //! 2 AB² (1 + cos θ) + 2 BC² (1 − cos θ) = L².
@@ -10,7 +11,7 @@ use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;
 use std::f64::consts::FRAC_PI_2;
 
-/// The bar that is given (m).
+/// The given bar (m).
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Bar {
     /// AB.
@@ -20,7 +21,7 @@ pub(super) enum Bar {
 }
 
 impl Bar {
-    /// Its key in the file.
+    /// The bar's key in the file.
     pub(super) fn key(self) -> &'static str {
         match self {
             Bar::Crank(_) => "crank",
@@ -34,7 +35,7 @@ impl Bar {
         }
     }
 
-    /// The same bar of another length (mm).
+    /// The bar with another length (mm).
     pub(super) fn with(self, mm: f64) -> Bar {
         match self {
             Bar::Crank(_) => Bar::Crank(mm * 1e-3),
@@ -49,7 +50,7 @@ impl Bar {
         }
     }
 
-    /// The other bar as a formula of this one.
+    /// The name of the other bar, and its formula.
     pub(super) fn formula(self) -> [&'static str; 2] {
         match self {
             Bar::Crank(_) => ["BC", "l_{BC}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{AB}^2(1 + \\cos\\theta)}{2(1 − \\cos\\theta)}"],
@@ -57,7 +58,8 @@ impl Bar {
         }
     }
 
-    /// On the line AC₁ a point F or H whose distance from C₁ is twice the bar, and under which angle the chord is seen from it.
+    /// The letter of a point on the line AC₁, F or H, that is twice the bar away from C₁, and the
+    /// angle under which the chord appears from it (rad).
     fn seen(self, theta: f64) -> (&'static str, f64) {
         match self {
             Bar::Crank(_) => ("F", FRAC_PI_2 + theta / 2.0),
@@ -65,10 +67,10 @@ impl Bar {
         }
     }
 
-    /// Crank and coupler over the chord; `None` where there are none.
+    /// Crank and coupler for a chord (m); `None` if there are none.
     pub(super) fn both(self, chord: f64, cosine: f64) -> Option<[f64; 2]> {
         let (plus, minus) = (2.0 * (1.0 + cosine), 2.0 * (1.0 - cosine));
-        // With θ = 0 the crank is half the chord, whatever the coupler.
+        // With θ = 0 the crank is half the chord for any coupler.
         let [ab2, bc2] = match self {
             Bar::Crank(l) => [l * l, (chord * chord - l * l * plus) / minus],
             Bar::Coupler(l) => [(chord * chord - l * l * minus) / plus, l * l],
@@ -76,7 +78,8 @@ impl Bar {
         (cosine < 1.0 && bc2.is_finite() && ab2 > 0.0 && bc2 > ab2).then(|| [ab2.sqrt(), bc2.sqrt()])
     }
 
-    /// A by ruler and compasses on the circle over C₁C₂ with the inscribed angle θ, on one side of the chord.
+    /// A by ruler and compasses on the circle over C₁C₂ with the inscribed angle θ, on one side of
+    /// the chord.
     pub(super) fn place(
         self,
         board: &mut Board,

@@ -1,10 +1,14 @@
 //! Crank-rocker with a time ratio.
 //!
-//! In its limit positions crank and coupler lie in line: AC₁ = BC + AB or BC − AB, AC₂ the other, and ∠C₁AC₂ = θ. So AB is half the
-//! difference of AC₁ and AC₂, BC half the sum. Either one limit is given (rocker, frame, the rocker's angle with the frame): C₂ is
-//! where the ray AC₁, turned by ±θ, meets the rocker's circle. Or the swing ψ: A lies on the circle through C₁, C₂ with the inscribed
-//! angle θ, and one thing is free along it: fixed by the frame's length, the crank's or the coupler's, or the least transmission angle is made greatest
-//! (*Source*: VDI 2130, Alt's problem; the optimum by golden-section search in double-double numbers).
+//! In its limit positions crank and coupler are collinear: AC₁ = BC + AB or BC − AB, AC₂ the other,
+//! and ∠C₁AC₂ = θ. So AB is half the difference of AC₁ and AC₂, and BC half the sum.
+//!
+//! Either one limit is given (rocker, frame, the rocker's angle with the frame): C₂ is the
+//! intersection of the ray AC₁, turned by ±θ, with the rocker's circle. Or the swing ψ is given: A
+//! is on the circle through C₁, C₂ with the inscribed angle θ, and one parameter along it is free.
+//! It is determined by the frame's length, the crank's or the coupler's, or the least transmission
+//! angle is maximised (*Source*: VDI 2130, Alt's problem; the optimum by golden-section search in
+//! double-double numbers).
 
 mod choice;
 mod drawing;
@@ -30,43 +34,44 @@ use std::f64::consts::{FRAC_PI_2, PI};
 #[derive(Clone, Debug)]
 struct CrankRocker {
     ratio: Ratio,
-    /// The rocker; of one metre where another length says how large all is.
+    /// The rocker (m); one metre if another length determines the size.
     rocker: f64,
     size: Size,
     way: Way,
 }
 
-/// What fixes the linkage beside K and the rocker.
+/// The givens that determine the linkage in addition to K and the rocker.
 #[derive(Clone, Debug)]
 enum Way {
     /// The frame and the angle ∠ADC₁ in one limit.
     Limit { frame: f64, angle: f64 },
     /// The rocker's swing and the frame.
     Swing { swing: f64, frame: f64 },
-    /// The rocker's swing, and crank or coupler.
+    /// The rocker's swing, and the crank or the coupler.
     Bar { swing: f64, bar: Bar },
-    /// The rocker's swing, and a line on which A lies, by two of its places: D is the origin, the swing even about the upward axis.
+    /// The rocker's swing, and two points of a line through A; D is the origin, the swing is
+    /// symmetrical about the upward axis.
     Line { swing: f64, line: [Point; 2] },
-    /// The rocker's swing; the least transmission angle is made greatest.
+    /// The rocker's swing; the least transmission angle is maximised.
     Best { swing: f64, chosen: bool },
     /// The rocker's swing and the least transmission angle (rad).
     Gamma { swing: f64, gamma: f64 },
 }
 
-/// Which length says how large the linkage is.
+/// The length that determines the size of the linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Size {
-    /// The rocker's.
+    /// The rocker.
     Rocker,
-    /// The frame's, where its place does not follow from it.
+    /// The frame (m), where the place of A does not follow from it.
     Frame(f64),
-    /// The crank's.
+    /// The crank (m).
     Crank(f64),
 }
 
 pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
     let ratio = Ratio::read(form);
-    // A shape chosen by its transmission angle has any of its lengths as its size.
+    // A shape chosen by its transmission angle can be scaled to any of its lengths.
     let by_shape = form.has("swing") && (form.has("gamma") || form.has("best"));
     let (rocker, size) = match (form.has("rocker"), by_shape) {
         (false, true) if form.has("frame") => (Some(1.0), form.size("frame").map(Size::Frame)),
@@ -123,7 +128,7 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
     Some(Box::new(CrankRocker { ratio: ratio?, rocker: rocker?, size: size?, way: way? }))
 }
 
-/// An angle between 0 and 180°, neither included.
+/// Reads an angle between 0 and 180°, both excluded (rad).
 fn within(form: &Form, key: &str) -> Option<f64> {
     let angle = form.need_angle(key, "\"40 deg\"")?;
     if angle > 0.0 && angle < PI {
@@ -199,13 +204,13 @@ impl CrankRocker {
         let d = Point::new(frame, 0.0);
         let c1 = d + Vec2::from_angle(PI - angle) * self.rocker;
         let mut found = Vec::new();
-        // With K = 1 the two rays are one.
+        // With K = 1 the two rays coincide.
         let senses: &[f64] = if self.ratio.theta == 0.0 { &[1.0] } else { &[1.0, -1.0] };
         for &sense in senses {
             let ray = Vec2::from_angle(c1.to_vec2().angle() + sense * self.ratio.theta);
             for (k, at) in cross_circle(Point::ORIGIN, ray, d, self.rocker).into_iter().flatten().enumerate() {
                 let c2 = Point::ORIGIN + ray * at;
-                // The ray leads away from A; with K = 1 it meets the circle in C₁ again.
+                // The ray starts at A; with K = 1 it meets the circle in C₁ again.
                 if at > 0.0 && c2.distance(c1) > 1e-9 * self.rocker {
                     let side = if sense > 0.0 { both!("counter-clockwise", "逆时针") } else { both!("clockwise", "顺时针") };
                     let place = if k == 0 { both!("the nearer", "近") } else { both!("the farther", "远") };
@@ -218,18 +223,20 @@ impl CrankRocker {
         found
     }
 
-    /// D at the origin for now: C₁ and C₂ on both sides of the upward axis.
+    /// C₁ and C₂ for a swing, with D at the origin and symmetrical about the upward axis.
     fn swung(&self, swing: f64) -> [Point; 2] {
         [1.0, -1.0].map(|s| Point::ORIGIN + Vec2::from_angle(FRAC_PI_2 + s * swing / 2.0) * self.rocker)
     }
 
-    /// A on the circle over C₁C₂ with the inscribed angle θ, at the distance of the frame from D.
+    /// The linkages with A on the circle over C₁C₂ with the inscribed angle θ, at the distance of
+    /// the frame from D.
     fn by_frame(&self, swing: f64, frame: f64) -> Vec<Limits> {
         let c = self.swung(swing);
         let chord = c[0].distance(c[1]);
         let theta = self.ratio.theta;
         let mut found = Vec::new();
-        // The centre lies on the axis of symmetry; θ = 0 makes the circle a line, the chord itself.
+        // The centre is on the axis of symmetry; for θ = 0 the circle becomes a line, that of the
+        // chord.
         for above in [true, false] {
             let middle = self.rocker * libm::cos(swing / 2.0);
             let roots = if theta == 0.0 {
@@ -257,7 +264,8 @@ impl CrankRocker {
         found
     }
 
-    /// With ψ = 2θ the circle with the inscribed angle θ goes round D: a frame as long as the rocker leaves A free on it.
+    /// Notes that for ψ = 2θ the circle with the inscribed angle θ has its centre in D: a frame as
+    /// long as the rocker leaves A free on it.
     fn whole_arc(&self) -> Option<Diagnostic> {
         let Way::Swing { swing, frame } = self.way else { return None };
         let same = |p: f64, q: f64| (p - q).abs() <= 1e-9 * q;
@@ -275,7 +283,7 @@ impl CrankRocker {
         Some(Diagnostic::note("free-choice", message).help(help))
     }
 
-    /// Turned and shifted so that A is the origin, D on the x axis, the rocker above.
+    /// The linkage rotated and moved so that A is the origin, D on the x axis, the rocker above.
     fn laid(&self, which: Both, a: Point, c: [Point; 2]) -> Limits {
         let frame = Point::ORIGIN - a;
         let axis = frame * (1.0 / frame.norm());
@@ -287,7 +295,8 @@ impl CrankRocker {
         Limits { which, d: Point::new(frame.norm(), 0.0), c }
     }
 
-    /// The linkage of the greatest least transmission angle; what K a better one has.
+    /// The linkage with the greatest least transmission angle; adds a note on the K that a better
+    /// one needs.
     fn best(&self, swing: f64, notes: &mut Vec<Diagnostic>) -> Result<Vec<Limits>, Faults> {
         let theta = self.ratio.theta;
         if theta == 0.0 {
@@ -336,7 +345,7 @@ impl CrankRocker {
         Ok(vec![self.laid(which, a, self.swung(swing))])
     }
 
-    /// The linkage as large as the length that is given makes it.
+    /// The linkage scaled to the given length.
     fn sized(&self, l: &Limits) -> (CrankRocker, Limits) {
         let far = l.c.map(|c| c.to_vec2().norm());
         let by = match self.size {
@@ -352,7 +361,7 @@ impl CrankRocker {
     fn draft(&self, l: &Limits, heading: &Heading) -> Draft {
         let far = l.c.map(|c| c.to_vec2().norm());
         let (ab, bc) = ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0);
-        // The farther limit has crank and coupler stretched, in the nearer one they fold.
+        // In the farther limit crank and coupler are stretched, in the nearer one they are folded.
         let stretched = usize::from(far[1] > far[0]);
         let sense = |i: usize| if i == stretched { 1.0 } else { -1.0 };
         let limit = |i: usize| {

@@ -1,6 +1,7 @@
-//! Time ratio 急回: linkages whose two strokes take unequal times, `"synthesis": "time-ratio"`.
+//! Time ratio 急回, `"synthesis": "time-ratio"`: linkages with two strokes of unequal duration.
 //!
-//! θ = 180°(K − 1)/(K + 1) is the crank angle between the limit positions 极位夹角. A file for each linkage.
+//! θ = 180°(K − 1)/(K + 1) is the crank angle between the limit positions 极位夹角. Each linkage has
+//! its own file.
 
 mod bar;
 mod crank_rocker;
@@ -13,7 +14,7 @@ use hodograph_base::diag::{Diagnostic, both};
 pub(super) use slider_crank::sketch;
 use std::f64::consts::PI;
 
-/// The kind.
+/// Time ratio as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "time-ratio",
     what: ["linkages with a quick return, from the time ratio K", "按行程速度变化系数 K 设计"],
@@ -24,10 +25,10 @@ pub const KIND: KindOfTask = KindOfTask {
     read,
 };
 
-/// What reads the wish for a linkage.
+/// Reads the task for a linkage.
 type Reader = fn(&Form) -> Option<Box<dyn Wish>>;
 
-/// The linkages, each with what reads it.
+/// The linkages, each with its reader.
 const LINKAGES: [(&str, Reader); 5] = [
     ("crank-rocker", crank_rocker::read),
     ("slider-crank", slider_crank::read),
@@ -42,14 +43,15 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     LINKAGES.iter().find(|l| l.0 == name).and_then(|(_, read)| read(form))
 }
 
-/// The time ratio and its angle θ, from either; a K below one is the other stroke's.
+/// The time ratio and its angle θ, from either; a K below one is inverted and applies to the other
+/// stroke.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ratio {
     /// K, at least 1.
     pub k: f64,
     /// θ (rad).
     pub theta: f64,
-    /// Whether 1/K was taken.
+    /// True if 1/K was taken.
     pub turned: bool,
 }
 
@@ -83,17 +85,18 @@ impl Ratio {
         Some(Ratio { k, theta: PI * (k - 1.0) / (k + 1.0), turned })
     }
 
-    /// What is to be said of it.
+    /// Notes on the ratio.
     pub fn notes(self) -> Vec<Diagnostic> {
         let message = both!("K is below one: taken as 1/K, the slow stroke is the other one", "K 小于 1：按 1/K 计算，慢行程为另一行程");
         self.turned.then(|| Diagnostic::note("K-below-one", message)).into_iter().collect()
     }
 }
 
-/// Strokes whose crank angles differ by less than this (rad) take the same time: it is rounding.
+/// Strokes with crank angles that differ by less than this (rad) take equal times: the difference
+/// is rounding.
 const ALIKE: f64 = 1e-9;
 
-/// Which stroke is the slow one, for the sense in which the crank turns.
+/// A note that names the slow stroke, to choose the crank's sense of rotation.
 pub(super) fn slow_stroke(first: f64, second: f64, omega: f64) -> Diagnostic {
     let way = (if omega < 0.0 { first - second } else { second - first }).rem_euclid(2.0 * PI);
     if (way - PI).abs() < ALIKE {

@@ -1,8 +1,9 @@
 //! Offset slider-crank with a time ratio.
 //!
-//! With the stroke H, the offset e and the crank angle θ between the limits: b² − a² = He/sin θ (twice the area of A C₁ C₂ is He and
-//! AC₁·AC₂ sin θ) and a² + b² = H²/2 + He cot θ (law of cosines). Instead of e the crank or the rod may be given:
-//! 2a² = H²/2 − He tan(θ/2), 2b² = H²/2 + He cot(θ/2). Without a quick return e = 0 and a = H/2.
+//! With the stroke H, the offset e and the crank angle θ between the limits: b² − a² = He/sin θ
+//! (twice the area of A C₁ C₂ is He and AC₁·AC₂ sin θ) and a² + b² = H²/2 + He cot θ (law of
+//! cosines). Instead of e the crank or the rod may be given: 2a² = H²/2 − He tan(θ/2), 2b² = H²/2 +
+//! He cot(θ/2). Without a quick return e = 0 and a = H/2.
 
 mod explained;
 
@@ -25,13 +26,13 @@ struct SliderCrank {
     third: Third,
 }
 
-/// What is given beside K and the stroke.
+/// The given in addition to K and the stroke.
 #[derive(Clone, Copy, Debug)]
 enum Third {
     Offset(f64),
     Crank(f64),
     Rod(f64),
-    /// Nothing: the offset that makes the greatest pressure angle least.
+    /// None: the offset that minimises the greatest pressure angle.
     Best,
 }
 
@@ -69,7 +70,8 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
     Some(Box::new(SliderCrank { ratio: ratio?, stroke: stroke?, third: third? }))
 }
 
-/// The offset of the least greatest pressure angle, sin α = (a + e)/b: a stroke h, t = tan(θ/2). Scanned, then its slope's zero bisected.
+/// The offset with the least greatest pressure angle, sin α = (a + e)/b, for a stroke h and t =
+/// tan(θ/2): scanned, then the zero of its slope bisected.
 fn best_offset(h: f64, t: f64) -> f64 {
     const STEPS: usize = 400;
     let most = h / (2.0 * t);
@@ -78,7 +80,7 @@ fn best_offset(h: f64, t: f64) -> f64 {
         let [a, b] = lengths(e);
         (a + e) / b
     };
-    // Of the sign of the slope: a' = −ht/4a, b' = h/4tb.
+    // An expression with the sign of the slope: a' = −ht/4a, b' = h/4tb.
     let slope = |e: f64| {
         let [a, b] = lengths(e);
         (1.0 - h * t / (4.0 * a)) * b - (a + e) * h / (4.0 * t * b)
@@ -119,7 +121,8 @@ impl Wish for SliderCrank {
 }
 
 impl SliderCrank {
-    /// C₁C₂ is the stroke; A on the circle over it with the inscribed angle θ, at the offset.
+    /// Draws C₁C₂ as the stroke, and A on the circle over it with the inscribed angle θ, at the
+    /// offset.
     fn drawn(&self, board: &mut Board, offset: f64, k: usize) -> Option<()> {
         if self.ratio.theta == 0.0 {
             return None;
@@ -162,7 +165,7 @@ impl SliderCrank {
         board.halve(a, [c1, c2])
     }
 
-    /// Crank, rod, offset.
+    /// The lengths of crank and rod, and the offset (m).
     fn lengths(&self) -> Result<[f64; 3], Faults> {
         let (h, theta) = (self.stroke, self.ratio.theta);
         if theta == 0.0 {
@@ -222,7 +225,7 @@ impl SliderCrank {
     }
 
     fn draft(&self, [a, b, e]: [f64; 3], heading: &Heading) -> Draft {
-        // The slider's limits: stretched, then folded.
+        // The slider's limits: crank and rod stretched, then folded.
         let at = |reach: f64| Point::new(((reach - e.abs()) * (reach + e.abs())).sqrt(), e);
         let wanted = [(b + a, 1.0), (b - a, -1.0)].map(|(reach, sense)| {
             let c = at(reach);
@@ -267,7 +270,7 @@ fn scene([a, b, e]: [f64; 3], crank: f64, c: Point, heading: &Heading) -> Json {
     Json::Object(scene)
 }
 
-/// Rough places that say which assembly is meant, in units of the scene's first length (mm).
+/// Approximate places that determine the assembly, in units of the scene's first length (mm).
 pub(crate) fn sketch(points: &[(&str, Point)]) -> Json {
     let all = points.iter().map(|(name, p)| ((*name).to_owned(), json!([mm(p.x), mm(p.y)])));
     Json::Object(all.collect())

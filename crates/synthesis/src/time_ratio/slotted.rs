@@ -1,9 +1,11 @@
-//! Linkages with a slotted lever 导杆: the slotted lever, the shaper, Whitworth's.
+//! Linkages with a slotted lever 导杆: the slotted lever, the shaper, Whitworth's linkage.
 //!
-//! Swinging lever: in its limits the crank is square to it, so its swing ψ is θ, and AB = AC sin(θ/2). Shaper: CD = H/(2 sin(θ/2)), the
-//! ram's guide in the middle of the rise of D's arc, y = CD (1 + cos(θ/2))/2, which makes the greatest pressure angle least. Whitworth:
-//! the lever turns fully about a pivot inside the crank's circle; while its dead line turns by 180° the crank turns by 360°/(K + 1), so
-//! AC = AB cos(180°/(K + 1)). Pivots: A of the crank, C of the lever, straight below it.
+//! Swinging lever: in its limits the crank is perpendicular to it, so that its swing ψ is θ, and AB
+//! = AC sin(θ/2). Shaper: CD = H/(2 sin(θ/2)), the ram's guide in the middle of the rise of D's
+//! arc, y = CD (1 + cos(θ/2))/2, which minimises the greatest pressure angle. Whitworth: the lever
+//! turns fully about a pivot inside the crank's circle; while its dead-centre line turns by 180°
+//! the crank turns by 360°/(K + 1), so AC = AB cos(180°/(K + 1)). Pivots: A of the crank, C of the
+//! lever, vertically below A.
 
 mod drawing;
 mod explained;
@@ -24,42 +26,42 @@ use std::f64::consts::PI;
 #[derive(Clone, Debug)]
 struct Slotted {
     ratio: Ratio,
-    /// Crank AB and frame AC.
+    /// Crank AB and frame AC (m).
     crank: f64,
     frame: f64,
-    /// Whether the crank was given, and the frame follows.
+    /// True if the crank is given and the frame follows from it.
     by_crank: bool,
     kind: Kind,
-    /// What was chosen for the author.
+    /// Notes on the sizes chosen by default.
     notes: Vec<Diagnostic>,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Kind {
-    /// The lever alone, to D if its length is given.
+    /// The lever alone, extended to D if its length is given.
     Lever { lever: Option<f64> },
-    /// With a ram.
+    /// A lever with a ram.
     Shaper { stroke: f64, link: f64 },
-    /// With a slider on a line through C.
+    /// A lever with a slider on a line through C.
     Whitworth { stroke: f64, link: f64 },
 }
 
-/// What was chosen for the author beside a kind.
+/// A kind, with notes on its sizes chosen by default.
 type Chosen = (Kind, Vec<Diagnostic>);
 
-/// Crank and frame, the crank angle between the limits.
+/// The crank (m), and the crank angle θ between the limits (rad).
 struct Sizes {
     crank: f64,
     theta: f64,
 }
 
-/// Reads the lever alone.
+/// Reads the task of the lever alone.
 pub(super) fn lever(form: &Form) -> Option<Box<dyn Wish>> {
     let lever = if form.has("rocker") { form.size("rocker").map(Some) } else { Some(None) };
     read(form, swings, |_| Some((Kind::Lever { lever: lever? }, Vec::new())))
 }
 
-/// Reads the shaper.
+/// Reads the task of the shaper.
 pub(super) fn shaper(form: &Form) -> Option<Box<dyn Wish>> {
     let stroke = form.need_size("stroke", STROKE);
     let link = sized(form, "link");
@@ -70,7 +72,7 @@ pub(super) fn shaper(form: &Form) -> Option<Box<dyn Wish>> {
     })
 }
 
-/// Reads Whitworth's linkage.
+/// Reads the task of Whitworth's linkage.
 pub(super) fn whitworth(form: &Form) -> Option<Box<dyn Wish>> {
     let (stroke, link) = (sized(form, "stroke"), sized(form, "link"));
     let share = |ratio: Ratio| 1.0 / libm::cos(PI / (ratio.k + 1.0));
@@ -82,20 +84,21 @@ pub(super) fn whitworth(form: &Form) -> Option<Box<dyn Wish>> {
     })
 }
 
-/// How a stroke is written.
+/// An example of a stroke as written.
 const STROKE: &str = "\"300 mm\"";
 
-/// A length that may be left out; the outer `None` where it has a fault.
+/// An optional length (m); the outer `None` where it has a fault.
 fn sized(form: &Form, key: &'static str) -> Option<Option<f64>> {
     if form.has(key) { form.size(key).map(Some) } else { Some(None) }
 }
 
-/// AB/AC of a lever that swings.
+/// The ratio AB/AC of a lever that swings.
 fn swings(ratio: Ratio) -> f64 {
     libm::sin(ratio.theta / 2.0)
 }
 
-/// What all three have: the time ratio, and crank or frame by their share; `kind` is none where its own keys have a fault.
+/// Reads the parts common to all three: the time ratio, and crank or frame, the other by its
+/// `share`; `kind` returns `None` where its own keys have a fault.
 fn read(form: &Form, share: impl Fn(Ratio) -> f64, kind: impl FnOnce(&Sizes) -> Option<Chosen>) -> Option<Box<dyn Wish>> {
     let ratio = Ratio::read(form);
     let one = one_of(form, ["crank", "frame"]);
@@ -112,7 +115,8 @@ fn read(form: &Form, share: impl Fn(Ratio) -> f64, kind: impl FnOnce(&Sizes) -> 
     Some(Box::new(Slotted { ratio, crank, frame, by_crank: key == "crank", kind, notes }))
 }
 
-/// A link of a shaper's ram: three tenths of the lever, and no less than what keeps its pressure angle under 12°.
+/// A default link for a shaper's ram: three tenths of the lever, and no less than keeps its
+/// pressure angle under 12°.
 fn short_link(stroke: f64, half: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     let lever = stroke / (2.0 * libm::sin(half));
     let rise = lever * (1.0 - libm::cos(half)) / 2.0;
@@ -123,7 +127,7 @@ fn short_link(stroke: f64, half: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     link
 }
 
-/// A stroke of Whitworth's slider: the crank's circle across.
+/// A default stroke for Whitworth's slider: the diameter of the crank's circle.
 fn chosen_stroke(crank: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     let stroke = 2.0 * crank;
     let message = both!("the stroke of the slider is free: {} is taken", "滑块行程可任取：取 {}", metres(stroke));
@@ -131,7 +135,7 @@ fn chosen_stroke(crank: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     stroke
 }
 
-/// A long link of Whitworth's slider: three times the lever's arm.
+/// A default link for Whitworth's slider: three times the lever's arm.
 fn chosen_link(stroke: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     let link = 1.5 * stroke;
     let message = both!("the link to the slider is free: {} is taken", "连接滑块的连杆长可任取：取 {}", metres(link));
@@ -204,7 +208,8 @@ impl Slotted {
         ]
     }
 
-    /// The swinging lever's limits: the crank square to the lever, on the right and on the left; each with the lever's direction.
+    /// The swinging lever's limits, with the crank perpendicular to the lever on the right and on
+    /// the left: crank angle, B, and the lever's direction.
     fn limits(&self) -> [(f64, Point, Vec2); 2] {
         let half = self.ratio.theta / 2.0;
         [1.0, -1.0].map(|side| {
@@ -213,7 +218,8 @@ impl Slotted {
         })
     }
 
-    /// The links and the slot that all three have; `D` is on the lever where it has a length.
+    /// The scene with the links and the slot common to all three; `D` is on the lever if that has a
+    /// length.
     fn scene(&self, heading: &Heading, driver: f64, d: Option<(f64, Point)>) -> Map<String, Json> {
         let mut scene = headed(heading);
         let lever = if d.is_some() { json!(["C", "D"]) } else { json!(["C"]) };
@@ -266,7 +272,7 @@ impl Slotted {
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         }
         let limits = self.limits();
-        // The ram lies to the left of D.
+        // The ram is to the left of D.
         let ram = |d: Point| {
             let rise = self.c().y + height - d.y;
             Point::new(d.x - ((link - rise) * (link + rise)).sqrt(), self.c().y + height)
@@ -294,7 +300,8 @@ impl Slotted {
             let help = both!("\"link\" is longer than {}", "\"link\" 应大于 {}", metres(arm));
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         }
-        // Dead line of the lever: square to AC through C, where it meets the crank's circle.
+        // The lever's dead-centre line: perpendicular to AC through C, to its intersection with the
+        // crank's circle.
         let reach = ((self.crank - self.frame) * (self.crank + self.frame)).sqrt();
         let c = self.c();
         let wanted = [1.0, -1.0].map(|side| {
@@ -306,7 +313,7 @@ impl Slotted {
             }
         });
         let (d, e) = (Point::new(arm, c.y), Point::new(arm - link, c.y));
-        // The lever is laid by its slot: D is on the side of B.
+        // The slot gives the lever's direction: D is on the side of B.
         let mut scene = self.scene(heading, wanted[0].driver, Some((arm, d)));
         self.add_slider(&mut scene, link, c.y, &[("D", d), ("E", e)]);
         let mut numbers = self.numbers();
@@ -332,7 +339,7 @@ impl Slotted {
         Ok(self.draft(scene, numbers, wanted.into(), stroke, heading))
     }
 
-    /// Adds the link DE and its slider on a level guide.
+    /// Adds the link DE and its slider on a horizontal guide.
     fn add_slider(&self, scene: &mut Map<String, Json>, link: f64, level: f64, rough: &[(&str, Point)]) {
         scene["links"]["4"] = json!(["D", "E"]);
         scene["lengths"]["DE"] = mm(link);

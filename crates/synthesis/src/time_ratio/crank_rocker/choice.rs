@@ -1,4 +1,5 @@
-//! Where A is fixed on the circle with the inscribed angle θ by a line, and what the nearest wish is where a wish has no crank-rocker.
+//! The choice of A on the circle with the inscribed angle θ by a line, and the nearest feasible
+//! task where there is no crank-rocker.
 
 use super::super::bar::Bar;
 use super::family::Family;
@@ -12,8 +13,8 @@ use hodograph_base::geom::{Point, Vec2};
 use std::f64::consts::PI;
 
 impl CrankRocker {
-    /// A on the circle over C₁C₂ with the inscribed angle θ where a line crosses it; D is the origin, the swing lies evenly about the
-    /// upward axis.
+    /// The linkages with A at the intersection of a line and the circle over C₁C₂ with the
+    /// inscribed angle θ; D is the origin, the swing is symmetrical about the upward axis.
     pub(super) fn by_line(&self, swing: f64, [through, end]: [Point; 2]) -> Vec<Limits> {
         let c = self.swung(swing);
         let along = end - through;
@@ -22,7 +23,7 @@ impl CrankRocker {
         let middle = self.rocker * libm::cos(swing / 2.0);
         let mut places: Vec<(Point, bool)> = Vec::new();
         if theta == 0.0 {
-            // The circle is the line of the chord.
+            // The circle becomes the line of the chord.
             if along.y.abs() > 1e-9 {
                 places.push((through + along * ((middle - through.y) / along.y), true));
             }
@@ -35,7 +36,7 @@ impl CrankRocker {
                 places.extend(crossings.filter(|a| if above { a.y > middle } else { a.y < middle }).map(|a| (a, above)));
             }
         }
-        // On the axis of symmetry AC₁ = AC₂: the crank has no length.
+        // On the axis of symmetry AC₁ = AC₂: the crank has zero length.
         places.retain(|(a, _)| (a.distance(c[0]) - a.distance(c[1])).abs() > 1e-6 * self.rocker);
         let named = |(k, (a, above)): (usize, &(Point, bool))| {
             let which = match above {
@@ -47,7 +48,7 @@ impl CrankRocker {
         places.iter().enumerate().map(named).collect()
     }
 
-    /// A where AC₁ and AC₂ are sum and difference of the two bars.
+    /// The linkages with A where AC₁ and AC₂ are sum and difference of the two bars.
     pub(super) fn by_bar(&self, swing: f64, bar: Bar) -> Vec<Limits> {
         let c = self.swung(swing);
         let Some([crank, coupler]) = bar.both(c[0].distance(c[1]), libm::cos(self.ratio.theta)) else { return Vec::new() };
@@ -64,7 +65,7 @@ impl CrankRocker {
         both_sides.into_iter().map(named).collect()
     }
 
-    /// What a wish has: crank-rockers, and linkages that are none.
+    /// All linkages of a task, crank-rockers or not.
     pub(super) fn all(&self) -> Vec<Limits> {
         match self.way {
             Way::Limit { frame, angle } => self.by_limit(frame, angle),
@@ -75,7 +76,7 @@ impl CrankRocker {
         }
     }
 
-    /// The linkages of the family whose least transmission angle is the wanted one.
+    /// The linkages of the family with the wanted least transmission angle.
     pub(super) fn at_gamma(&self, swing: f64, gamma: f64) -> Result<Vec<Limits>, Faults> {
         let family = Family::of(self.ratio.theta, swing);
         let found = if self.ratio.theta > 0.0 { family.at(libm::cos(gamma), 1440) } else { Vec::new() };
@@ -103,7 +104,7 @@ impl CrankRocker {
             };
             self.laid(which, family.place(beta, toward_d, self.rocker), self.swung(swing))
         };
-        // A beyond the axis of symmetry is the mirror image of one on this side of it.
+        // A beyond the axis of symmetry is the mirror image of an A on this side.
         let mut all: Vec<Limits> = Vec::new();
         for l in found.into_iter().map(told) {
             let reach = |l: &Limits| {
@@ -118,7 +119,7 @@ impl CrankRocker {
         Ok(all)
     }
 
-    /// Whether a linkage by its limits is a crank-rocker, both limits of one assembly.
+    /// True if a linkage by its limits is a crank-rocker with both limits in one assembly.
     pub(super) fn turns(&self, l: &Limits) -> bool {
         let far = l.c.map(|c| c.to_vec2().norm());
         let (ab, bc) = ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0);
@@ -126,7 +127,8 @@ impl CrankRocker {
         let longest = bc.max(cd).max(ad);
         let shortest = ab > 1e-6 * longest && ab < bc.min(cd).min(ad);
         let grashof = 2.0 * (ab + longest) - (ab + bc + cd + ad);
-        // K = 1 is the centric linkage, a change point of its own kind: a² + d² = b² + c², which is no Grashof equality.
+        // K = 1 is the centric linkage with a² + d² = b² + c². It is no change point in Grashof's
+        // sense.
         shortest && grashof < 0.0 && l.c[0].y * l.c[1].y > 0.0
     }
 
@@ -136,7 +138,7 @@ impl CrankRocker {
         k >= 1.0 && other.all().iter().any(|l| other.turns(l))
     }
 
-    /// The nearest wish that has a crank-rocker: another frame, another line, or another K.
+    /// The nearest feasible task: another frame, another line, or another K.
     fn nearest(&self) -> Both {
         let own = self.ratio.k;
         let (way, other) = match self.way {
@@ -146,7 +148,8 @@ impl CrankRocker {
             }
             Way::Swing { swing, frame } => {
                 let works = |mm: f64| mm > 0.0 && self.works(Way::Swing { swing, frame: mm * 1e-3 }, own);
-                // What works may be a range between two steps: the best of all linkages is in it.
+                // The range that works may be narrower than the steps: the best of all linkages is
+                // in it.
                 let best = || self.best(swing, &mut Vec::new()).ok()?.first().map(|l| l.d.x * 1e3);
                 (Way::Swing { swing, frame }, number(frame * 1e3, frame * 1e3, works).or_else(best).map(frame_told))
             }
@@ -189,7 +192,7 @@ impl CrankRocker {
         }
     }
 
-    /// What has no linkage at all, and why.
+    /// The error for a task without any linkage, with its reason.
     pub(super) fn none(&self) -> Faults {
         let theta = significant(self.ratio.theta.to_degrees(), 4);
         let message = match self.way {
@@ -221,7 +224,7 @@ impl CrankRocker {
         Diagnostic::error("no-real-solution", message).help(self.nearest()).into()
     }
 
-    /// What is to be said where linkages come out of which none is a crank-rocker that joins both limits.
+    /// The warning for linkages none of which is a crank-rocker that joins both limits.
     pub(super) fn no_crank_rocker(&self) -> Diagnostic {
         let message = both!(
             "no crank turns through what comes out, or its limits lie on two assemblies",
@@ -235,7 +238,7 @@ fn frame_told(mm: f64) -> Both {
     both!("with \"frame\": \"{} mm\"", "取 \"frame\": \"{} mm\"", told(mm))
 }
 
-/// A place and a direction of the file as two places.
+/// Reads a place and a direction as two places of a line.
 pub(super) fn line(form: &crate::form::Form) -> Option<[Point; 2]> {
     let inner = form.inner("line", &["through", "angle"])?;
     inner.need("through", "[\"0 mm\", \"0 mm\"]")?;

@@ -1,4 +1,5 @@
-//! The crank-rocker drawn: the second limit on a turned ray, or A on the circle with the inscribed angle; then the halving.
+//! Drawings of the crank-rocker: the second limit on a turned ray, or A on the circle with the
+//! inscribed angle; then the halving.
 
 use super::super::bar::Bar;
 use super::{CrankRocker, Way};
@@ -10,7 +11,7 @@ use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// What fixes A on the circle.
+/// The given that determines A on the circle.
 #[derive(Clone, Copy)]
 enum Fixed {
     Frame(f64),
@@ -34,7 +35,7 @@ impl CrankRocker {
         }
     }
 
-    /// C₂ where the ray AC₁, turned by θ, meets the rocker's circle.
+    /// Draws C₂ at the intersection of the ray AC₁, turned by θ, with the rocker's circle.
     fn by_ray(&self, board: &mut Board, [frame, angle]: [f64; 2], sense: f64, k: usize) -> Option<()> {
         let (a, d, radius) = (Point::ORIGIN, Point::new(board.mm(frame), 0.0), board.mm(self.rocker));
         let c1 = Line::ray(d, PI - angle).place(radius);
@@ -63,9 +64,10 @@ impl CrankRocker {
         board.halve(a, [c1, c2])
     }
 
-    /// A on the circle over C₁C₂ with the inscribed angle θ: at the frame's length from D, or under the chosen angle β.
+    /// Draws A on the circle over C₁C₂ with the inscribed angle θ: at the frame's length from D, on
+    /// a line, by a bar, or under the chosen angle β.
     fn on_arc(&self, draft: &Draft, board: &mut Board, swing: f64, fixed: Fixed) -> Option<()> {
-        // Where another length says how large all is, the rocker follows from the shape.
+        // Where another length determines the size, the rocker follows from the shape.
         let (d, radius) = (Point::ORIGIN, board.mm(of(draft, "CD")));
         let [c1, c2] = [1.0, -1.0].map(|s| Line::ray(d, FRAC_PI_2 + s * swing / 2.0).place(radius));
         board.step(both!("Lay off the rocker in its limits DC1 and DC2 under the swing ψ", "按摆角 ψ 作摇杆的两极限位置 DC1、DC2"));
@@ -97,7 +99,7 @@ impl CrankRocker {
                     board.line(board.at(given[0]), a, Weight::Thin);
                     a
                 }
-                // Any A on the line serves: the crank is half the chord.
+                // Any A on the line is a solution: the crank is half the chord.
                 Fixed::Beta(_) | Fixed::Bar(_) => return None,
             };
             board.line(c1, a, Weight::Thin).mark("A", a);
@@ -144,7 +146,7 @@ impl CrankRocker {
                 (k == 0).then_some(far)?
             }
         };
-        // Seen from A the chord must appear under θ, not under its supplement.
+        // From A the chord must appear under θ, not under its supplement.
         if (c1 - a).dot(c2 - a) * libm::cos(theta) < 0.0 {
             return None;
         }
@@ -153,7 +155,7 @@ impl CrankRocker {
     }
 }
 
-/// A line of the file on the paper.
+/// The line through two places of the file, on the paper.
 fn through(board: &Board, [p, q]: [Point; 2]) -> Option<Line> {
     Some(Line { at: board.at(p), along: (q - p).unit()? })
 }

@@ -114,7 +114,7 @@ impl CrankRocker {
         out
     }
 
-    /// How C₂ or A follows.
+    /// The proof of C₂ or A.
     fn second_limit(&self, draft: &Draft, [ac1, ac2]: [f64; 2]) -> Proof {
         match self.way {
             Way::Limit { .. } => Proof::new(

@@ -1,17 +1,18 @@
-//! The crank-rockers of a time ratio and a swing: along β = ∠C₁C₂A one thing stays free, by which the least transmission angle is made greatest or
-//! given.
+//! The crank-rockers of a time ratio and a swing, with β = ∠C₁C₂A as the free parameter; it makes
+//! the least transmission angle greatest, or equal to a given one.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::{Dd, Real};
 use std::f64::consts::PI;
 
-/// The linkages of given θ and swing, the rocker 1; β = ∠C₁C₂A tells them apart.
+/// The linkages of given θ and swing, with a rocker of length 1 and the parameter β = ∠C₁C₂A.
 pub(super) struct Family {
     theta: Dd,
     swing: Dd,
 }
 
-/// The greatest K of a swing for which some linkage keeps the cosine of its transmission angle below a bound; by bisection of θ.
+/// The greatest K of a swing for which some linkage keeps the cosine of its transmission angle
+/// below a bound, by bisection of θ.
 pub(super) fn most_k(swing: f64, bound: f64) -> f64 {
     let (mut low, mut high) = (0.0, PI);
     for _ in 0..30 {
@@ -19,7 +20,7 @@ pub(super) fn most_k(swing: f64, bound: f64) -> f64 {
         let found = Family::of(theta, swing).scanned(120).is_some_and(|(worst, ..)| worst <= bound);
         if found { low = theta } else { high = theta }
     }
-    // Told to four digits: rounded down, it still works.
+    // Printed with four digits: rounded down, it still works.
     let k = (PI + low) / (PI - low);
     (k * 1e3).floor() / 1e3
 }
@@ -29,7 +30,8 @@ impl Family {
         Family { theta: Dd::from_f64(theta), swing: Dd::from_f64(swing) }
     }
 
-    /// The linkages whose least transmission angle has this cosine: between neighbours on either side of it, by bisection; β, and on which side A lies.
+    /// The linkages with this cosine of the least transmission angle, by bisection between
+    /// neighbours on either side of it: β, and whether A is on the side of D.
     pub(super) fn at(&self, cosine: f64, steps: usize) -> Vec<(f64, bool)> {
         let to = PI - self.theta.approx();
         let mut found = Vec::new();
@@ -52,7 +54,8 @@ impl Family {
         found
     }
 
-    /// The best of equally spaced linkages: the cosine of its least transmission angle, β, and on which side A lies.
+    /// The best of equally spaced linkages: the cosine of its least transmission angle, β, and
+    /// whether A is on the side of D.
     pub(super) fn scanned(&self, steps: usize) -> Option<(f64, f64, bool)> {
         let to = PI - self.theta.approx();
         let sides = [true, false].into_iter().flat_map(|side| (0..steps).map(move |i| (to * (i as f64 + 0.5) / steps as f64, side)));
@@ -60,14 +63,14 @@ impl Family {
         all.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// Whether C₁ and C₂ lie on one side of AD: else no motion joins them.
+    /// True if C₁ and C₂ are on one side of AD; otherwise no motion joins them.
     fn joined(&self, beta: f64, toward_d: bool) -> bool {
         let (a, half) = (self.place(beta, toward_d, 1.0).to_vec2(), self.swing.approx() / 2.0);
         let c = [-1.0, 1.0].map(|s| a.cross(Vec2::new(s * libm::sin(half), libm::cos(half))));
         c[0] * c[1] > 0.0
     }
 
-    /// a, b, d of one.
+    /// The lengths a, b, d of a linkage.
     fn lengths(&self, beta: Dd, toward_d: bool) -> Option<[Dd; 3]> {
         let two = Dd::from_f64(2.0);
         let half = self.swing / two;
@@ -80,7 +83,8 @@ impl Family {
         let ac2 = chord * sin_sum / sin_theta;
         let a = ((ac2 - ac1) / two).magnitude();
         let b = (ac1 + ac2) / two;
-        // A in axes with C₂ at the origin and C₁ along x; D below or above the middle of the chord.
+        // A in axes with C₂ at the origin and C₁ along x; D is below or above the midpoint of the
+        // chord.
         let (x, y) = (ac2 * cos_beta - chord / two, ac2 * sin_beta);
         let down = if toward_d { y - cos_half } else { y + cos_half };
         let d = (x * x + down * down).sqrt();
@@ -99,7 +103,8 @@ impl Family {
         Some(if near.approx() > far.approx() { near } else { far })
     }
 
-    /// Golden-section search for the least of [`Family::worst`]: in double-double numbers its flat bottom still tells 1e-15.
+    /// Golden-section search for the minimum of [`Family::worst`]: in double-double numbers its
+    /// flat minimum is accurate to 1e-15.
     pub(super) fn golden(&self, low: f64, high: f64, toward_d: bool) -> Dd {
         let ratio = Dd::from_f64((5.0f64.sqrt() - 1.0) / 2.0);
         let (mut low, mut high) = (Dd::from_f64(low), Dd::from_f64(high));
@@ -115,7 +120,8 @@ impl Family {
         (low + high) / Dd::from_f64(2.0)
     }
 
-    /// A with D at the origin and the chord across the upward axis, for a rocker of a length.
+    /// The place of A with D at the origin and the chord across the upward axis, for a rocker
+    /// length.
     pub(super) fn place(&self, beta: f64, toward_d: bool, rocker: f64) -> Point {
         let (theta, half) = (self.theta.approx(), self.swing.approx() / 2.0);
         let chord = 2.0 * libm::sin(half);

@@ -1,4 +1,4 @@
-//! Slotted lever, shaper and Whitworth's linkage drawn.
+//! Drawings of the slotted lever, the shaper and Whitworth's linkage.
 
 use super::{Kind, Slotted};
 use crate::board::{Board, Line, Weight};
@@ -19,7 +19,8 @@ impl Slotted {
         }
     }
 
-    /// A above C; the lever in its limit touches the crank's circle. Returns C and B on the right.
+    /// Draws A above C; the lever in its limit is tangent to the crank's circle. Returns C and the
+    /// right B.
     fn swinging(&self, board: &mut Board) -> Option<(Point, Point)> {
         let half = self.ratio.theta / 2.0;
         let named = significant(half.to_degrees(), 4);
@@ -46,7 +47,8 @@ impl Slotted {
         Some((c, b))
     }
 
-    /// Whitworth: while the lever's dead line turns by 180° the crank turns by 360°/(K + 1).
+    /// Draws Whitworth's linkage: while the lever's dead-centre line turns by 180° the crank turns
+    /// by 360°/(K + 1).
     fn turning(&self, board: &mut Board, stroke: f64) -> Option<()> {
         let half = PI / (self.ratio.k + 1.0);
         let a = Point::ORIGIN;
@@ -84,7 +86,8 @@ impl Slotted {
     }
 }
 
-/// The shaper's lever by the stroke, and the ram's guide in the middle of the rise of D's arc.
+/// Draws the shaper's lever by the stroke, and the ram's guide in the middle of the rise of D's
+/// arc.
 fn ram(board: &mut Board, c: Point, b: Point, stroke: f64) -> Option<()> {
     let half = board.mm(stroke) / 2.0;
     let lever = Line::through(c, b)?;

@@ -1,4 +1,5 @@
-//! Slotted lever, shaper and Whitworth's linkage as problems, and the formulas of their proofs.
+//! The slotted lever, the shaper and Whitworth's linkage as problems, and the formulas of their
+//! proofs.
 
 use super::{Kind, Slotted};
 use crate::candidate::Draft;
