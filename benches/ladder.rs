@@ -11,7 +11,7 @@ use hodograph::worked::{Scope, Worked, work};
 use hodograph::{motion, position};
 use std::hint::black_box;
 
-fn solved<N: motion::Moved>(scene: &Scene, w: &Worked) -> usize {
+fn solved<N: motion::MotionNumber>(scene: &Scene, w: &Worked) -> usize {
     let at = position::recompute::<N>(scene, &w.mechanism, &w.demand, &w.configuration).unwrap();
     let motion = motion::solve(scene, &w.mechanism, &at, &w.demand);
     w.results.iter().filter_map(|r| evaluate(scene, &at, &motion, &scene.find[r.find].what)).map(black_box).count()

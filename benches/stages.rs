@@ -4,7 +4,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use hodograph::construct::scale::Boxes;
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::render::{png, svg};
 use hodograph::scene::{self, Lang, templates};
@@ -21,7 +21,7 @@ fn stages(c: &mut Criterion) {
         let at = position::configure(&scene, &mechanism, &demand).unwrap().value;
         let planned = plan::plan(&scene, &mechanism, &demand);
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let options = Options::of_language(Lang::En);
+        let options = SheetOptions::of_language(Lang::En);
         let figure = sheet(&scene, &worked, &options).unwrap();
         let drawn = svg::write(&figure).unwrap().value;
         let mut g = c.benchmark_group(name);

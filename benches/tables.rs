@@ -7,11 +7,11 @@
 //! reported.
 
 use hodograph::mechanism::Mechanism;
-use hodograph::report::table::{Csv, Format, Head, Npy, Parquet, Standing};
+use hodograph::report::table::{Csv, Npy, Parquet, PiecePlace, RowFormat, TableHead};
 use hodograph::scene::{Angle, Scene, edit, read, templates};
-use hodograph::sweep::batch::{Batch, Block, Choice};
+use hodograph::sweep::batch::{Batch, Block, ParameterChoice};
 use hodograph::sweep::vary::Variation;
-use hodograph::sweep::{Placed, Stations, Sweep, Table, Width, compile};
+use hodograph::sweep::{PlacedScene, Stations, Sweep, Table, Width, compile};
 use std::fs::File;
 use std::hint::black_box;
 use std::io::Write;
@@ -60,7 +60,7 @@ fn in_memory(steps: usize, again: Again) -> usize {
     let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
     let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), steps);
-    let placed = Placed::new(&scene, &m).unwrap();
+    let placed = PlacedScene::new(&scene, &m).unwrap();
     let compiled = Sweep::new(&placed, 0).unwrap();
     let mut table = Table::default();
     let mut one = || {
@@ -68,7 +68,7 @@ fn in_memory(steps: usize, again: Again) -> usize {
         table = if again == Again::Compiled {
             compiled.run(&stations, Width::Widest, used)
         } else {
-            Sweep::new(&Placed::new(&scene, &m).unwrap(), 0).unwrap().run(&stations, Width::Widest, used)
+            Sweep::new(&PlacedScene::new(&scene, &m).unwrap(), 0).unwrap().run(&stations, Width::Widest, used)
         };
         black_box(&table).rows()
     };
@@ -79,7 +79,7 @@ fn in_memory(steps: usize, again: Again) -> usize {
 fn in_cache() -> usize {
     let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &m).unwrap();
+    let placed = PlacedScene::new(&scene, &m).unwrap();
     let fused = compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap().fused().clone();
     let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), fused.positions() - 1);
     let mut buffer = fused.buffer();
@@ -91,7 +91,7 @@ fn in_cache() -> usize {
 
 /// Writes blocks as the command does: the next block is formatted while the last one is written,
 /// into a part that then replaces the earlier file.
-fn write(blocks: &[Block], format: &dyn Format, path: &Path) {
+fn write(blocks: &[Block], format: &dyn RowFormat, path: &Path) {
     let part = path.with_extension("part");
     let mut file = File::create(&part).unwrap();
     let begin = format.begin(0, &[]);
@@ -109,7 +109,7 @@ fn write(blocks: &[Block], format: &dyn Format, path: &Path) {
         let mut offset = begin.len() as u64;
         for piece in pieces {
             piece.write(&mut file).unwrap();
-            standing.push(Standing { offset, rows: piece.rows, index: piece.index.clone() });
+            standing.push(PiecePlace { offset, rows: piece.rows, index: piece.index.clone() });
             offset += piece.length();
             let _ = give_back.send(piece);
         }
@@ -131,7 +131,7 @@ fn writing() {
     let variation = Variation::new(&scene, &["l_AB", "l_BC", "l_CD"]).unwrap();
     let range = |name, from, to| variation.range(&scene, name, from, to, 1).unwrap();
     let values = vec![range("l_AB", "60", "120"), range("l_BC", "200", "300"), range("l_CD", "180", "260")];
-    let choice = Choice::Random { count: MECHANISMS, seed: 1 };
+    let choice = ParameterChoice::Random { count: MECHANISMS, seed: 1 };
     let stations = Some(Stations::turned(Angle::Deg(0.0), Angle::Deg(358.2), 199));
     let batch = Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values, choice, driver: 0, stations };
     let ends = || (0..MECHANISMS).step_by(STEP as usize).map(|from| (from, MECHANISMS.min(from + STEP)));
@@ -139,12 +139,12 @@ fn writing() {
     let computed = || ends().fold(Block::default(), |used, (from, to)| black_box(batch.block_in(from, to, used)));
     let kept: Vec<Block> = ends().map(|(from, to)| batch.block(from, to)).collect();
     let rows: usize = kept.iter().map(|b| b.columns[0].len()).sum();
-    let mut head = Head::new("", batch.columns());
+    let mut head = TableHead::new("", batch.columns());
     head.columns.iter_mut().take(5).for_each(|c| c.repeats = true);
     head.columns[0].whole = true;
     let folder = std::env::temp_dir().join(format!("hodograph-bench-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
-    let formats: [(&str, Box<dyn Format>); 3] = [
+    let formats: [(&str, Box<dyn RowFormat>); 3] = [
         ("csv", Box::new(Csv::new(head.clone()))),
         ("npy", Box::new(Npy::new(head.clone()))),
         ("parquet", Box::new(Parquet::new(head).unwrap())),

@@ -191,7 +191,7 @@
 //!
 //! # Extension
 //! A pair or driver is one file in [`mechanism`]'s folder `pair`. It states the items of the scene
-//! that the pair comes from, the *form* that it demands ([`mechanism::Form`]), and its name. Forms
+//! that the pair comes from, the *form* that it demands ([`mechanism::PairForm`]), and its name. Forms
 //! are the few statements in link frames to which all pairs are reduced:
 //! - two points meet;
 //! - the angles of two links differ by a given amount;

@@ -1,11 +1,11 @@
 //! Wrong solutions: the number of each wrong equation is recalculated here, from the formulas of
 //! the wrong equation.
 
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::attempts::{Attempt, sites, wanted};
-use hodograph::composite::{Place, Staged};
+use hodograph::composite::{ChoicePlace, ContactScene};
 use hodograph::mechanism::Level;
-use hodograph::scene::quantity::composite::Part;
+use hodograph::scene::quantity::composite::CompositePart;
 use hodograph::scene::{self, Mistake, PointId, templates};
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::BTreeSet;
@@ -22,15 +22,15 @@ fn all(name: &str) -> (scene::Scene, Worked, Vec<Attempt>) {
     (scene, worked, all)
 }
 
-fn answer(scene: &scene::Scene, worked: &Worked, a: &Attempt, find: &str) -> [Value; 2] {
+fn answer(scene: &scene::Scene, worked: &Worked, a: &Attempt, find: &str) -> [AnswerValue; 2] {
     let row =
         a.rows.iter().find(|r| scene.find[worked.results[r.result].find].text == find).unwrap_or_else(|| panic!("{find} is not changed"));
     [worked.results[row.result].value(), row.wrong.unwrap()]
 }
 
-fn scalar(v: Value) -> f64 {
+fn scalar(v: AnswerValue) -> f64 {
     match v {
-        Value::Scalar(s) => s,
+        AnswerValue::Scalar(s) => s,
         other => panic!("{other:?} is no scalar"),
     }
 }
@@ -117,7 +117,7 @@ fn every_mistake_is_there() {
         for a in &all {
             let told = format!("{} {:?}", t.name, a.site);
             met.insert(a.site.mistake());
-            let mu = |s: &hodograph::attempts::Stage| s.worked.construction.polygon(a.gap.on).unwrap().mu;
+            let mu = |s: &hodograph::attempts::AttemptScene| s.worked.construction.polygon(a.gap.on).unwrap().mu;
             assert_eq!(mu(&a.right).to_bits(), mu(&a.wrong).to_bits(), "{told}");
             assert!(!a.rows.is_empty() && a.gap.vector.norm() > 0.0, "{told}");
             let why = a.site.why(&scene);
@@ -181,7 +181,7 @@ fn the_contact_may_be_asked_for_in_every_attempt() {
         let of = |a: &Attempt| {
             let [right, wrong] = answer(&scene, &worked, a, "alpha_3").map(scalar);
             let contact = row(a, "a_E3").then(|| {
-                let [_, Value::Vector(wrong)] = answer(&scene, &worked, a, "a_E3") else { panic!("a_E3 is no vector") };
+                let [_, AnswerValue::Vector(wrong)] = answer(&scene, &worked, a, "a_E3") else { panic!("a_E3 is no vector") };
                 [wrong.x, wrong.y]
             });
             (right, wrong, contact)
@@ -219,7 +219,7 @@ fn the_rolling_point_as_base_of_another() {
     let of = |k: usize| scalar(worked.results.iter().find(|r| r.find == k).unwrap().value());
     let (omega, alpha, arm) = (of(1), of(2), [0.0463 - 0.1427, 0.2649]);
     let [_, wrong] = answer(&scene, &worked, &all[0], "a_M");
-    let Value::Vector(wrong) = wrong else { panic!("{wrong:?} is no vector") };
+    let AnswerValue::Vector(wrong) = wrong else { panic!("{wrong:?} is no vector") };
     let expected = [-omega * omega * arm[0] - alpha * arm[1], -omega * omega * arm[1] + alpha * arm[0]];
     assert!((wrong.x - expected[0]).hypot(wrong.y - expected[1]) < 1e-9, "{wrong:?} against {expected:?}");
 }
@@ -231,7 +231,7 @@ fn the_rolling_point_as_base_of_another() {
 fn three_right_ways_agree() {
     for (name, alpha) in [("flat-face-mistake", 25.6600119639834), ("flat-face-mistake-2", 0.0)] {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
-        let staged = Staged::new(&scene);
+        let staged = ContactScene::new(&scene);
         let shown = staged.shown(&scene, 3);
         assert_eq!(shown.len(), 3, "{name}");
         let (worked, each) = staged.solved(&shown, Level::Acceleration).unwrap().value;
@@ -242,8 +242,9 @@ fn three_right_ways_agree() {
         for s in &each {
             let told = s.turning.unwrap();
             assert!((told.alpha.unwrap() - alpha).abs() < 1e-9, "{name}: {:?} gives {:?}", s.choice, told.alpha);
-            let part = |p: Part| s.acceleration.iter().find(|(q, _)| *q == Some(p)).map_or(0.0, |(_, v)| v.dot(normal));
-            let (transport, coriolis) = (part(Part::TransportNormal) + part(Part::TransportTangential), part(Part::Coriolis));
+            let part = |p: CompositePart| s.acceleration.iter().find(|(q, _)| *q == Some(p)).map_or(0.0, |(_, v)| v.dot(normal));
+            let (transport, coriolis) =
+                (part(CompositePart::TransportNormal) + part(CompositePart::TransportTangential), part(CompositePart::Coriolis));
             let arm = if s.slip.is_some() { e - c } else { b - c };
             let (square, turned) = (-(arm * (told.omega * told.omega)).dot(normal), arm.perp().dot(normal));
             let alone = match s.slip {
@@ -281,15 +282,15 @@ fn relative_accelerations_at_contacts_follow_from_the_velocities() {
     };
     for text in (0..9).flat_map(|k| [flat(k), round(k)]) {
         let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
-        let staged = Staged::new(&scene);
-        let contacts: Vec<_> = staged.choices(&scene).into_iter().filter(|c| matches!(c.place, Place::Cam(_))).collect();
+        let staged = ContactScene::new(&scene);
+        let contacts: Vec<_> = staged.choices(&scene).into_iter().filter(|c| matches!(c.place, ChoicePlace::Cam(_))).collect();
         assert_eq!(contacts.len(), 3, "{text}");
         let (_, each) = staged.solved(&contacts, Level::Acceleration).unwrap().value;
         assert_eq!(each.len(), 3, "{text}");
         for s in &each {
             let slip = s.slip.expect("it is a contact");
-            let part = |p: Part| s.acceleration.iter().find(|(q, _)| *q == Some(p)).map(|(_, v)| *v);
-            let real = part(Part::RelativeNormal).unwrap().dot(slip.normal);
+            let part = |p: CompositePart| s.acceleration.iter().find(|(q, _)| *q == Some(p)).map(|(_, v)| *v);
+            let real = part(CompositePart::RelativeNormal).unwrap().dot(slip.normal);
             let size = s.acceleration.iter().map(|a| a.1.norm()).fold(0.0, f64::max);
             assert!((real - slip.acceleration()).abs() < 1e-9 * size, "{text}\n{:?}: {real} against {}", s.choice, slip.acceleration());
             assert!(

@@ -3,11 +3,11 @@
 //! do sweeps.
 
 use hodograph::analytic::third;
-use hodograph::answer::Value;
-use hodograph::cam::{Jet, Law, Side};
+use hodograph::answer::AnswerValue;
+use hodograph::cam::{CamJet, MotionLaw, PieceSide};
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{self, Angle, Scene};
-use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::sweep::{self, PlacedScene, Stations, Width};
 use hodograph::worked::{Scope, work};
 
 mod cams {
@@ -35,7 +35,7 @@ fn text(kind: &str, angle: &str) -> String {
     let convex =
         r#""profile": [{"centre": "O", "radius": "30 mm"}, {"radius": "70 mm"}, {"centre": "Q", "radius": "4 mm"}, {"radius": "75 mm"}]"#;
     let roller = r#""roller": {"pin": "B", "radius": "9 mm"}"#;
-    let law = |law: Law, gain: &str| {
+    let law = |law: MotionLaw, gain: &str| {
         let name = law.name();
         format!(
             r#""profile": {{"base": "40 mm", "start": "15 deg", "law": [{{"dwell": "40 deg"}}, {{"rise": "{gain}", "over": "130 deg", "law": "{name}"}},
@@ -53,7 +53,7 @@ fn text(kind: &str, angle: &str) -> String {
         "swinging offset flat" => ("", format!(r#""face": {{"through": "P", "line": "PB", "cam": "left", "offset": "5 mm"}}, {convex}"#)),
         other => {
             let (of, name) = other.rsplit_once(' ').unwrap();
-            let named = Law::named(name).unwrap();
+            let named = MotionLaw::named(name).unwrap();
             match of {
                 "law" => (translating, format!("{roller}, {}", law(named, "18 mm"))),
                 "steep law" => (translating, format!("{roller}, {}", law(named, "60 mm"))),
@@ -85,16 +85,16 @@ fn text(kind: &str, angle: &str) -> String {
 /// Velocity and acceleration of the follower by the geometry of the cam, positive outward.
 fn expected(scene: &Scene) -> [f64; 2] {
     let t = scene.cams[0].disc.as_ref().unwrap();
-    let Jet([_, d, dd, _]) = t.disc.coordinate(t.phi, t.side).unwrap();
+    let CamJet([_, d, dd, _]) = t.disc.coordinate(t.phi, t.side).unwrap();
     let (w, a) = (OMEGA * t.disc.sense, ALPHA * t.disc.sense);
     [d * w, dd * w * w + d * a].map(|v| v * t.outward)
 }
 
-fn component(v: Value) -> f64 {
+fn component(v: AnswerValue) -> f64 {
     match v {
-        Value::Scalar(s) => s,
-        Value::Vector(v) => v.dot(hodograph::geom::Vec2::from_angle(80.0_f64.to_radians())),
-        Value::Point(_) => f64::NAN,
+        AnswerValue::Scalar(s) => s,
+        AnswerValue::Vector(v) => v.dot(hodograph::geom::Vec2::from_angle(80.0_f64.to_radians())),
+        AnswerValue::Point(_) => f64::NAN,
     }
 }
 
@@ -136,7 +136,7 @@ fn rollers_spin_as_they_roll() {
             // Per φ, which grows with the sense of the cam; and together with the cam.
             let expected = OMEGA + (turned - rolled) / (2.0 * h) * t.disc.sense * OMEGA;
             let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{kind} at {angle}: {f}")).value;
-            let Value::Scalar(spin) = worked.results[0].computed else { panic!("{kind}") };
+            let AnswerValue::Scalar(spin) = worked.results[0].computed else { panic!("{kind}") };
             assert!((spin - expected).abs() < 1e-6 * expected.abs().max(1.0), "{kind} at {angle}: {spin}, by differences {expected}");
         }
     }
@@ -159,7 +159,7 @@ fn a_roller_may_be_a_link() {
     for text in [&by_word, &by_points] {
         assert_ne!(text, &plain);
         assert_eq!(spin(text, "omega_7"), ("omega_7".to_owned(), expected));
-        let counted = hodograph::mechanism::Survey::of(&scene::read_topology(text).unwrap().value);
+        let counted = hodograph::mechanism::MobilitySurvey::of(&scene::read_topology(text).unwrap().value);
         assert_eq!((counted.counts.moving, counted.local.len(), counted.counts.freedom(0, 1)), (3, 1, 1));
     }
     for link in ["1", "2", "3"] {
@@ -188,7 +188,7 @@ fn every_piece_of_a_profile_is_right_in_every_pose() {
 
 #[test]
 fn laws_are_right_in_every_pose() {
-    for law in Law::ALL {
+    for law in MotionLaw::ALL {
         for of in ["law", "swing"] {
             for k in 0..18 {
                 agree(&format!("{of} {}", law.name()), 20.0 * k as f64 + 1.3);
@@ -249,7 +249,7 @@ fn the_third_derivative_of_a_follower_is_that_of_its_law() {
             let place = w.configuration.points[cam.follows.point().0].unwrap();
             let all = third(&scene, &w.mechanism, &w.configuration, &w.demand, &w.solution, place);
             let (jerk, turning) = all[cam.follower.0].unwrap();
-            let got = if kind.starts_with("law") { component(Value::Vector(jerk)) } else { turning };
+            let got = if kind.starts_with("law") { component(AnswerValue::Vector(jerk)) } else { turning };
             assert!((got - due).abs() < 1e-4 * due.abs().max(0.1), "{kind} at {angle}: {got}, by differences {due}");
         }
     }
@@ -262,12 +262,12 @@ fn at_a_joint_one_velocity_and_two_accelerations() {
         let joints = disc.corners();
         assert!(joints.len() >= 4, "{kind}: {joints:?}");
         for phi in joints {
-            let [before, after] = [Side::Before, Side::After].map(|side| disc.coordinate(phi, side).unwrap().0);
+            let [before, after] = [PieceSide::Before, PieceSide::After].map(|side| disc.coordinate(phi, side).unwrap().0);
             assert!((before[0] - after[0]).abs() < 1e-9 && (before[1] - after[1]).abs() < 1e-7, "{kind}: {before:?} {after:?}");
             assert!((before[2] - after[2]).abs() > 1e-4, "{kind}: {before:?} {after:?}");
             let here = scene(kind, &format!("{:?} rad", phi));
             let t = here.cams[0].disc.as_ref().unwrap();
-            assert_eq!(t.touched, disc.touched(phi, Side::After), "{kind}");
+            assert_eq!(t.touched, disc.touched(phi, PieceSide::After), "{kind}");
         }
     }
 }
@@ -278,7 +278,7 @@ fn a_sweep_says_what_each_pose_says() {
     for kind in PROFILES.into_iter().chain(laws) {
         let swept = scene(kind, "10 deg").over_a_turn();
         let mechanism = Mechanism::new(&swept).unwrap().value;
-        let placed = Placed::new(&swept, &mechanism).unwrap();
+        let placed = PlacedScene::new(&swept, &mechanism).unwrap();
         let stations = Stations::turned(Angle::Deg(2.0), Angle::Deg(722.0), 40);
         let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
         assert_eq!(table.rows(), 41, "{kind}: {:?}", table.notes);

@@ -6,7 +6,7 @@
 mod matrix;
 mod wide;
 
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::certified::ladder::{certify, parts};
 use hodograph::effort::truth;
 use hodograph::mechanism::Mechanism;
@@ -14,8 +14,8 @@ use hodograph::number::{Ball, Real, within};
 use hodograph::problem;
 use hodograph::scene::{self, Angle, Scene, with_driver_at};
 use hodograph::sweep::follow::course::over_a_turn;
-use hodograph::sweep::timed::Timed;
-use hodograph::sweep::{self, Placed, Stations, Table, Width};
+use hodograph::sweep::timed::TimedSweep;
+use hodograph::sweep::{self, PlacedScene, Stations, Table, Width};
 use hodograph::worked::{Scope, instant, work};
 use wide::every;
 
@@ -142,10 +142,10 @@ fn answers(kind: &str, on: On, angle: f64, t: f64, find: &str) -> Vec<f64> {
     for r in &worked.results {
         assert!(r.agreement.is_none_or(|a| a.holds()), "{kind} {on:?} at {angle}: {}", scene.find[r.find].text);
     }
-    let numbers = |v: Value| match v {
-        Value::Scalar(s) => vec![s],
-        Value::Vector(v) => vec![v.x, v.y],
-        Value::Point(p) => vec![p.x, p.y],
+    let numbers = |v: AnswerValue| match v {
+        AnswerValue::Scalar(s) => vec![s],
+        AnswerValue::Vector(v) => vec![v.x, v.y],
+        AnswerValue::Point(p) => vec![p.x, p.y],
     };
     worked.results.iter().flat_map(|r| numbers(r.computed)).collect()
 }
@@ -205,7 +205,7 @@ fn sweeps_of_carried_cams_say_what_each_pose_says() {
             let swept = read(kind, on, 0.3, 0.0, &find).over_a_turn();
             assert_eq!(swept.kept_cams().count(), 0, "{kind} {on:?}");
             let mechanism = Mechanism::new(&swept).unwrap().value;
-            let placed = Placed::new(&swept, &mechanism).unwrap_or_else(|f| panic!("{kind} {on:?}: {f}"));
+            let placed = PlacedScene::new(&swept, &mechanism).unwrap_or_else(|f| panic!("{kind} {on:?}: {f}"));
             let way = if on == On::Still { -1.0 } else { 1.0 };
             let stations = Stations::turned(Angle::Deg(2.0), Angle::Deg(362.0), 20);
             let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
@@ -289,7 +289,7 @@ fn motions_over_pieces_of_cams_on_other_links_say_what_each_pose_says() {
         let swept = over_a_turn(&read(start));
         assert_eq!(swept.kept_cams().count(), 0, "{kind}");
         let mechanism = Mechanism::new(&swept).unwrap().value;
-        let placed = Placed::new(&swept, &mechanism).unwrap();
+        let placed = PlacedScene::new(&swept, &mechanism).unwrap();
         let check = |row: Vec<f64>, at: [f64; 2]| {
             let scene = read(at);
             let worked = work(&scene, Scope::Questions).unwrap().value;
@@ -315,7 +315,7 @@ fn motions_over_pieces_of_cams_on_other_links_say_what_each_pose_says() {
                 check(row(&table, k), at);
             }
         }
-        let (timed, _) = Timed::new(&placed, [Some(0.0), Some(0.3)]).unwrap();
+        let (timed, _) = TimedSweep::new(&placed, [Some(0.0), Some(0.3)]).unwrap();
         let table = timed.table(vec![0.0, 0.11, 0.3]);
         for (k, t) in [0.0, 0.11, 0.3].into_iter().enumerate() {
             check(row(&table, k), [start[0] + 10.0 * t, start[1] + 3.0 * t]);
@@ -340,7 +340,7 @@ fn a_joint_of_a_cam_on_another_link_tells_both_accelerations() {
         // The call for files of every kind takes the piece that follows.
         let read = problem::read(&text).unwrap();
         let solved = problem::solve(&read.value, &problem::Options::default()).unwrap();
-        let Some(Value::Scalar(told)) = solved.answer("alpha_3", &problem::Look::default()).unwrap().value else { panic!("alpha_3") };
+        let Some(AnswerValue::Scalar(told)) = solved.answer("alpha_3", &problem::Look::default()).unwrap().value else { panic!("alpha_3") };
         assert!(read.notes[0].code == "joint" && (told - alpha).abs() < 1e-3, "{rate}: {told}");
         let scene = scene::read(&text).unwrap().value;
         refused += work(&scene, Scope::Questions).is_err_and(|faults| faults.list[0].code == "joint") as usize;
@@ -348,7 +348,7 @@ fn a_joint_of_a_cam_on_another_link_tells_both_accelerations() {
         let note = &notes[0];
         assert!(note.code == "joint" && note.message.en.contains(words), "{}", note.message.en);
         let worked = work(&scene, Scope::Questions).unwrap().value;
-        let Value::Scalar(found) = worked.results[1].value() else { panic!("alpha_3") };
+        let AnswerValue::Scalar(found) = worked.results[1].value() else { panic!("alpha_3") };
         assert!((found - alpha).abs() < 1e-3, "{rate}: {found}");
         // The driven follower knows the neighbouring pieces.
         assert_eq!(over_a_turn(&scene).kept_cams().count(), 0);

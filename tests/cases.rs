@@ -4,8 +4,8 @@
 #[path = "problems/mod.rs"]
 mod problems;
 
-use hodograph::answer::Value;
-use hodograph::certified::ladder::{Certified, Part, certify};
+use hodograph::answer::AnswerValue;
+use hodograph::certified::ladder::{AnswerPart, Certified, certify};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Counts;
 use hodograph::report::mobility;
@@ -27,11 +27,11 @@ struct Row {
 }
 
 /// The ladder's value of an answer; NaN unless it certifies all digits.
-fn certified(c: &Certified) -> Value {
+fn certified(c: &Certified) -> AnswerValue {
     let part = |p| c.part(p).filter(|_| c.why.is_none()).map_or(f64::NAN, |n| if n.zero { 0.0 } else { n.enclosure().approx });
-    match c.part(Part::Scalar) {
-        Some(_) => Value::Scalar(part(Part::Scalar)),
-        None => Value::Vector(Vec2::new(part(Part::X), part(Part::Y))),
+    match c.part(AnswerPart::Scalar) {
+        Some(_) => AnswerValue::Scalar(part(AnswerPart::Scalar)),
+        None => AnswerValue::Vector(Vec2::new(part(AnswerPart::X), part(AnswerPart::Y))),
     }
 }
 
@@ -46,17 +46,17 @@ fn number(v: &Json) -> f64 {
     }
 }
 
-fn component(v: Value, which: Option<&str>, along: Option<Vec2>) -> f64 {
+fn component(v: AnswerValue, which: Option<&str>, along: Option<Vec2>) -> f64 {
     match (v, which) {
-        (Value::Scalar(s), _) => s,
-        (Value::Vector(v), Some("x")) => v.x,
-        (Value::Vector(v), Some("y")) => v.y,
-        (Value::Vector(v), Some("along")) => v.dot(along.expect("along needs two points")),
-        (Value::Vector(v), Some("perp")) => v.dot(along.expect("perp needs two points").perp()),
-        (Value::Vector(v), _) => v.norm(),
-        (Value::Point(p), Some("x")) => p.x,
-        (Value::Point(p), Some("y")) => p.y,
-        (Value::Point(_), other) => panic!("a place has no {other:?}"),
+        (AnswerValue::Scalar(s), _) => s,
+        (AnswerValue::Vector(v), Some("x")) => v.x,
+        (AnswerValue::Vector(v), Some("y")) => v.y,
+        (AnswerValue::Vector(v), Some("along")) => v.dot(along.expect("along needs two points")),
+        (AnswerValue::Vector(v), Some("perp")) => v.dot(along.expect("perp needs two points").perp()),
+        (AnswerValue::Vector(v), _) => v.norm(),
+        (AnswerValue::Point(p), Some("x")) => p.x,
+        (AnswerValue::Point(p), Some("y")) => p.y,
+        (AnswerValue::Point(_), other) => panic!("a place has no {other:?}"),
     }
 }
 
@@ -133,7 +133,7 @@ fn reference_cases() {
             let exact = number(&e["exact"]);
             let scale = number(&e["scale"]);
             let tolerance = number(&e["tolerance"]);
-            let miss = |v: Value| {
+            let miss = |v: AnswerValue| {
                 let got = component(v, e["component"].as_str(), along) * scale;
                 let difference = if e["compare"] == "signed" { (got - exact).abs() } else { (got.abs() - exact.abs()).abs() };
                 // An answer of exactly zero has no relative error: its case gives the size for the

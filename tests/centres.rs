@@ -1,8 +1,8 @@
 //! Instantaneous centres: the cases against places that were computed without this project, the
 //! eight-bars that stall, and the message where lines coincide.
 
-use hodograph::answer::Value;
-use hodograph::centres::{By, Centres, How, Origin, Place, Undetermined, centres, closure, count};
+use hodograph::answer::AnswerValue;
+use hodograph::centres::{CentreMethod, CentreMotionSource, CentrePlace, Centres, Origin, Undetermined, centres, closure, count};
 use hodograph::certified::certify;
 use hodograph::diag::Warned;
 use hodograph::geom::Vec2;
@@ -31,15 +31,15 @@ fn answer(scene: &Scene, found: &Centres, e: &Json) -> f64 {
     let component = e["component"].as_str().unwrap();
     let scale = number(&e["scale"]);
     match (component, place) {
-        ("x", Place::At(p)) => p.x * scale,
-        ("y", Place::At(p)) => p.y * scale,
-        ("direction", Place::Infinity(u)) => u.angle().to_degrees(),
-        ("distance", Place::At(p)) => {
+        ("x", CentrePlace::At(p)) => p.x * scale,
+        ("y", CentrePlace::At(p)) => p.y * scale,
+        ("direction", CentrePlace::Infinity(u)) => u.angle().to_degrees(),
+        ("distance", CentrePlace::At(p)) => {
             let from = scene.points.iter().position(|q| Some(q.name.as_str()) == e["from"].as_str()).expect("a point");
             p.distance(found.worked.configuration.points[from].unwrap()) * scale
         }
-        ("ratio", Place::At(_)) => match found.uses.links.iter().find(|t| t.link == i).map(|t| t.by) {
-            Some(By::Ratio { link, of_other, own }) if link == j => of_other / own,
+        ("ratio", CentrePlace::At(_)) => match found.uses.links.iter().find(|t| t.link == i).map(|t| t.by) {
+            Some(CentreMotionSource::Ratio { link, of_other, own }) if link == j => of_other / own,
             by => panic!("the rate of {} comes by {by:?}", scene.link_name(i)),
         },
         _ => panic!("{component} of {place:?}"),
@@ -128,7 +128,7 @@ fn two_of_sixteen_eight_bars_stall() {
             classes.entry(name).or_insert_with(|| {
                 let closure = closure(&read(&eight_bar(&chain))).unwrap_or_else(|f| panic!("{f}\n{}", eight_bar(&chain)));
                 assert_eq!((closure.steps.len(), closure.primary), (28, 10));
-                let taken = closure.steps.iter().filter(|s| s.how == How::Velocities).count();
+                let taken = closure.steps.iter().filter(|s| s.how == CentreMethod::Velocities).count();
                 assert_eq!(taken, usize::from(closure.stalled()), "one centre more closes it");
                 (closure.by_theorem - closure.primary, taken)
             });
@@ -274,7 +274,7 @@ fn with_two_drivers_some_centres_rest_on_their_rates() {
     let other = places(&edit::with_parameters(text, &[("omega_4", "-7")]).unwrap());
     for (a, b) in one.list.iter().zip(&other.list) {
         assert_eq!(a.step, b.step);
-        let (Some(Place::At(p)), Some(Place::At(q))) = (a.place, b.place) else { continue };
+        let (Some(CentrePlace::At(p)), Some(CentrePlace::At(q))) = (a.place, b.place) else { continue };
         // The point of the first that belongs to both links when both drivers turn alike may stay;
         // the others move.
         if !a.step.given_drivers {
@@ -341,7 +341,7 @@ fn templates_at_many_positions() {
                 missing += at.list.iter().filter(|c| c.place.is_none()).count();
                 for c in &at.list {
                     assert_eq!(c.place.is_none(), c.origin.is_none());
-                    if let Some(Place::Infinity(u)) = c.place {
+                    if let Some(CentrePlace::Infinity(u)) = c.place {
                         assert!((u.norm() - 1.0).abs() < 1e-12 && u != Vec2::ZERO);
                     }
                 }
@@ -359,7 +359,7 @@ fn centres_can_be_asked() {
     for t in templates::list() {
         let found = centres(&read(templates::get(t.name).unwrap())).unwrap().value;
         for c in &found.list {
-            let Some(Place::At(at)) = c.place else { continue };
+            let Some(CentrePlace::At(at)) = c.place else { continue };
             let names = [c.step.pair.i, c.step.pair.j].map(|l| found.scene.link_name(l).to_owned());
             let question = format!("P_{},{}", names[0], names[1]);
             let Ok(scene) = scene::read_asking(templates::get(t.name).unwrap(), &question) else { continue };
@@ -369,7 +369,7 @@ fn centres_can_be_asked() {
                 continue;
             }
             let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{} {question}: {f}", t.name)).value;
-            let Value::Point(p) = worked.results[0].computed else { panic!("{question} is a place") };
+            let AnswerValue::Point(p) = worked.results[0].computed else { panic!("{question} is a place") };
             let size = found.worked.configuration.extent();
             assert!(p.distance(at) < 1e-9 * (size + p.distance(at) + at.to_vec2().norm()), "{} {question}: {p:?}, {at:?}", t.name);
             let sure = &certify(&scene, &worked, 9)[0];
@@ -432,7 +432,7 @@ fn centres_need_no_driver() {
         let scene = hodograph::scene::read_at_rest(text).unwrap().value;
         let all = hodograph::centres::centres(&scene).unwrap().value;
         let [i, j] = [&name[1..2], &name[2..3]].map(|n| link(&scene, n));
-        let Some(Place::At(p)) = all.of(i, j).unwrap().place else { panic!("{name} has no place") };
+        let Some(CentrePlace::At(p)) = all.of(i, j).unwrap().place else { panic!("{name} has no place") };
         assert!((p.x - at[0]).abs() < 1e-12 && (p.y - at[1]).abs() < 1e-12, "{name}: {p:?}");
     }
     let asking = bare.replacen('{', r#"{"find": ["P_13", "i_24"], "#, 1);
@@ -441,7 +441,7 @@ fn centres_need_no_driver() {
     let worked = hodograph::worked::work(&read.value, hodograph::worked::Scope::Questions).unwrap().value;
     // i_24 = P₁₄P₂₄ : P₁₂P₂₄.
     let ratio = worked.results.iter().find(|r| r.find == 1).unwrap().value();
-    assert!(matches!(ratio, hodograph::answer::Value::Scalar(i) if (i - 230.0 / 130.0).abs() < 1e-12), "{ratio:?}");
+    assert!(matches!(ratio, hodograph::answer::AnswerValue::Scalar(i) if (i - 230.0 / 130.0).abs() < 1e-12), "{ratio:?}");
     // A quantity that depends on the angular velocity has no answer without one.
     let depends = bare.replacen('{', r#"{"find": ["P_13", "v_B"], "#, 1);
     assert!(hodograph::scene::read_at_any_rate(depends).is_err());

@@ -6,10 +6,10 @@ mod figures;
 
 use hodograph::construct::pencil::{Blunt, Hand};
 use hodograph::curvature::by_hand::ByHand;
-use hodograph::curvature::drawing::{Drawing, How};
-use hodograph::curvature::known::Places;
-use hodograph::curvature::motion::{Bend, State};
-use hodograph::curvature::{Asked, Curvature, OfLink, centrodes, couplers, curvature};
+use hodograph::curvature::drawing::{CurvatureDrawing, RayMethod};
+use hodograph::curvature::known::CurvaturePlaces;
+use hodograph::curvature::motion::{Bend, PlaneState};
+use hodograph::curvature::{CurvatureRequest, LinkCurvatures, OfLink, centrodes, couplers, curvature};
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position::configure;
@@ -24,8 +24,8 @@ fn template(name: &str, values: &[(&str, &str)]) -> Scene {
     read(&templates::instantiate(name, values).unwrap())
 }
 
-fn all(scene: &Scene) -> Curvature {
-    let asked = Asked { links: couplers(scene), ..Asked::default() };
+fn all(scene: &Scene) -> LinkCurvatures {
+    let asked = CurvatureRequest { links: couplers(scene), ..CurvatureRequest::default() };
     curvature(scene, &asked).unwrap_or_else(|f| panic!("{f}")).value
 }
 
@@ -79,10 +79,10 @@ fn cases_by_drawing() {
 #[test]
 fn the_collineation_point_is_where_the_rod_crosses_the_ground() {
     let found = all(&template("crank-rocker", &[("l_AB", "100"), ("l_BC", "250"), ("l_CD", "200"), ("l_AD", "300"), ("phi_1", "60")]));
-    let Drawing::Rays(rays) = &found.list[0].drawing else { panic!("two cranks are two rays") };
+    let CurvatureDrawing::Rays(rays) = &found.list[0].drawing else { panic!("two cranks are two rays") };
     let q = rays.collineation.unwrap().at().unwrap();
     assert!(q.distance(Point::new(-0.123_487_028_874_023_54, 0.0)) < 1e-12, "{q:?}");
-    assert!(rays.how.iter().all(|h| matches!(h, How::Collineation(_))));
+    assert!(rays.how.iter().all(|h| matches!(h, RayMethod::Collineation(_))));
 }
 
 /// Every template with a coupler, at many positions: both methods agree, also on Ball's point.
@@ -96,7 +96,7 @@ fn drawing_is_analysis_everywhere() {
             let values: Vec<(&str, &str)> = if turns { vec![("phi_1", angle.as_str())] } else { Vec::new() };
             let Ok(text) = templates::instantiate(t.name, &values) else { continue };
             let Ok(scene) = scene::read(&text) else { continue };
-            let asked = Asked { links: couplers(&scene.value), ..Asked::default() };
+            let asked = CurvatureRequest { links: couplers(&scene.value), ..CurvatureRequest::default() };
             let Ok(found) = curvature(&scene.value, &asked) else { continue };
             for of in &found.value.list {
                 let Some(apart) = of.apart() else { continue };
@@ -142,7 +142,7 @@ fn tolerances_of_hand_drawing_go_with_the_pencil() {
     let scene = template("crank-rocker", &[]);
     let found = all(&scene);
     let hand = Hand::with(Blunt::new(0.0, 1), found.worked.construction.diagram.mu);
-    let places = Places { scene: &found.scene, at: &found.worked.configuration, against: found.against, hand: &hand };
+    let places = CurvaturePlaces { scene: &found.scene, at: &found.worked.configuration, against: found.against, hand: &hand };
     let drawing = places.drawing_behind(found.list[0].link, &[]);
     assert_eq!(drawing, found.list[0].drawing);
 }
@@ -242,7 +242,7 @@ fn curvature_is_that_of_the_path() {
         let linkage = Linkage::random(&mut r, k % 2 == 1);
         let angle = r.next(0.0, 360.0);
         let Ok(scene) = linkage.scene(angle) else { continue };
-        let asked = Asked { links: couplers(&scene), ..Asked::default() };
+        let asked = CurvatureRequest { links: couplers(&scene), ..CurvatureRequest::default() };
         let Ok(found) = curvature(&scene, &asked) else { continue };
         let step = step_deg.to_radians() / linkage.omega;
         for of in &found.value.list {
@@ -266,7 +266,7 @@ fn curvature_is_that_of_the_path() {
             let mut all = [Point::ORIGIN; 7];
             let drawn = |i: usize| {
                 let scene = linkage.scene(angle + (i as f64 - 3.0) * step_deg).ok()?;
-                let asked = Asked { links: vec![of.link], ..Asked::default() };
+                let asked = CurvatureRequest { links: vec![of.link], ..CurvatureRequest::default() };
                 curvature(&scene, &asked).ok()?.value.list.first()?.drawn().map(|d| d.pole)
             };
             if !(0..7).all(|i| {
@@ -338,7 +338,7 @@ fn centrodes_touch_in_the_pole() {
             let k = paths.stations.iter().position(|s| s.is_some_and(|s| s.travel == 0.0)).unwrap();
             let at = |k: usize| paths.stations[k % paths.stations.len()].unwrap();
             assert!(at(k).pole().distance(pole.pole) < 1e-9 * of.motion.size, "{name}");
-            let moving = |s: centrodes::Station| (s.moving * (1.0 / s.omega)).to_point();
+            let moving = |s: centrodes::PoleStation| (s.moving * (1.0 / s.omega)).to_point();
             assert!(moving(at(k)).distance(pole.pole) < 1e-9 * of.motion.size, "{name}");
             let n = paths.stations.len();
             let (fixed, moved) = (at(k + 1).pole() - at(k + n - 1).pole(), moving(at(k + 1)) - moving(at(k + n - 1)));
@@ -366,8 +366,8 @@ fn cardans_centrodes_are_circles() {
 /// round it many times.
 #[test]
 fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
-    use hodograph::figure::list::{Extras, Wanted, named};
-    use hodograph::figure::sheet::Options;
+    use hodograph::figure::list::{Extras, FigureInput, named};
+    use hodograph::figure::sheet::SheetOptions;
     use hodograph::paper::item::{Dash, Shape};
     use hodograph::worked::{Scope, work};
     let scene = read(
@@ -377,11 +377,11 @@ fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
         "driver": {"link": "2", "omega": "3 rad/s"}}"#,
     );
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let options = Options::of_language(scene::Lang::En);
-    let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+    let options = SheetOptions::of_language(scene::Lang::En);
+    let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
     let pages = (named("centrodes").unwrap().draw)(&wanted).unwrap().value;
     let (_, page) = pages.iter().find(|(_, p)| p.desc.contains("QM")).unwrap();
-    let round = |i: &hodograph::paper::item::Item| match i.shape {
+    let round = |i: &hodograph::paper::item::FigureItem| match i.shape {
         Shape::Arc { centre, radius_mm, stroke, .. } if radius_mm > 20.0 => Some((centre, radius_mm, stroke.dash)),
         _ => None,
     };
@@ -403,7 +403,7 @@ fn degenerate_poses_are_told() {
     };
     // A parallelogram's coupler translates.
     let (s, drawing, _) = state("parallelogram", &[("phi_1", "70")]);
-    assert!(matches!(s, State::Translation(_)) && matches!(drawing, Drawing::Parallel(_)), "{s:?} {drawing:?}");
+    assert!(matches!(s, PlaneState::Translation(_)) && matches!(drawing, CurvatureDrawing::Parallel(_)), "{s:?} {drawing:?}");
     // The slider-crank at its dead centre: the crosshead is the pole, and its path has an end.
     let dead = read(
         r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A", "B"], "2": ["B", "C"], "3": ["C"], "4": ["A"]}, "ground": "4",
@@ -412,21 +412,21 @@ fn degenerate_poses_are_told() {
     );
     let of = all(&dead).list.swap_remove(0);
     let (s, drawing, points) = (of.state, of.drawing, of.points);
-    assert!(matches!(s, State::Turning(_)), "{s:?} {drawing:?}");
+    assert!(matches!(s, PlaneState::Turning(_)), "{s:?} {drawing:?}");
     assert!(points.iter().any(|p| p.bend == Bend::AtPole), "{points:?}");
     // With the crank perpendicular to the guide, the coupler translates.
     let (s, drawing, _) = state("slider-crank", &[("phi_1", "90")]);
-    assert!(matches!(s, State::Translation(_)) && matches!(drawing, Drawing::Parallel(_)), "{s:?} {drawing:?}");
+    assert!(matches!(s, PlaneState::Translation(_)) && matches!(drawing, CurvatureDrawing::Parallel(_)), "{s:?} {drawing:?}");
     // The crosshead of a slider-crank moves straight: its centre of curvature does not exist.
     let (_, _, points) = state("slider-crank", &[]);
     assert!(points.iter().any(|p| p.bend == Bend::Straight), "{points:?}");
     // A crank turns about its pin, permanently.
     let scene = template("crank-rocker", &[]);
-    let asked = Asked { links: vec![link(&scene, "1")], ..Asked::default() };
+    let asked = CurvatureRequest { links: vec![link(&scene, "1")], ..CurvatureRequest::default() };
     let found = curvature(&scene, &asked).unwrap().value;
-    assert!(matches!(found.list[0].drawing, Drawing::Hinge(_)) && found.list[0].pole().unwrap().stands());
+    assert!(matches!(found.list[0].drawing, CurvatureDrawing::Hinge(_)) && found.list[0].pole().unwrap().stands());
     // Seen from the crank, the rocker has its pole where the ground has that of the coupler's rays.
-    let asked = Asked { links: vec![link(&scene, "3")], against: Some(link(&scene, "1")), ..Asked::default() };
+    let asked = CurvatureRequest { links: vec![link(&scene, "3")], against: Some(link(&scene, "1")), ..CurvatureRequest::default() };
     let found = curvature(&scene, &asked).unwrap().value;
     assert!(found.list[0].apart().unwrap() < 1e-11, "{:?}", found.list[0].apart());
 }

@@ -2,7 +2,7 @@
 //! number is legible.
 
 use hodograph::figure::mechanism::Overlay;
-use hodograph::figure::sheet::{Options, diagram};
+use hodograph::figure::sheet::{SheetOptions, diagram};
 use hodograph::geom::Point;
 use hodograph::paper::extent::{Rect, turned_corners};
 use hodograph::paper::item::{Figure, Shape};
@@ -11,7 +11,7 @@ use hodograph::worked::{Scope, Worked, work};
 
 fn dimensioned(scene: &Scene, worked: &Worked, lang: Lang) -> Figure {
     let overlay = Overlay { dimensions: true, ..Overlay::default() };
-    diagram(scene, worked, &Options::of_language(lang), &overlay)
+    diagram(scene, worked, &SheetOptions::of_language(lang), &overlay)
 }
 
 /// All printed texts, without the scale.

@@ -3,10 +3,10 @@
 #[path = "drafting/board.rs"]
 mod board;
 
-use hodograph::accuracy::{self, Drawn, drafting, simulate};
+use hodograph::accuracy::{self, DraftedConstruction, drafting, simulate};
 use hodograph::construct::pencil::{Exact, Single};
 use hodograph::construct::{Acts, Layout, by_hand};
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::paper::item::Shape;
 use hodograph::render::svg;
 use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
@@ -72,7 +72,7 @@ fn tolerance_falls_with_the_scale() {
     let mut other = w.construction.clone();
     let layout = Layout::of(&other).enlarged(2.0);
     other = other.acts.draw(&scene, &w.configuration, &w.plan, &layout, &mut Exact).unwrap();
-    let larger = Drawn { construction: &other, ..drawn.clone() };
+    let larger = DraftedConstruction { construction: &other, ..drawn.clone() };
     let then = simulate(&larger, 0.02, 2000, 5);
     for (a, b) in now.iter().zip(&then) {
         let (a, b) = (a.unwrap(), b.unwrap());
@@ -205,7 +205,7 @@ fn the_sheet_remarks_on_bad_angles() {
     {
         let (scene, w) = worked(&bad_four_bar());
         let w = w.with_drafting(&scene);
-        let figure = sheet(&scene, &w, &Options::of_language(lang)).unwrap();
+        let figure = sheet(&scene, &w, &SheetOptions::of_language(lang)).unwrap();
         let drawn = svg::write(&figure).unwrap();
         assert_eq!(drawn.notes, []);
         let remarks: Vec<String> = figure
@@ -237,7 +237,7 @@ fn sound_drawings_carry_no_remarks() {
             continue;
         }
         assert!(w.bad_angles.is_empty() && w.drafting.is_none(), "{}", t.name);
-        let figure = sheet(&scene, &w, &Options::of_language(Lang::En)).unwrap();
+        let figure = sheet(&scene, &w, &SheetOptions::of_language(Lang::En)).unwrap();
         for item in figure.items.iter().filter(|i| i.class == "remark") {
             let Shape::Label { label, .. } = &item.shape else { panic!("{}: {item:?}", t.name) };
             assert!(label.source().contains("within 0.1 mm"), "{}: {}", t.name, label.source());

@@ -12,8 +12,8 @@ mod template_reactions;
 #[path = "forces/wheels.rs"]
 mod wheels;
 
-use hodograph::answer::{Source, Value};
-use hodograph::certified::ladder::{Part, certify};
+use hodograph::answer::{AnswerValue, MotionSource};
+use hodograph::certified::ladder::{AnswerPart, certify};
 use hodograph::diag::Warned;
 use hodograph::digits::significant;
 use hodograph::force::{is_determined, rubbing};
@@ -23,7 +23,7 @@ use hodograph::notation::Notation;
 use hodograph::report::forces::ForceWriter;
 use hodograph::scene::quantity::contacts;
 use hodograph::scene::{self, GuidePath, Lang, LinkId, PointId, Scene, templates};
-use hodograph::sweep::Placed;
+use hodograph::sweep::PlacedScene;
 use hodograph::sweep::energy::{self, Energy};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value as Json, json};
@@ -68,7 +68,7 @@ fn loaded(text: &str, scene: &Scene) -> (Json, Vec<Load>) {
     (json, loads)
 }
 
-fn answer(scene: &Scene, worked: &Worked, find: &str) -> Option<Value> {
+fn answer(scene: &Scene, worked: &Worked, find: &str) -> Option<AnswerValue> {
     let i = scene.find.iter().position(|f| f.text == find)?;
     worked.results.iter().find(|r| r.find == i).map(|r| r.computed)
 }
@@ -110,13 +110,13 @@ impl Balance {
         let (mut work, mut size) = (0.0, 0.0);
         for l in &loads {
             let find = format!("v_{}", l.point);
-            let Some(Value::Vector(v)) = answer(&scene, &worked, &find) else { return Err(format!("{find} is not answered")) };
+            let Some(AnswerValue::Vector(v)) = answer(&scene, &worked, &find) else { return Err(format!("{find} is not answered")) };
             work += v.dot(l.force);
             size += v.norm() * l.force.norm();
         }
         for (d, driver) in scene.drivers.iter().enumerate() {
             let find = &scene.find[scene.find.len() - scene.drivers.len() + d].text;
-            let Some(Value::Scalar(balance)) = answer(&scene, &worked, find) else {
+            let Some(AnswerValue::Scalar(balance)) = answer(&scene, &worked, find) else {
                 return Err(format!("{find} is not answered: {:?}", worked.unanswered));
             };
             work += balance * driver.rate.value;
@@ -130,7 +130,7 @@ impl Balance {
         self.checked += 1;
         for (r, c) in worked.results.iter().zip(certify(&scene, &worked, DIGITS)) {
             let find = &scene.find[r.find];
-            if let (Value::Scalar(x), Some(n)) = (r.computed, c.part(Part::Scalar)) {
+            if let (AnswerValue::Scalar(x), Some(n)) = (r.computed, c.part(AnswerPart::Scalar)) {
                 let off = (x - n.enclosure().approx).abs();
                 if off > 1e-9 * r.scale.max(x.abs()) {
                     let told = n.enclosure().approx;
@@ -184,7 +184,7 @@ fn press(load: &Json, angle: &str) -> String {
 fn energy(text: &str) -> Energy {
     let scene = scene::read(text).unwrap().value;
     let mechanism = Mechanism::new(&scene).unwrap().value;
-    energy::energy(&Placed::new(&scene, &mechanism).unwrap(), 0).unwrap().unwrap()
+    energy::energy(&PlacedScene::new(&scene, &mechanism).unwrap(), 0).unwrap().unwrap()
 }
 
 fn near(found: f64, expected: f64) {
@@ -232,7 +232,7 @@ fn loads_act_where_they_are_told_to() {
         let scene = scene::read(press(load, angle)).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
         match answer(&scene, &worked, "M_b") {
-            Some(Value::Scalar(x)) => x,
+            Some(AnswerValue::Scalar(x)) => x,
             other => panic!("{other:?}"),
         }
     };
@@ -279,9 +279,9 @@ fn a_wedge_locks_itself_below_twice_the_angle_of_friction() {
         let scene = scene::read(text.to_string()).unwrap().value;
         let Warned { value: worked, notes } = work(&scene, Scope::Questions).unwrap();
         let expected = 2000.0 * libm::tan(alpha.to_radians() + 2.0 * sense * phi);
-        let Some(Value::Scalar(force)) = answer(&scene, &worked, "F_b") else { panic!("{alpha}: no force") };
+        let Some(AnswerValue::Scalar(force)) = answer(&scene, &worked, "F_b") else { panic!("{alpha}: no force") };
         near(force, expected);
-        let Some(Value::Scalar(eta)) = answer(&scene, &worked, "eta") else { panic!("{alpha}: no efficiency") };
+        let Some(AnswerValue::Scalar(eta)) = answer(&scene, &worked, "eta") else { panic!("{alpha}: no efficiency") };
         let smooth = 2000.0 * libm::tan(alpha.to_radians());
         near(eta, if sense > 0.0 { smooth / expected } else { expected / smooth });
         assert_eq!(notes.iter().any(|d| d.code == "self-locking"), eta <= 0.0, "{alpha}: η = {eta}");
@@ -315,9 +315,9 @@ fn links_press_on_each_other_alike() {
         for pair in find.chunks(2) {
             let of = |find: &str| {
                 let k = worked.value.results.iter().position(|r| scene.value.find[r.find].text == find)?;
-                let Value::Vector(rows) = worked.value.results[k].computed else { return None };
+                let AnswerValue::Vector(rows) = worked.value.results[k].computed else { return None };
                 let part = |p| told[k].part(p).map_or(f64::NAN, |n| n.enclosure().approx);
-                Some((rows, Vec2::new(part(Part::X), part(Part::Y)), worked.value.results[k].scale))
+                Some((rows, Vec2::new(part(AnswerPart::X), part(AnswerPart::Y)), worked.value.results[k].scale))
             };
             let (Some(a), Some(b)) = (of(&pair[0]), of(&pair[1])) else { continue };
             checked += 1;
@@ -345,7 +345,7 @@ fn a_rod_is_told_as_two_masses() {
     });
     let scene = scene::read(scene.to_string()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let Some(Value::Scalar(alpha)) = answer(&scene, &worked, "alpha_2") else { panic!("alpha_2 is a number") };
+    let Some(AnswerValue::Scalar(alpha)) = answer(&scene, &worked, "alpha_2") else { panic!("alpha_2 is a number") };
     let notation = Notation::of_language(Lang::En);
     let told = ForceWriter { scene: &scene, notation: &notation, lang: Lang::En, of: worked.equilibrium.as_ref().unwrap() }.text();
     let couple = significant(2.0 * (0.1 * 0.15 - 0.11 * 0.11) * alpha, 4);

@@ -20,15 +20,15 @@ use files::{
     ASKED, CAM, CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POLAR, POSES, SHOWN, accept,
     check_png, check_text, finish, golden, has_pixels, kept,
 };
-use hodograph::cam::Survey;
+use hodograph::cam::CamSurvey;
 use hodograph::centres;
 use hodograph::certified::{certify, steps};
 use hodograph::effort::Work;
 use hodograph::figure::cam::{inversion, motion};
-use hodograph::figure::curves::{self, Diagram};
-use hodograph::figure::list::{self, Extras, Wanted};
+use hodograph::figure::curves::{self, CurveDiagram};
+use hodograph::figure::list::{self, Extras, FigureInput};
 use hodograph::figure::mechanism::Overlay;
-use hodograph::figure::sheet::{Options, diagram, drawing, equations, sheet};
+use hodograph::figure::sheet::{SheetOptions, diagram, drawing, equations, sheet};
 use hodograph::figure::steps as steps_of;
 use hodograph::figure::synthesis as designs;
 use hodograph::figure::{groups, path, poses};
@@ -36,13 +36,13 @@ use hodograph::lesson;
 use hodograph::mechanism::Mechanism;
 use hodograph::notation::Notation;
 use hodograph::paper::style::Style;
-use hodograph::plan::text::Writer;
+use hodograph::plan::text::PlanWriter;
 use hodograph::render::{png as raster, svg};
 use hodograph::report::cam::Report;
 use hodograph::report::forces::ForceWriter;
 use hodograph::report::{answers, centres as report_of_centres, construction, drafting, plan, plan_json};
 use hodograph::scene::{self, Angle, DiagramKind, Lang, PointId, Swept, edit, templates};
-use hodograph::sweep::{self, Placed, Stations, Width, extreme};
+use hodograph::sweep::{self, PlacedScene, Stations, Width, extreme};
 use hodograph::synthesis;
 use hodograph::worked::{Scope, work};
 use std::path::Path;
@@ -129,10 +129,10 @@ fn lessons_stay_as_accepted() {
     let mut failures = Vec::new();
     for name in LESSONS {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
-        let page = lesson::lesson(&scene, &lesson::Options::of_language(Lang::En)).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+        let page = lesson::lesson(&scene, &lesson::LessonOptions::of_language(Lang::En)).unwrap_or_else(|f| panic!("{name}: {f}")).value;
         check_text(&golden(name, "lesson.html.txt"), &lesson_text(&page), &mut failures);
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let fragment = lesson::reveal(&scene, &worked, &Options::of_language(Lang::En)).unwrap().value;
+        let fragment = lesson::reveal(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap().value;
         check_text(&golden(name, "reveal.html.txt"), &folded(&fragment), &mut failures);
     }
     finish(&failures);
@@ -149,7 +149,7 @@ fn templates_look_as_accepted() {
         let file = |name: String| golden(t.name, &name);
         for (lang, suffix) in LANGS {
             let notation = Notation::of_language(lang);
-            let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang };
+            let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang };
             let forces = worked.equilibrium.as_ref().map(|of| ForceWriter { scene: &scene, notation: w.notation, lang: w.lang, of });
             check_text(&file(format!("plan.{suffix}.txt")), &plan::text(&scene, &worked.mechanism, &w, forces.as_ref()), &mut failures);
             check_text(
@@ -159,7 +159,7 @@ fn templates_look_as_accepted() {
             );
             if DRAFTED.contains(&t.name) {
                 let asked = work(&scene, Scope::Questions).unwrap().value.with_drafting(&scene);
-                let w = Writer { plan: &asked.plan, ..w };
+                let w = PlanWriter { plan: &asked.plan, ..w };
                 let text = format!(
                     "{}\n{}",
                     answers::text(&scene, &asked, &certify(&scene, &asked, answers::DIGITS), answers::DIGITS, lang),
@@ -171,7 +171,7 @@ fn templates_look_as_accepted() {
             if n % every(4) != 0 && !accept() {
                 continue;
             }
-            let figure = sheet(&scene, &worked, &Options { notation: notation.clone(), ..Options::of_language(lang) })
+            let figure = sheet(&scene, &worked, &SheetOptions { notation: notation.clone(), ..SheetOptions::of_language(lang) })
                 .unwrap_or_else(|f| panic!("{}: {f}", t.name));
             let done = Work::of(&worked).with_certified(&certify(&scene, &worked, answers::DIGITS)).with_labels(figure.labels_placed());
             let json = plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &[]);
@@ -194,7 +194,7 @@ fn kinds_of_figures_look_as_accepted() {
     for (name, kind, style) in KINDS {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(Lang::En) };
+        let options = SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(Lang::En) };
         let figure = match kind {
             "inset" => drawing(&scene, &worked, &options, DiagramKind::Acceleration).unwrap(),
             "equations" => equations(&scene, &worked, &options).unwrap(),
@@ -222,10 +222,10 @@ fn pictures_asked_for_look_as_accepted() {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         for (lang, _) in LANGS {
-            let options = Options::of_language(lang);
+            let options = SheetOptions::of_language(lang);
             let extras = Extras { dimensions: figure == "dimensions", ..Extras::default() };
             let entry = list::named(figure).unwrap_or(list::MECHANISM);
-            let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &extras };
+            let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
             let pages = (entry.draw)(&wanted).unwrap_or_else(|f| panic!("{name} {figure}: {f}")).value;
             let drawn = svg::write(&pages.last().unwrap().1).unwrap().value;
             check_figure(name, figure, lang, &drawn, 110.0, &mut failures);
@@ -243,8 +243,8 @@ fn centres_look_as_accepted() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let found = centres::centres(&scene).unwrap().value;
         for (lang, suffix) in LANGS {
-            let options = Options::of_language(lang);
-            let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+            let options = SheetOptions::of_language(lang);
+            let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
             let page = (list::named("centres").unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
             let drawn = svg::write(&page).unwrap();
             assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
@@ -263,8 +263,8 @@ fn curvature_looks_as_accepted() {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         for (lang, _) in LANGS {
-            let options = Options::of_language(lang);
-            let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+            let options = SheetOptions::of_language(lang);
+            let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
             for figure in figures {
                 let page = (list::named(figure).unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
                 let drawn = svg::write(&page).unwrap();
@@ -283,7 +283,7 @@ fn cams_look_as_accepted() {
     let scene = scene::read(templates::get(CAM).unwrap()).unwrap().value;
     let cam = &scene.cams[0];
     let turning = cam.disc.as_ref().unwrap();
-    let report = Report { scene: &scene, cam, turning, survey: &Survey::of(&turning.disc) };
+    let report = Report { scene: &scene, cam, turning, survey: &CamSurvey::of(&turning.disc) };
     for (lang, _) in LANGS {
         for (kind, figure) in
             [("motion", motion::figure(&report, &Style::default(), lang)), ("profile", inversion::figure(&report, &Style::default(), lang))]
@@ -323,10 +323,10 @@ fn line_diagrams_look_as_accepted() {
     let source = edit::with_find(templates::get(name).unwrap(), &["x_C", "phi_3", "v_C", "v_B", "a_C"]).unwrap();
     let scene = scene::read(source).unwrap().value;
     let mechanism = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &mechanism).unwrap();
+    let placed = PlacedScene::new(&scene, &mechanism).unwrap();
     let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360), Width::Widest).unwrap();
     for (lang, _) in LANGS {
-        let diagram = Diagram::of(&placed, 0, &table, &Notation::of_language(lang));
+        let diagram = CurveDiagram::of(&placed, 0, &table, &Notation::of_language(lang));
         let figure = curves::figure(&scene, &diagram, &Style::default(), lang);
         check_figure(name, "curves", lang, &svg::write(&figure).unwrap().value, 110.0, &mut failures);
         // The ram is at the reversal of the lever: its extremes are those that `limits` finds by
@@ -350,7 +350,7 @@ fn polar_diagrams_look_as_accepted() {
     let mut failures = Vec::new();
     let scene = scene::read(edit::with_find(templates::get(POLAR).unwrap(), &["F_12", "F_sh"]).unwrap()).unwrap().value;
     let mechanism = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &mechanism).unwrap();
+    let placed = PlacedScene::new(&scene, &mechanism).unwrap();
     let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360), Width::Widest).unwrap();
     for (lang, _) in LANGS {
         let notation = Notation::of_language(lang);
@@ -371,9 +371,9 @@ fn pictures_of_motion_look_as_accepted() {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let of = |name: &&str| PointId(scene.points.iter().position(|p| p.name == **name).unwrap());
-        let wanted = path::Wanted { points: points.iter().map(of).collect(), swept: Swept::Driver(0), marks: 12, poses };
+        let wanted = path::PathContent { points: points.iter().map(of).collect(), swept: Swept::Driver(0), marks: 12, poses };
         for (lang, _) in LANGS {
-            let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(lang) };
+            let options = SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(lang) };
             let figure = path::figure(&scene, &worked, &options, &wanted).unwrap_or_else(|f| panic!("{name}: {f}")).value;
             let drawn = svg::write(&figure).unwrap();
             assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
@@ -384,9 +384,9 @@ fn pictures_of_motion_look_as_accepted() {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let of = |name: &str| PointId(scene.points.iter().position(|p| p.name == name).unwrap());
-        let wanted = poses::Wanted { count, swept: Swept::Driver(0), points: point.map(of).into_iter().collect() };
+        let wanted = poses::PosesContent { count, swept: Swept::Driver(0), points: point.map(of).into_iter().collect() };
         for (lang, _) in LANGS {
-            let pages = poses::sheets(&scene, &worked, &Options::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
+            let pages = poses::sheets(&scene, &worked, &SheetOptions::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
             let drawn = svg::write(&pages.value[0]).unwrap();
             assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
             check_figure(name, "poses", lang, &drawn.value, 60.0, &mut failures);

@@ -1,7 +1,7 @@
 //! Inversions: each is a scene with the same relative motion of links, and the types follow
 //! Grashof's rule.
 
-use hodograph::answer::Source;
+use hodograph::answer::MotionSource;
 use hodograph::inversions::{Inversion, inversions};
 use hodograph::mechanism::Level;
 use hodograph::scene::{self, LinkId, Scene, templates};

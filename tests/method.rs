@@ -1,24 +1,24 @@
 //! The method of a sheet: the task is solved as it asks, and each step of a construction can be
 //! carried out as described.
 
-use hodograph::answer::Value;
-use hodograph::centres::{Place, Task};
+use hodograph::answer::AnswerValue;
+use hodograph::centres::{CentrePlace, CentreTask};
 use hodograph::certified::steps;
-use hodograph::composite::{Known, On, Staged, Term, Verdict, level, projections};
+use hodograph::composite::{ChoiceVerdict, ContactScene, KnownMotion, On, ProjectionTerm, level, projections};
 use hodograph::construct::Action;
-use hodograph::figure::curves::Diagram;
+use hodograph::figure::curves::CurveDiagram;
 use hodograph::lesson;
 use hodograph::mechanism::Mechanism;
 use hodograph::notation::Notation;
-use hodograph::plan::text::Writer;
-use hodograph::plan::{Body, By, TermKind};
+use hodograph::plan::text::PlanWriter;
+use hodograph::plan::{TermConnection, TermKind, TurningBody};
 use hodograph::report::construction::sentences;
 use hodograph::scene::quantity::{Frame, RelativePath, relative_path};
 use hodograph::scene::{self, Asked, DiagramKind, Lang, Scene, Swept, templates};
 use hodograph::sweep::pieces::gather;
-use hodograph::sweep::{Placed, timed::Timed};
+use hodograph::sweep::{PlacedScene, timed::TimedSweep};
 use hodograph::worked::{Scope, Worked, work};
-use hodograph::worksheet::{self, Block, Sides};
+use hodograph::worksheet::{self, DocumentBlock, WorksheetSides};
 use serde_json::{Value as Json, json};
 
 fn read(text: &str) -> Scene {
@@ -62,7 +62,7 @@ fn lines_are_drawn_through_marks_that_are_there() {
         let told = steps(&scene, &worked, None);
         for lang in [Lang::En, Lang::Zh] {
             let notation = Notation::of_language(lang);
-            let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang };
+            let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang };
             for p in &worked.construction.diagrams {
                 let said: Vec<String> = sentences(&w, &worked.construction, p, &told).iter().map(|s| s.source()).collect();
                 for (k, action) in p.actions.iter().enumerate() {
@@ -85,7 +85,7 @@ fn rolling_has_no_sliding_velocity() {
     let mut rolling = 0;
     for (name, scene, worked) in moving() {
         for t in worked.plan.terms(DiagramKind::Velocity) {
-            if let (TermKind::Roll, By::Contact(pair)) = (t.kind, t.by) {
+            if let (TermKind::Roll, TermConnection::Contact(pair)) = (t.kind, t.by) {
                 assert!(scene.rolling[pair.0].contact().is_none(), "{name}: {t:?}");
             }
         }
@@ -99,7 +99,7 @@ fn rolling_has_no_sliding_velocity() {
 fn no_step_turns_the_ground() {
     for (name, scene, worked) in moving() {
         let rates = DiagramKind::POLYGONS.iter().flat_map(|l| worked.plan.steps(*l)).flat_map(|g| &g.rates);
-        assert!(rates.clone().all(|(body, _)| *body != Body::Link(scene.ground)), "{name}");
+        assert!(rates.clone().all(|(body, _)| *body != TurningBody::Link(scene.ground)), "{name}");
     }
 }
 
@@ -199,10 +199,10 @@ fn a_body_with_one_point_has_a_centre() {
     let scene = read(body);
     let worked = worked(&scene);
     assert!(worked.at_infinity.is_empty());
-    let task = Task::of(&scene).unwrap();
+    let task = CentreTask::of(&scene).unwrap();
     for r in &worked.results {
-        let (Asked::InstantCentre(q), Value::Point(p)) = (&scene.find[r.find].what, r.value()) else { continue };
-        let Some(Place::At(at)) = task.found.of(q.links[0].0, q.links[1].0).unwrap().place else { panic!("it turns") };
+        let (Asked::InstantCentre(q), AnswerValue::Point(p)) = (&scene.find[r.find].what, r.value()) else { continue };
+        let Some(CentrePlace::At(at)) = task.found.of(q.links[0].0, q.links[1].0).unwrap().place else { panic!("it turns") };
         assert!(at.distance(p) < 1e-12 && at.distance(hodograph::geom::Point::new(-0.25, 0.5)) < 1e-12, "{at:?} {p:?}");
         return;
     }
@@ -221,12 +221,12 @@ fn a_rod_moves_along_its_barrel() {
     let slides = (place("C") - place("B")).unit().unwrap() * scene.drivers[0].rate.value;
     let certified = hodograph::certified::certify(&scene, &worked, 6);
     let m = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &m).unwrap();
+    let placed = PlacedScene::new(&scene, &m).unwrap();
     let now = scene.drivers[0].kind.position().unwrap().value();
     let row = hodograph::sweep::of_values(&placed, 0, vec![now]).unwrap();
     let of = |name: &str| {
         let r = worked.results.iter().find(|r| scene.find[r.find].text == name).unwrap();
-        let Value::Vector(v) = r.computed else { panic!("{name} is a vector") };
+        let AnswerValue::Vector(v) = r.computed else { panic!("{name} is a vector") };
         let swept = ["x", "y"].map(|axis| row.column(&format!("{name}.{axis}")).unwrap().values[0]);
         assert!((v.x - swept[0]).abs() + (v.y - swept[1]).abs() < 1e-9, "{name}: {v:?}, in a sweep {swept:?}");
         // Certified digits are those of the value: a value with other digits in long arithmetic has
@@ -250,18 +250,21 @@ fn a_rod_moves_along_its_barrel() {
 fn a_task_for_centres_is_solved_by_centres() {
     let mut tasks = 0;
     for (name, scene) in scenes() {
-        let Some(task) = Task::of(&scene).filter(|t| t.alone) else { continue };
+        let Some(task) = CentreTask::of(&scene).filter(|t| t.alone) else { continue };
         let worked = worked(&scene);
         for lang in [Lang::En, Lang::Zh] {
-            let options = worksheet::Options { sides: Sides::Solution, ..worksheet::Options::of_language(lang) };
+            let options = worksheet::WorksheetOptions { sides: WorksheetSides::Solution, ..worksheet::WorksheetOptions::of_language(lang) };
             let document = worksheet::worksheet(&scene, &worked, &options);
-            let figures: Vec<&str> =
-                document.blocks.iter().filter_map(|b| if let Block::Figure { name, .. } = b { Some(*name) } else { None }).collect();
+            let figures: Vec<&str> = document
+                .blocks
+                .iter()
+                .filter_map(|b| if let DocumentBlock::Figure { name, .. } = b { Some(*name) } else { None })
+                .collect();
             assert!(!figures.is_empty() && figures.iter().all(|f| *f == "centres"), "{name}: {figures:?}");
             let said: Vec<String> = document
                 .blocks
                 .iter()
-                .filter_map(|b| if let Block::List { members, .. } = b { Some(members) } else { None })
+                .filter_map(|b| if let DocumentBlock::List { members, .. } = b { Some(members) } else { None })
                 .flatten()
                 .map(|p| p.source())
                 .collect();
@@ -271,7 +274,7 @@ fn a_task_for_centres_is_solved_by_centres() {
             }
         }
         if tasks < 2 {
-            let options = lesson::Options { positions: 24, ..lesson::Options::of_language(Lang::En) };
+            let options = lesson::LessonOptions { positions: 24, ..lesson::LessonOptions::of_language(Lang::En) };
             let page = lesson::of_worked(&scene, &worked, &options).unwrap().value;
             let data: Json = serde_json::from_str(&lesson::told(&page).unwrap()).unwrap();
             let frames = data["frames"].as_array().unwrap();
@@ -293,23 +296,26 @@ fn a_task_for_centres_is_solved_by_centres() {
 fn composite_motion_is_projected_across_the_other_unknown() {
     let (mut across, mut sides) = (0, 0);
     for (name, scene, _) in moving() {
-        let staged = Staged::new(&scene);
+        let staged = ContactScene::new(&scene);
         let ground = Frame::Link(scene.ground);
-        let served: Vec<_> = staged.choices(&scene).into_iter().filter(|c| c.verdict == Verdict::Serves).collect();
+        let served: Vec<_> = staged.choices(&scene).into_iter().filter(|c| c.verdict == ChoiceVerdict::Serves).collect();
         let Ok(solved) = staged.solved(&served, level(&scene)) else { continue };
         for s in &solved.value.1 {
             let path = relative_path(&staged.scene, s.choice.of, ground);
             for p in projections(s) {
-                let has = |t: Term| p.terms.iter().any(|(own, _)| *own == t);
+                let has = |t: ProjectionTerm| p.terms.iter().any(|(own, _)| *own == t);
                 match p.on {
-                    On::Across if s.known == Known::Transport => {
+                    On::Across if s.known == KnownMotion::Transport => {
                         assert!(path != RelativePath::Unknown, "{name}: the direction of v_a is not known: {p:?}");
                         let circle = s.circle.is_some() && p.of == DiagramKind::Acceleration;
-                        assert!(!(circle && has(Term::Absolute)), "{name}: the direction of a_a is not known: {p:?}");
+                        assert!(!(circle && has(ProjectionTerm::Absolute)), "{name}: the direction of a_a is not known: {p:?}");
                         across += 1;
                     }
                     On::X | On::Y => {
-                        assert!(has(Term::Component) && !has(Term::Absolute) && path == RelativePath::Unknown, "{name}: {p:?}");
+                        assert!(
+                            has(ProjectionTerm::Component) && !has(ProjectionTerm::Absolute) && path == RelativePath::Unknown,
+                            "{name}: {p:?}"
+                        );
                         sides += 1;
                     }
                     On::Across | On::Along => {}
@@ -324,14 +330,14 @@ fn composite_motion_is_projected_across_the_other_unknown() {
 #[test]
 fn a_length_is_drawn_as_long_as_the_worksheet_says() {
     for (name, scene, worked) in moving().filter(|(_, scene, _)| !scene.lengths.is_empty()) {
-        let document = worksheet::worksheet(&scene, &worked, &worksheet::Options::of_language(Lang::En));
-        let lists = document.blocks.iter().filter_map(|b| if let Block::List { members, .. } = b { Some(members) } else { None });
+        let document = worksheet::worksheet(&scene, &worked, &worksheet::WorksheetOptions::of_language(Lang::En));
+        let lists = document.blocks.iter().filter_map(|b| if let DocumentBlock::List { members, .. } = b { Some(members) } else { None });
         let Some(said) = lists.flatten().map(|p| p.source()).find(|s| s.contains("is drawn")) else { continue };
         let told = |text: &str| text.split("= ").nth(1).and_then(|t| t.split('$').next()).unwrap_or_default().to_owned();
         let scale = told(&said);
         // The last drawing of the mechanism before it.
         let figure = document.blocks.iter().rev().find_map(|b| match b {
-            Block::Figure { name: "construction" | "mechanism", figure } => Some(figure),
+            DocumentBlock::Figure { name: "construction" | "mechanism", figure } => Some(figure),
             _ => None,
         });
         let captions: Vec<String> = figure
@@ -361,7 +367,7 @@ fn each_step_of_a_lesson_has_its_sentence() {
         ("crank-rocker", None),
     ] {
         let scene = read(templates::get(name).unwrap());
-        let mut options = lesson::Options { positions: 16, ..lesson::Options::of_language(Lang::En) };
+        let mut options = lesson::LessonOptions { positions: 16, ..lesson::LessonOptions::of_language(Lang::En) };
         options.swept = over.unwrap_or(options.swept);
         let page = lesson::lesson(&scene, &options).unwrap().value;
         let data: Json = serde_json::from_str(&lesson::told(&page).unwrap()).unwrap();
@@ -395,10 +401,10 @@ fn curves_of_a_place_are_its_coordinates() {
         "driver":[{"link":"2","angle":"w*t"},{"slide":"T","position":"b*sin(w*t)"}], "find":["path_T/2"] }"#;
     let scene = read(lathe);
     let m = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &m).unwrap();
-    let (timed, range) = Timed::new(&placed, [None, None]).unwrap();
+    let placed = PlacedScene::new(&scene, &m).unwrap();
+    let (timed, range) = TimedSweep::new(&placed, [None, None]).unwrap();
     let table = gather(&mut timed.steps(range, 12));
-    let diagram = Diagram::swept(&scene, Swept::Time, &table, &|_| None, &Notation::of_language(Lang::En));
+    let diagram = CurveDiagram::swept(&scene, Swept::Time, &table, &|_| None, &Notation::of_language(Lang::En));
     assert!(!diagram.is_empty());
     assert_eq!(diagram.panels.iter().map(|p| p.curves.len()).sum::<usize>(), 2);
 }

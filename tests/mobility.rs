@@ -3,10 +3,10 @@
 #[path = "mobility/books.rs"]
 mod books;
 
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::diag::{Diagnostic, Faults, Severity};
-use hodograph::mechanism::{Mechanism, Opened, Survey};
-use hodograph::position::redundant::{Reason, Verdict, check};
+use hodograph::mechanism::{Mechanism, MobilitySurvey, Opened};
+use hodograph::position::redundant::{RedundancyVerdict, RepeatReason, check};
 use hodograph::report::mobility;
 use hodograph::scene::{self, Driver, DriverKind, Guide, LinkId, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
@@ -80,8 +80,8 @@ impl Locomotive {
 fn scalar(scene: &Scene, worked: &Worked, find: &str) -> f64 {
     let i = scene.find.iter().position(|f| f.text == find).unwrap();
     match worked.results.iter().find(|r| r.find == i).unwrap().computed {
-        Value::Scalar(s) => s,
-        other @ (Value::Vector(_) | Value::Point(_)) => panic!("{find} = {other:?}"),
+        AnswerValue::Scalar(s) => s,
+        other @ (AnswerValue::Vector(_) | AnswerValue::Point(_)) => panic!("{find} = {other:?}"),
     }
 }
 
@@ -100,7 +100,7 @@ fn a_third_crank_is_virtual_nearly_or_locks() {
         let note = |code: &str| worked.notes.iter().any(|d: &Diagnostic| d.code == code);
         assert!(note("virtual"), "{round}: {:?}\n{text}", worked.notes);
         let [checked] = &worked.value.redundant[..] else { panic!("{round}: {:?}", worked.value.redundant) };
-        assert!(matches!(checked.reason, Reason::ParallelCranks(_)), "{round}: {checked:?}");
+        assert!(matches!(checked.reason, RepeatReason::ParallelCranks(_)), "{round}: {checked:?}");
         assert_eq!(checked.positions, 5, "{round}: {checked:?}\n{text}");
         assert!(checked.bound_m.unwrap() < 1e-20, "{round}: {checked:?}");
         // It follows the rotation of the cranks, drawn and computed.
@@ -170,12 +170,12 @@ fn every_kind_of_repetition_has_its_words() {
         let scene = read(text);
         let m = Mechanism::new(&scene).unwrap().value;
         let [one] = &check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}"))[..] else { panic!("{:?}", m.redundant) };
-        assert_eq!((one.verdict, one.positions), (Verdict::Virtual, 5), "{text}");
+        assert_eq!((one.verdict, one.positions), (RedundancyVerdict::Virtual, 5), "{text}");
         (m.redundant[0].opened.clone(), one.reason.clone())
     };
-    assert!(matches!(of(parallel), (Opened::Guide(_), Reason::ParallelGuides(_))));
-    assert!(matches!(of(coaxial), (Opened::Pin(..), Reason::CoaxialPins(..))));
-    assert!(matches!(of(&circle([r#","5":["D","B"]"#, ""])), (Opened::Guide(_), Reason::SameLine(..))));
+    assert!(matches!(of(parallel), (Opened::Guide(_), RepeatReason::ParallelGuides(_))));
+    assert!(matches!(of(coaxial), (Opened::Pin(..), RepeatReason::CoaxialPins(..))));
+    assert!(matches!(of(&circle([r#","5":["D","B"]"#, ""])), (Opened::Guide(_), RepeatReason::SameLine(..))));
     // A guide that is not parallel locks.
     let skew = parallel.replace(r#""slider":"4","angle":"0 deg""#, r#""slider":"4","angle":"3 deg""#);
     assert_eq!(errors(&work(&read(&skew), Scope::Questions).unwrap_err()), ["locked"]);
@@ -215,7 +215,7 @@ fn counts_are_those_of_brute_force() {
         let discs = |p: &String| on.iter().filter(|(l, own)| *l != "0" && **own == [p.clone()]).count() as i64;
         let loose: Vec<&&String> = all.iter().filter(|p| joined(p) > 1 && !on["0"].contains(p)).collect();
         let idle: i64 = loose.iter().map(|p| discs(p).min(joined(p) - 1)).sum();
-        let survey = Survey::of(&scene);
+        let survey = MobilitySurvey::of(&scene);
         let freedom = 3 * links as i64 - 2 * lower;
         assert_eq!((survey.counts.moving as u64, survey.counts.lower as i64, survey.counts.higher), (links, lower, 0), "{round}: {text}");
         assert_eq!(survey.local.len() as i64, idle, "{round}: {text}");
@@ -283,7 +283,7 @@ fn groups_are_those_of_whole_pairs() {
     let mut several = Vec::new();
     for t in hodograph::scene::templates::list() {
         let scene = scene::read_topology(hodograph::scene::templates::get(t.name).unwrap()).unwrap().value;
-        for choice in Survey::of(&scene).choices {
+        for choice in MobilitySurvey::of(&scene).choices {
             let (scene, m) = (&choice.scene, &choice.mechanism);
             // Wheels, cams, cylinders, driven bare pins and redundant pairs have pairs of their own
             // kinds.
@@ -337,7 +337,9 @@ fn a_trammel_is_known_by_equal_lengths() {
             let [one] = &all[..] else { panic!("{:?}", m.redundant) };
             let names = |ends: &[hodograph::scene::PointId; 2]| ends.map(|p| scene.point_name(p).to_owned());
             let equal = match &one.reason {
-                Reason::SameCircle(ends, b, d) | Reason::SameLine(ends, b, d) => (names(ends), scene.point_name(*b), scene.point_name(*d)),
+                RepeatReason::SameCircle(ends, b, d) | RepeatReason::SameLine(ends, b, d) => {
+                    (names(ends), scene.point_name(*b), scene.point_name(*d))
+                }
                 other => panic!("{other:?} in units of {unit} m\n{}", rod(length)),
             };
             assert_eq!(equal, (["A", "C"].map(str::to_owned), "B", "D"), "in units of {unit} m");
@@ -370,7 +372,7 @@ fn repeated_planets_name_their_like() {
         for one in &all {
             let Opened::Rolling(r) = one.opened else { panic!("{:?}\n{text}", m.redundant) };
             let pair = scene.rolling[r.0].links.map(|l| scene.link_name(l).to_owned());
-            let Reason::RepeatedPlanets(like) = &one.reason else { panic!("{:?}\n{text}", one.reason) };
+            let RepeatReason::RepeatedPlanets(like) = &one.reason else { panic!("{:?}\n{text}", one.reason) };
             let own = if pair.contains(&"4".to_owned()) { "5" } else { "4" };
             assert_eq!(like, own, "{pair:?}\n{text}");
         }
@@ -381,7 +383,9 @@ fn repeated_planets_name_their_like() {
 #[test]
 fn a_repetition_is_looked_at_as_far_as_the_driver_goes() {
     // A cylinder from G moves the crank AB of a parallelogram with a third crank EF; G, A and B are almost in line.
-    for (g, beside, verdict) in [(-150.0, 0.0, Verdict::Virtual), (-150.0, 1e-7, Verdict::Almost), (-90.0, 0.0, Verdict::Virtual)] {
+    for (g, beside, verdict) in
+        [(-150.0, 0.0, RedundancyVerdict::Virtual), (-150.0, 1e-7, RedundancyVerdict::Almost), (-90.0, 0.0, RedundancyVerdict::Virtual)]
+    {
         let text = format!(
             r#"{{"units":{{"length":"mm"}},"links":{{"1":["A","D","F","G"],"2":["A","B"],"3":["B","C","E"],"4":["C","D"],"5":["E","F"]}},"ground":"1",
             "points":{{"A":[0,0],"B":[48,14],"C":[148,14],"D":[100,0],"E":[88,64],"F":["40 mm + {beside:?} mm",50],"G":[{g},0]}},
@@ -391,7 +395,7 @@ fn a_repetition_is_looked_at_as_far_as_the_driver_goes() {
         let m = Mechanism::new(&scene).unwrap().value;
         let [one] = &check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}"))[..] else { panic!("{:?}", m.redundant) };
         assert_eq!((one.verdict, one.positions), (verdict, 5), "{text}");
-        if verdict == Verdict::Almost {
+        if verdict == RedundancyVerdict::Almost {
             assert!(one.moved != 0.0 && one.moved.abs() < 0.05, "{}\n{text}", one.moved);
         }
     }

@@ -4,13 +4,13 @@
 use hodograph::figure::particle::figures;
 use hodograph::notation::Notation;
 use hodograph::paper::style::Style;
-use hodograph::particle::plate::Part;
-use hodograph::particle::{Asked, Solved, board, read, solve, solve_again, templates};
+use hodograph::particle::plate::PlateComponent;
+use hodograph::particle::{ParticleQuantity, ParticleSolution, board, read, solve, solve_again, templates};
 use hodograph::report::particle as report;
 use hodograph::scene::Lang;
 use serde_json::Value as Json;
 
-fn solved(text: &str) -> (hodograph::particle::Problem, Solved) {
+fn solved(text: &str) -> (hodograph::particle::ParticleProblem, ParticleSolution) {
     let problem = read(text).unwrap_or_else(|f| panic!("{f}")).value;
     let solved = solve(&problem).unwrap_or_else(|f| panic!("{f}"));
     (problem, solved)
@@ -79,7 +79,7 @@ fn pursuit_of_a_straight_runner_ends_when_the_formula_says() {
         let (_, found) = solved(&text);
         let value = &found.answers[0].value;
         let exact = l * v / (v * v - u * u);
-        let hodograph::particle::Value::Scalar(e) = value else { panic!("{value:?}") };
+        let hodograph::particle::ParticleValue::Scalar(e) = value else { panic!("{value:?}") };
         assert!((e.approx - exact).abs() <= e.radius + 1e-15 * exact, "{l} {u} {v}: {} {exact} ± {}", e.approx, e.radius);
         assert!(e.radius < 1e-11 * exact, "{l} {u} {v}: {}", e.radius);
     }
@@ -130,12 +130,12 @@ fn what_follows_at_the_instant_is_that_of_differences() {
 fn a_slower_pursuer_is_told_apart() {
     let text = templates::get("pursuit").unwrap().replace("\"5 m/s\"", "\"3 m/s\"");
     let (_, found) = solved(&text);
-    let hodograph::particle::Value::None(d) = &found.answers[0].value else { panic!() };
+    let hodograph::particle::ParticleValue::None(d) = &found.answers[0].value else { panic!() };
     assert_eq!(d.code, "never-meets");
 }
 
 /// The value of a question on the board, read or calculated.
-fn shown(all: &[board::Drawn], what: Asked) -> Option<&[f64]> {
+fn shown(all: &[board::MotionDrawing], what: ParticleQuantity) -> Option<&[f64]> {
     all.iter().flat_map(|d| &d.readings).find(|r| r.0 == what).map(|r| r.1.as_slice())
 }
 
@@ -163,14 +163,29 @@ fn parts_make_up_the_whole_and_drawing_agrees() {
                 assert!(off < 1e-11, "{}: {off} {text}", problem.find[a.find].text);
             }
         }
-        let value = |wanted: Asked| found.answers.iter().find(|a| problem.find[a.find].what == wanted).unwrap().value.vector().unwrap();
-        for (k, _) in problem.motions.iter().enumerate().filter(|(_, m)| matches!(m.kind, hodograph::particle::Kind::OnPlate(..))) {
-            let part = |p: Part| value(Asked::Part(k, p));
+        let value =
+            |wanted: ParticleQuantity| found.answers.iter().find(|a| problem.find[a.find].what == wanted).unwrap().value.vector().unwrap();
+        for (k, _) in
+            problem.motions.iter().enumerate().filter(|(_, m)| matches!(m.kind, hodograph::particle::ParticleMotionKind::OnPlate(..)))
+        {
+            let part = |p: PlateComponent| value(ParticleQuantity::Part(k, p));
             let sum = |all: &[Vec<f64>]| (0..3).map(|c| all.iter().map(|v| v[c]).sum::<f64>()).collect::<Vec<_>>();
             let near = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13);
-            assert!(near(value(Asked::Velocity(k)), sum(&[part(Part::TransportVelocity), part(Part::RelativeVelocity)])), "{text}");
-            let five = [Part::TransportNormal, Part::TransportTangential, Part::RelativeNormal, Part::RelativeTangential, Part::Coriolis];
-            assert!(near(value(Asked::Acceleration(k)), sum(&five.map(part))), "{text}");
+            assert!(
+                near(
+                    value(ParticleQuantity::Velocity(k)),
+                    sum(&[part(PlateComponent::TransportVelocity), part(PlateComponent::RelativeVelocity)])
+                ),
+                "{text}"
+            );
+            let five = [
+                PlateComponent::TransportNormal,
+                PlateComponent::TransportTangential,
+                PlateComponent::RelativeNormal,
+                PlateComponent::RelativeTangential,
+                PlateComponent::Coriolis,
+            ];
+            assert!(near(value(ParticleQuantity::Acceleration(k)), sum(&five.map(part))), "{text}");
         }
     }
 }
@@ -228,7 +243,9 @@ fn places_that_are_asked_for_are_points_at_rest() {
         (chases, ""),
     ] {
         let (one, other) = (solved(&text(rest, motion, find)), solved(&text("", &format!("{motion}, {stays}"), find)));
-        let told = |(problem, solved): &(hodograph::particle::Problem, Solved)| report::text(problem, solved, &[], 6, None, Lang::En);
+        let told = |(problem, solved): &(hodograph::particle::ParticleProblem, ParticleSolution)| {
+            report::text(problem, solved, &[], 6, None, Lang::En)
+        };
         assert_eq!(told(&one), told(&other));
         assert!(!one.1.answers.is_empty());
     }
@@ -438,7 +455,7 @@ fn nothing_is_read_that_the_board_cannot_show() {
             let Some(read) = report::drawn(&drawn, what) else { continue };
             let off = report::apart(&a.value, read, report::largest(&problem, &found, what)).unwrap_or(0.0);
             assert!(off <= 1e-9, "{t} s: {} {off:e}", problem.find[a.find].text);
-            read_off += usize::from(matches!(what, Asked::LineOmega(_)));
+            read_off += usize::from(matches!(what, ParticleQuantity::LineOmega(_)));
         }
     }
     assert!(unread > 2 && read_off > 10, "{unread} {read_off}");

@@ -4,14 +4,14 @@
 
 mod wide;
 
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position;
 use hodograph::scene::{self, Angle, PointId, Scene, templates};
 use hodograph::stated::{Moment, breaches, is_unproven};
-use hodograph::sweep::follow::{Follower, course};
-use hodograph::sweep::{self, Ends, Placed, Stations, Width};
+use hodograph::sweep::follow::{PoseFollower, course};
+use hodograph::sweep::{self, PlacedScene, Stations, TravelEnds, Width};
 use hodograph::worked::{Scope, work};
 use serde_json::Value as Json;
 use wide::every;
@@ -51,7 +51,7 @@ fn configurations_of_all_scenes_are_proved_at_the_instant_and_on_their_way() {
         let moving = course::over_a_turn(&scene);
         let Some((mechanism, demand, at)) = placed(&moving).filter(|_| moving.kept_cams().next().is_none()) else { continue };
         for driver in (0..moving.drivers.len()).filter(|d| !moving.is_led(*d)) {
-            let follower = Follower::new(&moving, &mechanism, &demand, &at, driver);
+            let follower = PoseFollower::new(&moving, &mechanism, &demand, &at, driver);
             for pose in follower.sweep(24).poses {
                 let found = breaches(&moving, &mechanism, &pose.configuration, Moment::Later(&at));
                 broken.extend(found.first().map(|b| format!("{name}, driver {driver} gone on by {}: {}", pose.travel, b.words.en)));
@@ -144,14 +144,14 @@ fn on_tangent_cam(at: f64, guide: f64, aside: f64, follows: &str, more: &str, fi
     )
 }
 
-fn answer(text: &str, k: usize) -> Value {
+fn answer(text: &str, k: usize) -> AnswerValue {
     let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
     work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}")).value.results[k].value()
 }
 
 fn place(text: &str, k: usize) -> [f64; 2] {
     match (answer(text, k), answer(text, k + 1)) {
-        (Value::Scalar(x), Value::Scalar(y)) => [x * 1e3, y * 1e3],
+        (AnswerValue::Scalar(x), AnswerValue::Scalar(y)) => [x * 1e3, y * 1e3],
         other => panic!("{other:?}"),
     }
 }
@@ -194,7 +194,7 @@ fn followers_keep_to_the_side_of_the_cam_that_the_scene_names() {
                     let [x, y] = place(&text, 0);
                     let off = (Vec2::new(x, y) - due).norm();
                     assert!(off < 1e-7, "{kind} at {at}, guide {guide}, rising {rising}: ({x}, {y}), not {due:?}\n{text}");
-                    let Value::Vector(v) = answer(&text, 2) else { panic!() };
+                    let AnswerValue::Vector(v) = answer(&text, 2) else { panic!() };
                     let h = 1e-4;
                     let rate = out * ((reach(at + h) - reach(at - h)) / (2.0 * h));
                     // Differences across a joint of the profile belong to neither side.
@@ -214,7 +214,7 @@ fn sweeps_keep_to_that_side() {
         let text = on_tangent_cam(0.4, 90.0, 0.0, &follows, &more, r#""y_B", "v_B""#);
         let scene = course::over_a_turn(&scene::read(&text).unwrap().value);
         let mechanism = Mechanism::new(&scene).unwrap().value;
-        let run = Placed::new(&scene, &mechanism).unwrap();
+        let run = PlacedScene::new(&scene, &mechanism).unwrap();
         let table = sweep::run(&run, 0, &Stations::turned(Angle::Deg(3.0), Angle::Deg(363.0), 24), Width::Widest).unwrap();
         assert_eq!(table.rows(), 25, "{kind}");
         for k in 0..25 {
@@ -237,10 +237,10 @@ fn sweeps_are_judged_by_samples() {
     for name in ["crank-rocker", "double-butterfly", "slider-crank", "gear-linkage", "class-iii-six-bar"] {
         let own = scene::read(scene::templates::get(name).unwrap()).unwrap().value;
         let mechanism = Mechanism::new(&own).unwrap().value;
-        let Placed { demand, at, .. } = Placed::new(&own, &mechanism).unwrap();
+        let PlacedScene { demand, at, .. } = PlacedScene::new(&own, &mechanism).unwrap();
         let mut stated = own.clone();
         stated.lengths.last_mut().unwrap().value.value *= 1.0 + 1e-6;
-        let placed = Placed { scene: &stated, mechanism: &mechanism, demand, at, ends: Ends::default() };
+        let placed = PlacedScene { scene: &stated, mechanism: &mechanism, demand, at, ends: TravelEnds::default() };
         let told = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::Widest);
         // Rows without a compiled program are refused one by one.
         assert!(told.map_or_else(|f| is_unproven(&f), |table| table.rows() == 0), "{name}");
@@ -265,7 +265,7 @@ fn a_law_goes_out_on_the_side_that_the_scene_names() {
             let (up, down) = (scene(up, more[0], at), scene(down, more[1], at));
             assert!((place(&up, 0)[1] + place(&down, 0)[1]).abs() < 1e-9, "{at}: {up}");
             for k in [2, 3] {
-                let (Value::Vector(a), Value::Vector(b)) = (answer(&up, k), answer(&down, k)) else { panic!() };
+                let (AnswerValue::Vector(a), AnswerValue::Vector(b)) = (answer(&up, k), answer(&down, k)) else { panic!() };
                 assert!((a + b).norm() <= 1e-9 * a.norm(), "{at}: {a:?} {b:?}");
             }
         }
@@ -343,10 +343,10 @@ fn in_another_order(scene: &Json, dice: &mut Dice) -> Json {
 }
 
 /// The answers by the texts of the questions; `None` if the scene is refused.
-fn answers(text: &str) -> Option<Vec<(String, Value)>> {
+fn answers(text: &str) -> Option<Vec<(String, AnswerValue)>> {
     let scene = scene::read(text).ok()?.value;
     let worked = work(&scene, Scope::Questions).ok()?.value;
-    let mut all: Vec<(String, Value)> = worked.results.iter().map(|r| (scene.find[r.find].text.clone(), r.value())).collect();
+    let mut all: Vec<(String, AnswerValue)> = worked.results.iter().map(|r| (scene.find[r.find].text.clone(), r.value())).collect();
     all.sort_by(|a, b| a.0.cmp(&b.0));
     Some(all)
 }
@@ -364,9 +364,9 @@ fn the_order_of_entries_does_not_matter() {
             assert_eq!(first.len(), other.len(), "{name}:\n{mixed}");
             for ((find, a), (_, b)) in first.iter().zip(&other) {
                 let (off, size) = match (a, b) {
-                    (Value::Scalar(a), Value::Scalar(b)) => ((a - b).abs(), a.abs()),
-                    (Value::Vector(a), Value::Vector(b)) => ((*a - *b).norm(), a.norm()),
-                    (Value::Point(a), Value::Point(b)) => (a.distance(*b), a.distance(Point::ORIGIN)),
+                    (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => ((a - b).abs(), a.abs()),
+                    (AnswerValue::Vector(a), AnswerValue::Vector(b)) => ((*a - *b).norm(), a.norm()),
+                    (AnswerValue::Point(a), AnswerValue::Point(b)) => (a.distance(*b), a.distance(Point::ORIGIN)),
                     (a, b) => panic!("{name}, {find}: {a:?} {b:?}"),
                 };
                 assert!(off <= 1e-6 * size.max(1e-6), "{name}, {find}: {a:?}, in another order {b:?}\n{mixed}");

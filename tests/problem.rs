@@ -8,8 +8,8 @@ use hodograph::problem::{
     Extent, Kind, Lesson, Look, Options, Pictures, Problem, Verdict, Wish, included, read, read_as, solve, templates,
 };
 use hodograph::scene::{Lang, Swept};
-use hodograph::sweep::{self, Placed, Stations, Width};
-use hodograph::worksheet::Sides;
+use hodograph::sweep::{self, PlacedScene, Stations, Width};
+use hodograph::worksheet::WorksheetSides;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -51,7 +51,7 @@ fn templates_of_all_kinds_take_the_same_calls() {
         assert_eq!(solved.design().is_some(), t.kind == Kind::Task, "{}", t.name);
         let pages = solved.figures(&Pictures::default(), &look).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
         assert!(!pages.is_empty() && pages.iter().all(|(_, f)| !f.items.is_empty()), "{}", t.name);
-        let document = solved.worksheet(Sides::Both, None, &Look { lang: Some(Lang::Zh), ..look.clone() });
+        let document = solved.worksheet(WorksheetSides::Both, None, &Look { lang: Some(Lang::Zh), ..look.clone() });
         assert!(document.unwrap_or_else(|f| panic!("{}: {f}", t.name)).blocks.len() > 2, "{}", t.name);
         if !kinds.contains(&t.kind) {
             let page = solved.lesson(&Lesson { positions: 8, ..Lesson::default() }, &look).unwrap_or_else(|f| panic!("{}: {f}", t.name));
@@ -195,13 +195,13 @@ fn a_budget_stops_every_computation() {
         let works: [(&str, &dyn Fn()); 4] = [
             ("solve", &|| drop(solve(&problem, &Options::with_figures()))),
             ("figures", &|| drop(solved.figures(&Pictures::default(), &look))),
-            ("worksheet", &|| drop(solved.worksheet(Sides::Both, None, &look))),
+            ("worksheet", &|| drop(solved.worksheet(WorksheetSides::Both, None, &look))),
             ("lesson", &|| drop(solved.lesson(&lesson, &look))),
         ];
         // The loops below the facade are tested too.
         if let Problem::Scene(scene) = &problem {
             let m = Mechanism::new(scene).unwrap().value;
-            let placed = Placed::new(scene, &m).unwrap();
+            let placed = PlacedScene::new(scene, &m).unwrap();
             let stations = Stations::of_values(vec![0.1, 0.2], 1.0);
             let swept = past.run(|| sweep::run(&placed, 0, &stations, Width::Widest).map(|_| ()));
             assert_eq!(swept.err().map(|d| d.code), Some("stopped"), "a sweep of {name}");

@@ -5,7 +5,7 @@ mod wide;
 
 use hodograph::geom::Point;
 use hodograph::geom::Vec2;
-use hodograph::search::{Linkage, Search, search};
+use hodograph::search::{CouplerLinkage, Search, search};
 use std::time::{Duration, Instant};
 use wide::every;
 
@@ -17,8 +17,8 @@ const SEEDS: u64 = 20;
 /// slow core without optimisation.
 const BOUND: Duration = Duration::from_secs(600);
 
-fn known() -> [Linkage; 3] {
-    let linkage = |lengths: [f64; 4], phi: f64, e: [f64; 2], left: bool| Linkage {
+fn known() -> [CouplerLinkage; 3] {
+    let linkage = |lengths: [f64; 4], phi: f64, e: [f64; 2], left: bool| CouplerLinkage {
         a: Point::new(0.01, -0.02),
         lengths,
         phi,
@@ -32,13 +32,13 @@ fn known() -> [Linkage; 3] {
     ]
 }
 
-fn places(l: &Linkage) -> Vec<Point> {
+fn places(l: &CouplerLinkage) -> Vec<Point> {
     (0..PLACES).map(|k| l.place(std::f64::consts::TAU * k as f64 / PLACES as f64).unwrap().e).collect()
 }
 
 /// Asserts that every seed finds a curve through all places. (The linkage itself and its cognates
 /// have the same curve.)
-fn found_by_every_seed(l: &Linkage) {
+fn found_by_every_seed(l: &CouplerLinkage) {
     let (start, points) = (Instant::now(), places(l));
     for seed in (1..=SEEDS).step_by(every(8)) {
         let found = search(&points, seed);

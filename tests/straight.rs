@@ -1,7 +1,7 @@
 //! Cognates and straight-line linkages against reference values, and cognates of random linkages against their own sweep.
 
 #![allow(clippy::excessive_precision)] // The digits of the reference.
-use hodograph::synthesis::{Candidate, Design, read, solve};
+use hodograph::synthesis::{Design, DesignCandidate, read, solve};
 
 fn design(task: &str) -> Design {
     let task = read(task).unwrap_or_else(|f| panic!("{f}\n{task}")).value;
@@ -34,7 +34,7 @@ fn cognates_of_the_reference_case() {
     ] {
         near(number(name), exact, 100.0, name);
     }
-    let lengths = |c: &Candidate| ["AB", "BC", "CD", "BE", "CE"].map(|n| c.number(n).unwrap() * 1e3);
+    let lengths = |c: &DesignCandidate| ["AB", "BC", "CD", "BE", "CE"].map(|n| c.number(n).unwrap() * 1e3);
     let all: Vec<[f64; 5]> = ["given", "left", "right"]
         .iter()
         .map(|which| lengths(design.candidates.iter().find(|c| c.draft.which.en.contains(which)).unwrap()))
@@ -102,12 +102,12 @@ fn hoeken_by_the_reference_case() {
 }
 
 /// The place of E with the driver at an angle, by the finished scene.
-fn place(c: &Candidate, degrees: f64) -> [f64; 2] {
+fn place(c: &DesignCandidate, degrees: f64) -> [f64; 2] {
     use hodograph::mechanism::Mechanism;
-    use hodograph::sweep::{Placed, Stations, Width, run};
+    use hodograph::sweep::{PlacedScene, Stations, Width, run};
     let scene = hodograph::scene::read_asking(c.scene_text(), "x_E, y_E").unwrap().value;
     let m = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &m).unwrap();
+    let placed = PlacedScene::new(&scene, &m).unwrap();
     let table = run(&placed, 0, &Stations::of_values(vec![degrees.to_radians()], 1.0), Width::One).unwrap();
     ["x_E", "y_E"].map(|n| table.column(n).unwrap().values[0])
 }

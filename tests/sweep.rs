@@ -17,10 +17,10 @@ use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position;
 use hodograph::scene::{Angle, DriverKind, Lang, Scene, edit, read, templates};
 use hodograph::scene::{driver_position, with_driver_at};
-use hodograph::sweep::batch::{Batch, Block, Choice};
+use hodograph::sweep::batch::{Batch, Block, ParameterChoice};
 use hodograph::sweep::pieces::gather;
 use hodograph::sweep::vary::{Variation, Varied};
-use hodograph::sweep::{self, Placed, Stations, Sweep, Table, Width, extreme, station};
+use hodograph::sweep::{self, PlacedScene, Stations, Sweep, Table, Width, extreme, station};
 use long::{pieces, same_bits};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -33,7 +33,7 @@ fn scene(name: &str, find: &[&str]) -> Scene {
 }
 
 /// Stations about the instant: a turn, or a tenth of the size to either side.
-fn stations(placed: &Placed, steps: usize) -> Stations {
+fn stations(placed: &PlacedScene, steps: usize) -> Stations {
     let now = station::position_now(placed.scene, &placed.at, 0);
     let per_value = station::angle_per_value(placed.scene, &placed.at, 0);
     match placed.scene.drivers[0].kind {
@@ -46,7 +46,7 @@ fn stations(placed: &Placed, steps: usize) -> Stations {
 }
 
 fn swept(scene: &Scene, m: &Mechanism, steps: usize, width: Width) -> (Table, Stations) {
-    let placed = Placed::new(scene, m).unwrap();
+    let placed = PlacedScene::new(scene, m).unwrap();
     let stations = stations(&placed, steps);
     (sweep::run(&placed, 0, &stations, width).unwrap(), stations)
 }
@@ -116,7 +116,7 @@ fn every_row_is_what_the_single_solution_says() {
             continue;
         }
         let (table, stations) = swept(&scene, &m, 96 / every(8), Width::Widest);
-        let extent = Placed::new(&scene, &m).unwrap().at.extent();
+        let extent = PlacedScene::new(&scene, &m).unwrap().at.extent();
         let mut there = 0;
         for value in &stations.values {
             let expected = solved(&scene, &m, *value);
@@ -165,7 +165,7 @@ fn rates_are_the_slopes_of_the_columns() {
     for t in templates::list() {
         let scene = everything(t.name);
         let m = Mechanism::new(&scene).unwrap().value;
-        let placed = Placed::new(&scene, &m).unwrap();
+        let placed = PlacedScene::new(&scene, &m).unwrap();
         let now = station::position_now(&scene, &placed.at, 0);
         let step = 1e-5 * if matches!(scene.drivers[0].kind, DriverKind::Turn { .. }) { 1.0 } else { placed.at.extent() };
         if scene.drivers.len() > 1 || scene.cams.iter().any(|c| c.radii.is_empty()) {
@@ -220,7 +220,7 @@ fn rates_are_the_slopes_of_the_columns() {
 fn a_parallelogram_stays_one() {
     let scene = scene("parallelogram", &["omega_2", "omega_3", "phi_2"]);
     let m = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &m).unwrap();
+    let placed = PlacedScene::new(&scene, &m).unwrap();
     let stations = Stations::turned(Angle::Deg(-360.0), Angle::Deg(720.0), 1080);
     let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
     assert_eq!(table.rows(), 1081, "{:?}", table.notes);
@@ -234,7 +234,7 @@ fn a_parallelogram_stays_one() {
     assert!(told[0].contains("links 2, 3 lie in line (a change point)"), "{told:#?}");
 }
 
-fn limits_of(scene: &Scene) -> extreme::Limits {
+fn limits_of(scene: &Scene) -> extreme::MotionLimits {
     let m = Mechanism::new(scene).unwrap().value;
     extreme::limits(scene, &m, 0).unwrap()
 }
@@ -267,7 +267,7 @@ fn outputs_at_the_limits_of_the_driver() {
     let upper = limits.range.ends[1].as_ref().unwrap().value;
     let end = limits.swings[0].extremes.last().unwrap();
     let stations = Stations::of_values((0..40).map(|k| upper - 0.1 * 0.6f64.powi(k)).collect(), 1.0);
-    let table = sweep::run(&Placed::new(&scene, &m).unwrap(), 0, &stations, Width::One).unwrap();
+    let table = sweep::run(&PlacedScene::new(&scene, &m).unwrap(), 0, &stations, Width::One).unwrap();
     let way = |k: usize| (end.output - table.column("phi_4").unwrap().values[k]) / (upper - stations.values[k]).sqrt();
     assert!(end.at_limit && table.rows() == 40, "{end:?} {}", table.rows());
     assert!((way(39) / way(30) - 1.0).abs() < 5e-3 && (way(39) / way(35) - 1.0).abs() < 1e-3, "{} {} {}", way(30), way(35), way(39));
@@ -305,7 +305,7 @@ fn time_ratio_of_a_whitworth_mechanism() {
     let text = text.replace("\"DP\": \"150 mm\", \"PR\": \"135 mm\"", "\"DP\": \"135 mm\", \"PR\": \"150 mm\"");
     let scene = read(&text).unwrap_or_else(|f| panic!("{f}")).value;
     let limits = limits_of(&scene);
-    let ram = limits.swings.iter().find(|s| matches!(s.output, extreme::Output::Sliding(_))).unwrap();
+    let ram = limits.swings.iter().find(|s| matches!(s.output, extreme::DrivenOutput::Sliding(_))).unwrap();
     assert!((ram.time_ratio.unwrap() - 2.735_239_182_63).abs() < 1e-10, "{ram:?}");
     assert!((ram.stroke.unwrap() - 0.27).abs() < 1e-12, "{ram:?}");
 }
@@ -318,7 +318,7 @@ fn extreme_position_angle_of_a_time_ratio() {
         let text = templates::instantiate("crank-rocker", &[("l_BC", "200"), ("l_CD", &format!("{rocker:e} m"))]).unwrap();
         limits_of(&read(text).unwrap().value)
     };
-    let ratio = |l: &extreme::Limits| l.swings[0].time_ratio.unwrap();
+    let ratio = |l: &extreme::MotionLimits| l.swings[0].time_ratio.unwrap();
     // Crank 100, coupler 200, frame 300 mm.
     let (mut low, mut high) = (0.3, 0.36);
     assert!(ratio(&limits(low)) < 1.5 && ratio(&limits(high)) > 1.5, "{} {}", ratio(&limits(low)), ratio(&limits(high)));
@@ -338,7 +338,7 @@ fn the_limit_of_a_triad() {
     let m = Mechanism::new(&scene).unwrap().value;
     let limits = limits_of(&scene);
     let ends: Vec<f64> = limits.range.ends.iter().map(|e| e.as_ref().unwrap().value).collect();
-    let placed = Placed::new(&scene, &m).unwrap();
+    let placed = PlacedScene::new(&scene, &m).unwrap();
     for (end, inward) in [(ends[0], 1.0), (ends[1], -1.0)] {
         let at = |off: f64| {
             let stations = Stations::of_values(vec![end + inward * off], 1.0);
@@ -358,7 +358,7 @@ fn count(own: u64) -> u64 {
 
 /// Every row of a coarse sweep is that of a sweep of 3600 steps: the branch does not depend on the step.
 fn same_branch_at_every_step(name: &str, scene: &Scene, m: &Mechanism) -> usize {
-    let Ok(placed) = Placed::new(scene, m) else { return 0 };
+    let Ok(placed) = PlacedScene::new(scene, m) else { return 0 };
     let fine = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 3600), Width::Widest).unwrap();
     let mut rows = 0;
     for steps in [24, 72, 360] {
@@ -455,7 +455,7 @@ fn a_batch_is_its_parts() {
     let m = Mechanism::new(&scene).unwrap().value;
     let variation = Variation::new(&scene, &["l_AB", "l_BC"]).unwrap();
     let values = vec![variation.range(&scene, "l_AB", "60", "160", 10).unwrap(), variation.range(&scene, "l_BC", "200", "300", 4).unwrap()];
-    for choice in [Choice::Grid, Choice::Random { count: 55, seed: 3 }] {
+    for choice in [ParameterChoice::Grid, ParameterChoice::Random { count: 55, seed: 3 }] {
         let stations = Some(Stations::turned(Angle::Deg(0.0), Angle::Deg(350.0), 35));
         let batch =
             Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values: values.clone(), choice, driver: 0, stations };
@@ -476,7 +476,7 @@ fn a_batch_is_its_parts() {
             let lengths: Vec<String> = batch.parameters(number).iter().map(|v| format!("{:e} m", v.si())).collect();
             let text = templates::instantiate("crank-rocker", &[("l_AB", &lengths[0]), ("l_BC", &lengths[1])]).unwrap();
             let own = read(edit::with_find(&text, &["v_C", "omega_3"]).unwrap()).unwrap().value;
-            let Ok(placed) = Placed::new(&own, &m) else { continue };
+            let Ok(placed) = PlacedScene::new(&own, &m) else { continue };
             let table = sweep::run(&placed, 0, batch.stations.as_ref().unwrap(), Width::One).unwrap();
             let rows: Vec<usize> = (0..whole.columns[0].len()).filter(|&i| whole.columns[0][i] == number as f64).collect();
             assert_eq!(rows.len(), table.rows(), "{number}");
@@ -499,14 +499,21 @@ fn change_points_in_a_batch() {
     let variation = Variation::new(&scene, &["l_AB"]).unwrap();
     let values = vec![variation.range(&scene, "l_AB", "90", "110", 2).unwrap()];
     let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 200);
-    let batch =
-        Batch { scene: &scene, mechanism: &m, variation, values, choice: Choice::Grid, driver: 0, stations: Some(stations.clone()) };
+    let batch = Batch {
+        scene: &scene,
+        mechanism: &m,
+        variation,
+        values,
+        choice: ParameterChoice::Grid,
+        driver: 0,
+        stations: Some(stations.clone()),
+    };
     let whole = batch.block(0, 3);
     let (mut table, mut changed, mut stopped) = (Table::default(), 0, 0);
     for number in 0..3 {
         let mut own = scene.clone();
         batch.variation.set(&mut own, &batch.parameters(number)).unwrap();
-        table = Sweep::new(&Placed::new(&own, &m).unwrap(), 0).unwrap().run(&stations, Width::Widest, table);
+        table = Sweep::new(&PlacedScene::new(&own, &m).unwrap(), 0).unwrap().run(&stations, Width::Widest, table);
         let coded = |code: &str| table.notes.iter().filter(|n| n.code == code).count();
         changed += coded("change-point");
         stopped += coded("limit");

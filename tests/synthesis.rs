@@ -1,7 +1,7 @@
 //! Synthesis: designs compared with answers that were computed without this project, random
 //! linkages found again, impossible tasks.
 
-use hodograph::synthesis::{Candidate, Design, read, solve};
+use hodograph::synthesis::{Design, DesignCandidate, read, solve};
 use serde_json::{Value as Json, json};
 
 fn design(task: &Json) -> Result<Design, String> {
@@ -10,7 +10,7 @@ fn design(task: &Json) -> Result<Design, String> {
 }
 
 /// A number of a candidate, of the task, or of the judgement.
-fn number(design: &Design, c: &Candidate, name: &str) -> Option<f64> {
+fn number(design: &Design, c: &DesignCandidate, name: &str) -> Option<f64> {
     let of_task = || design.numbers.iter().find(|n| n.name == name).map(|n| n.value);
     match name {
         "transmission" => c.judged.transmission.map(|t| t.0),
@@ -19,7 +19,7 @@ fn number(design: &Design, c: &Candidate, name: &str) -> Option<f64> {
 }
 
 /// The deviations of a candidate from the answers, divided by the tolerance.
-fn off(design: &Design, c: &Candidate, wanted: &serde_json::Map<String, Json>) -> Vec<(String, f64)> {
+fn off(design: &Design, c: &DesignCandidate, wanted: &serde_json::Map<String, Json>) -> Vec<(String, f64)> {
     let scale = wanted.values().filter_map(Json::as_f64).map(f64::abs).fold(0.0, f64::max);
     let of = |(name, exact): (&String, &Json)| {
         let exact = exact.as_f64().unwrap();
@@ -51,8 +51,9 @@ fn met(cases: &[Json]) {
         let design = design(&case["task"]).unwrap_or_else(|e| panic!("{id}: {e}"));
         let wanted = case["numbers"].as_object().unwrap();
         let tolerance = case["tolerance"].as_f64().unwrap();
-        let worst =
-            |c: &Candidate| off(&design, c, wanted).iter().map(|o| if o.1.is_nan() { f64::INFINITY } else { o.1 }).fold(0.0, f64::max);
+        let worst = |c: &DesignCandidate| {
+            off(&design, c, wanted).iter().map(|o| if o.1.is_nan() { f64::INFINITY } else { o.1 }).fold(0.0, f64::max)
+        };
         let best = design.candidates.iter().min_by(|a, b| worst(a).total_cmp(&worst(b))).unwrap();
         assert!(worst(best) <= tolerance, "{id}: {:?}", off(&design, best, wanted));
         for code in case["defects"].as_array().unwrap() {
@@ -149,7 +150,7 @@ impl Linkage {
     }
 }
 
-fn is(c: &Candidate, lengths: [f64; 4]) -> bool {
+fn is(c: &DesignCandidate, lengths: [f64; 4]) -> bool {
     ["AB", "BC", "CD", "AD"].iter().zip(lengths).all(|(n, l)| c.number(n).is_some_and(|v| (v * 1e3 - l).abs() < 1e-7 * l))
 }
 

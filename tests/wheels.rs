@@ -7,11 +7,11 @@ mod belts;
 #[path = "wheels/ropes.rs"]
 mod ropes;
 
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::certified::ladder::certify;
 use hodograph::diag::{Diagnostic, Faults, Severity};
-use hodograph::mechanism::{Mechanism, Opened, Survey};
-use hodograph::position::redundant::{Reason, Verdict, check};
+use hodograph::mechanism::{Mechanism, MobilitySurvey, Opened};
+use hodograph::position::redundant::{RedundancyVerdict, RepeatReason, check};
 use hodograph::report::mobility;
 use hodograph::scene::{self, Scene};
 use hodograph::worked::{Scope, Worked, work};
@@ -27,8 +27,8 @@ fn errors(f: &Faults) -> Vec<&'static str> {
 fn scalar(scene: &Scene, worked: &Worked, find: &str) -> f64 {
     let i = scene.find.iter().position(|f| f.text == find).unwrap();
     match worked.results.iter().find(|r| r.find == i).unwrap_or_else(|| panic!("{find}")).computed {
-        Value::Scalar(s) => s,
-        other @ (Value::Vector(_) | Value::Point(_)) => panic!("{find} = {other:?}"),
+        AnswerValue::Scalar(s) => s,
+        other @ (AnswerValue::Vector(_) | AnswerValue::Point(_)) => panic!("{find} = {other:?}"),
     }
 }
 
@@ -68,8 +68,8 @@ fn further_planets_are_solved_and_told() {
         let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{count}: {f}"));
         assert_eq!(worked.value.redundant.len(), count - 1);
         for r in &worked.value.redundant {
-            assert_eq!((r.verdict, r.positions), (Verdict::Virtual, 5));
-            assert!(matches!(r.reason, Reason::RepeatedPlanets(_)), "{r:?}");
+            assert_eq!((r.verdict, r.positions), (RedundancyVerdict::Virtual, 5));
+            assert!(matches!(r.reason, RepeatReason::RepeatedPlanets(_)), "{r:?}");
         }
         agree(&scene, &worked.value);
         // Willis: the arm makes a third of the sun's turns, a planet as many as the sun the other
@@ -80,7 +80,7 @@ fn further_planets_are_solved_and_told() {
         for k in 0..count {
             assert!((scalar(&scene, &worked.value, &format!("omega_{}", 4 + k)) + 9.0).abs() < 1e-12);
         }
-        let survey = Survey::of(&scene);
+        let survey = MobilitySurvey::of(&scene);
         assert_eq!(survey.counts.freedom(count - 1, survey.local.len()), 1, "{count}: {:?}", survey.counts);
     }
 }
@@ -132,8 +132,8 @@ fn further_wheels_of_a_cart_touch_by_themselves() {
             assert!(matches!(r.opened, Opened::Guide(g) if scene.guides[g.0].rolling.is_some()), "{r:?}");
         }
         for c in check(&scene, &m).unwrap_or_else(|f| panic!("{f}")) {
-            assert_eq!((c.verdict, c.positions), (Verdict::Virtual, 5), "{c:?}");
-            assert!(matches!(c.reason, Reason::ParallelGuides(_)), "{c:?}");
+            assert_eq!((c.verdict, c.positions), (RedundancyVerdict::Virtual, 5), "{c:?}");
+            assert!(matches!(c.reason, RepeatReason::ParallelGuides(_)), "{c:?}");
         }
         let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{radii:?}: {f}")).value;
         agree(&scene, &worked);
@@ -173,7 +173,7 @@ fn gears_side_by_side_repeat_or_lock() {
             "driver": {{"link": "2", "omega": "2 rad/s"}}, "find": ["omega_3"]}}"#
         )
     };
-    assert!(work(&read(&pair([30, 60])), Scope::Questions).is_ok_and(|w| w.value.redundant[0].verdict == Verdict::Virtual));
+    assert!(work(&read(&pair([30, 60])), Scope::Questions).is_ok_and(|w| w.value.redundant[0].verdict == RedundancyVerdict::Virtual));
     assert_eq!(errors(&work(&read(&pair([30, 61])), Scope::Questions).unwrap_err()), ["locked"]);
     let ring = r#"{"units": {"length": "mm"}, "links": {"1": ["O", "A", "B"], "2": ["O"], "3": ["A"], "4": ["B"]}, "ground": "1",
         "points": {"O": [0, 0], "A": [100, 0], "B": [50, 80]}, "gears": [{"links": ["2", "3"], "centres": ["O", "A"], "teeth": [20, 20]},
@@ -280,11 +280,11 @@ fn a_rack_held_by_its_mesh_is_drawn_from_the_pitch_point() {
 fn a_rack_in_its_guide_is_held_by_the_guide() {
     let text = r#"{"links": {"1": ["O"], "2": ["O"]}, "ground": "1", "points": {"O": [0, 0]}, "guides": [{"slider": "3", "on": "1", "angle": "0 deg"}],
         "gears": [{"links": ["2", "3"], "centres": ["O"], "radii": ["30 mm"], "rack": "3", "angle": "0 deg"}]}"#;
-    let survey = Survey::of(&scene::read_topology(text).unwrap().value);
+    let survey = MobilitySurvey::of(&scene::read_topology(text).unwrap().value);
     assert_eq!((survey.counts.higher, survey.counts.freedom(0, 0)), (1, 1));
     let lever = r#"{"links": {"1": ["O"], "2": ["O"]}, "ground": "1", "points": {"O": [0, 0]}, "guides": [{"pin": "B", "slider": "3", "on": "2", "through": "O"},
         {"pin": "B", "slider": "4", "on": "1", "through": ["300 mm", 0], "angle": "90 deg"}], "driver": {"link": "2", "angle": "25 deg", "omega": "2 rad/s"}}"#;
-    assert_eq!(Survey::of(&scene::read_topology(lever).unwrap().value).counts.freedom(0, 0), 1);
+    assert_eq!(MobilitySurvey::of(&scene::read_topology(lever).unwrap().value).counts.freedom(0, 0), 1);
 }
 
 /// Gears on the two floating links of a five-bar: their pose is found as a whole, near the sketch.
@@ -350,7 +350,7 @@ fn a_train_by_teeth_is_as_long_as_one_likes() {
         let done = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{count} gears: {f}")).value;
         let sign = if count % 2 == 0 { -1.0 } else { 1.0 };
         let due = sign * 10.0 * teeth(0) as f64 / teeth(count - 1) as f64;
-        let Value::Scalar(found) = done.results[0].value() else { panic!("no number") };
+        let AnswerValue::Scalar(found) = done.results[0].value() else { panic!("no number") };
         assert!((found - due).abs() < 1e-9 * due.abs(), "{count} gears: {found} {due}");
     }
 }

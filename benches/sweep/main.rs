@@ -15,9 +15,9 @@ use by_hand::ByHand;
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{Scene, edit, read, templates};
 use hodograph::sweep::CHUNK;
-use hodograph::sweep::batch::{Batch, Block, Choice};
+use hodograph::sweep::batch::{Batch, Block, ParameterChoice};
 use hodograph::sweep::vary::Variation;
-use hodograph::sweep::{self, Placed, Stations, Width, compile};
+use hodograph::sweep::{self, PlacedScene, Stations, Width, compile};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -50,7 +50,7 @@ fn asked(name: &str, find: &[&str]) -> Scene {
 /// The positions of a chunk.
 fn stations(scene: &Scene) -> (Stations, Mechanism) {
     let m = Mechanism::new(scene).unwrap().value;
-    let placed = Placed::new(scene, &m).unwrap();
+    let placed = PlacedScene::new(scene, &m).unwrap();
     let now = sweep::station::position_now(scene, &placed.at, 0);
     (Stations::slid(now, now + 0.1, CHUNK - 1, 1.0), m)
 }
@@ -58,7 +58,7 @@ fn stations(scene: &Scene) -> (Stations, Mechanism) {
 /// Returns a program over one chunk of positions with its inputs, and the number of positions.
 fn chunk_of(scene: &Scene, width: Width) -> (Box<dyn FnMut()>, usize) {
     let (stations, m) = stations(scene);
-    let placed = Placed::new(scene, &m).unwrap();
+    let placed = PlacedScene::new(scene, &m).unwrap();
     let fused = compile(scene, &m, &placed.at, Some(0), &scene.find).unwrap().fused().clone();
     let (mut buffer, n) = (fused.buffer(), fused.positions());
     fused.load(&mut buffer, &stations, 0..n);
@@ -69,7 +69,7 @@ fn chunk_of(scene: &Scene, width: Width) -> (Box<dyn FnMut()>, usize) {
 /// columns.
 fn hand(scene: &Scene, mechanism: by_hand::Mechanism) -> (Box<dyn FnMut()>, usize) {
     let (stations, m) = stations(scene);
-    let placed = Placed::new(scene, &m).unwrap();
+    let placed = PlacedScene::new(scene, &m).unwrap();
     let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
     let mut hand = ByHand::new(mechanism, &stations.cosines, &stations.sines);
     hand.call();
@@ -233,7 +233,7 @@ fn batch() {
     let variation = Variation::new(&scene, &["l_AB", "l_BC", "l_CD"]).unwrap();
     let range = |name, from, to| variation.range(&scene, name, from, to, 1).unwrap();
     let values = vec![range("l_AB", "60", "120"), range("l_BC", "200", "300"), range("l_CD", "180", "260")];
-    let choice = Choice::Random { count: 10_000, seed: 1 };
+    let choice = ParameterChoice::Random { count: 10_000, seed: 1 };
     let stations = Some(Stations::turned(hodograph::scene::Angle::Deg(0.0), hodograph::scene::Angle::Deg(358.2), 199));
     let batch = Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values, choice, driver: 0, stations };
     let (start, cpu) = (Instant::now(), processor_time());

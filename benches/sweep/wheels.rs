@@ -4,7 +4,7 @@
 use super::{Variant, chunk_of, scene};
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{Angle, Scene};
-use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::sweep::{self, PlacedScene, Stations, Width};
 use std::hint::black_box;
 
 /// Positions of a turn.
@@ -37,7 +37,7 @@ fn turn(scene: Scene) -> (Box<dyn FnMut()>, usize) {
     let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(359.0), TURN - 1);
     let run = move || {
         let m = Mechanism::new(&scene).unwrap().value;
-        let placed = Placed::new(&scene, &m).unwrap();
+        let placed = PlacedScene::new(&scene, &m).unwrap();
         black_box(sweep::run(&placed, 0, &stations, Width::Widest).unwrap());
     };
     (Box::new(run), TURN)

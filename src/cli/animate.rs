@@ -1,16 +1,16 @@
 //! `hodograph animate`: the mechanism with its polygons through the travel of a driver, as an
 //! animation or as single frames.
 
-use super::args::Animate;
+use super::args::AnimateArgs;
 use super::draw::style_of;
 use super::places::{one_result, places};
 use super::sweep::swept_of;
 use super::together::Together;
-use super::values::Moving;
-use super::{Failure, Input, Run, choices, files, ids};
+use super::values::MotionFormat;
+use super::{CommandResult, Failure, SceneInput, choices, files, ids};
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::figure::poses::{Wanted, turn};
-use crate::figure::sheet::Options;
+use crate::figure::poses::{PosesContent, turn};
+use crate::figure::sheet::SheetOptions;
 use crate::paper::item::Figure;
 use crate::render::{gif, moving, png, svg};
 use crate::worked::Scope;
@@ -22,31 +22,31 @@ use std::process::ExitCode;
 const INCH_MM: f64 = 25.4;
 
 /// Runs the command.
-pub fn run(a: Animate) -> Run {
-    let places = places(&a.output, &a.format, Moving::Svg)?;
-    if places.iter().any(|p| p.0 == Moving::Png) {
+pub fn run(a: AnimateArgs) -> CommandResult {
+    let places = places(&a.output, &a.format, MotionFormat::Svg)?;
+    if places.iter().any(|p| p.0 == MotionFormat::Png) {
         let one = both!("ask for one file that moves: --format svg or --format gif", "请写成一个动画文件：--format svg 或 --format gif");
         one_result(&a.output, usize::from(a.frames), one)?;
     }
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common)?.drawn_in(&style);
+    let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
     input.over_a_turn();
     let worked = input.work(Scope::Figure)?;
     let swept = swept_of(&input.scene, a.moves.over.as_deref())?;
     let (lang, notation) = choices(&input.scene, &a.common);
-    let options = Options { notation: style.marks.over(&notation), style, ..Options::of_language(lang) };
-    let wanted = Wanted { count: usize::from(a.frames), swept, points: Vec::new() };
+    let options = SheetOptions { notation: style.marks.over(&notation), style, ..SheetOptions::of_language(lang) };
+    let wanted = PosesContent { count: usize::from(a.frames), swept, points: Vec::new() };
     let made = turn(&input.scene, &worked, &options, &wanted, INCH_MM / a.dpi).map_err(|f| input.failed(f))?;
     let Warned { value, notes } = made;
     let period = value.period();
     let (mut all, mut names) = (Together::default(), String::new());
     for (format, path) in &places {
         let bytes = match format {
-            Moving::Gif => gif::write(&written(&period)?, a.dpi, a.seconds).map_err(of_figure)?,
-            Moving::Svg => {
+            MotionFormat::Gif => gif::write(&written(&period)?, a.dpi, a.seconds).map_err(of_figure)?,
+            MotionFormat::Svg => {
                 ids::put_before(&moving::write(&period, a.seconds).map_err(|f| Failure::input(f, "", ""))?).into_owned().into_bytes()
             }
-            Moving::Png => {
+            MotionFormat::Png => {
                 names += &frames(path, &written(&period)?, a.dpi, &mut all)?;
                 continue;
             }

@@ -5,13 +5,16 @@ mod motion;
 mod paths;
 mod reports;
 
-use super::values::{Errors, Format, Language, Rows, Sheet, Table, Text, Vectors, digits, dpi, figures, length, seconds, steps};
-use crate::figure::list::{Entry, USUAL};
+use super::values::{
+    BatchFormat, FaultFormat, FigureFormat, Language, PointVectors, SheetFormat, TableFormat, TextFormat, digits, dpi, figures, length,
+    seconds, steps,
+};
+use crate::figure::list::{FigureEntry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
-pub use diff::Diff;
-pub use motion::{Animate, Moves, Path};
-pub use paths::{Curvature, Inversions};
-pub use reports::{Attempts, Centres, Composite, Limits, Readings};
+pub use diff::DiffArgs;
+pub use motion::{AnimateArgs, PathArgs, TravelArgs};
+pub use paths::{CurvatureArgs, InversionsArgs};
+pub use reports::{AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, ReadingsArgs};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
 #[derive(Parser, Debug)]
@@ -27,8 +30,8 @@ pub struct Args {
     #[arg(long, value_enum, global = true)]
     pub lang: Option<Language>,
     /// Form of faults, warnings and notes on standard error: text, or one JSON document for the run (`hodograph schema --diagnostics`)
-    #[arg(long, value_enum, global = true, default_value_t = Errors::Text, hide_possible_values = true, hide_default_value = true, value_name = "text|json")]
-    pub errors: Errors,
+    #[arg(long, value_enum, global = true, default_value_t = FaultFormat::Text, hide_possible_values = true, hide_default_value = true, value_name = "text|json")]
+    pub errors: FaultFormat,
     #[command(subcommand)]
     pub command: Command,
 }
@@ -36,48 +39,48 @@ pub struct Args {
 #[derive(Subcommand, Debug)]
 pub enum Command {
     /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results (SVG, PNG, PDF)
-    Draw(Draw),
+    Draw(DrawArgs),
     /// Write a lesson: one HTML page with the construction step by step and a crank to drag
-    Lesson(Lesson),
+    Lesson(LessonArgs),
     /// Answer the scene's questions: values, units, senses, drawing against analysis; at a change point both motions
-    Solve(Solve),
+    Solve(SolveArgs),
     /// Write the vector equations in solving order, and why each effect is in or out; as JSON, also what work was done
-    Plan(Plan),
+    Plan(PlanArgs),
     /// Write a worksheet: the problem as it is set, and its solution step by step (PDF, HTML, Markdown, Typst)
-    Worksheet(Worksheet),
+    Worksheet(WorksheetArgs),
     /// Measure what accuracy costs: every way to this scene's answers with its error and its time, as a table and a figure
-    Accuracy(Accuracy),
+    Accuracy(AccuracyArgs),
     /// Sweep a driver or a parameter: the answers at all positions, as a table (CSV, JSON, NumPy, Parquet)
-    Sweep(Sweep),
+    Sweep(SweepArgs),
     /// Vary parameters over a grid or at random: many mechanisms, at one or many positions each, into one table (CSV, NumPy, Parquet)
-    Batch(Batch),
+    Batch(BatchArgs),
     /// Line diagrams: displacement, velocity, acceleration against the position of the driver or the time, extremes
     /// marked
-    Curves(Curves),
+    Curves(CurvesArgs),
     /// Paths of points (coupler curves) on the mechanism, and the hodographs of their velocities and accelerations
-    Path(Path),
+    Path(PathArgs),
     /// The motion as a moving picture: mechanism and polygons through the travel of a driver or through time (GIF, moving SVG, numbered PNG)
-    Animate(Animate),
+    Animate(AnimateArgs),
     /// A disc cam over a whole turn: displacement, velocity, acceleration, shocks, pressure angle, curvature; its profile (CSV, DXF)
-    Cam(Cam),
-    /// Range of the driver, extreme positions and strokes, time ratio, transmission angles, Grashof's type
-    Limits(Limits),
+    Cam(CamArgs),
+    /// RangeArgs of the driver, extreme positions and strokes, time ratio, transmission angles, Grashof's type
+    Limits(LimitsArgs),
     /// Count freedoms: links and pairs, compound hinges, local freedoms, virtual constraints, groups for each possible driver
-    Mobility(Mobility),
+    Mobility(MobilityArgs),
     /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
-    Centres(Centres),
+    Centres(CentresArgs),
     /// Inversions: each link of the chain as ground in turn, with Grashof's type, what turns fully, strokes, and Willis' ratios of gears; each a scene
-    Inversions(Inversions),
+    Inversions(InversionsArgs),
     /// Curvature of paths: pole, inflection circle, centres of curvature (Bobillier, Euler-Savary), acceleration pole, Ball's point
-    Curvature(Curvature),
+    Curvature(CurvatureArgs),
     /// Composite motion of a point: which moving points and frames serve and why not, and the parts of the motion
-    Composite(Composite),
+    Composite(CompositeArgs),
     /// Wrong solutions: where typical mistakes can be made in this scene, what comes of them, and why they are wrong
-    Attempts(Attempts),
+    Attempts(AttemptsArgs),
     /// Design a linkage from a synthesis file: all candidates with lengths, errors, defects and transmission angles, each a scene
-    Synth(super::synth::Synth),
+    Synth(super::synth::SynthArgs),
     /// Readings of a statement whose figure is lost: the answers of each, and which gives what was printed
-    Readings(Readings),
+    Readings(ReadingsArgs),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -90,11 +93,11 @@ pub enum Command {
         output: Option<String>,
     },
     /// Compare two figures (SVG, PNG): vectors that moved, items, texts, pixels; exit code 1 where they differ
-    Diff(Diff),
+    Diff(DiffArgs),
     /// List the templates with their parameters
     Templates,
     /// Explain a fault, warning or note by its code: cause and cure; or list all codes
-    Explain(super::explain::Explain),
+    Explain(super::explain::ExplainArgs),
     /// Print the JSON Schema of the scene format
     Schema {
         /// The schema of the synthesis file instead
@@ -114,7 +117,7 @@ pub enum Command {
 
 /// Arguments of all commands on a scene.
 #[derive(ClapArgs, Debug)]
-pub struct Common {
+pub struct CommonArgs {
     /// The scene file; `-` reads standard input
     #[arg(value_name = "SCENE")]
     pub scene: String,
@@ -128,7 +131,7 @@ pub struct Common {
 
 /// The appearance of figures.
 #[derive(ClapArgs, Debug)]
-pub struct Look {
+pub struct LookArgs {
     /// Style: print (black on white), slides (a colour for each link), dark, or a style file ending in .json
     #[arg(long, value_name = "STYLE", default_value = "print")]
     pub style: String,
@@ -142,21 +145,21 @@ pub struct Look {
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Draw {
+pub struct DrawArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// Folder for the files, or one file ending in .svg, .png or .pdf, or `-` for standard output; a folder that is not there yet and has a dot in its name ends in /
     #[arg(short, long, value_name = "PATH", default_value = ".")]
     pub output: String,
     /// Formats of the files, such as svg,pdf; of a file the ending of -o decides (default: svg,png into a folder, svg to standard output)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
-    pub format: Vec<Format>,
+    pub format: Vec<FigureFormat>,
     /// The figures, each in files of its own: the whole sheet, or parts of it
     #[arg(long, value_parser = figures(), value_delimiter = ',', default_value = USUAL.name)]
-    pub figure: Vec<&'static Entry>,
+    pub figure: Vec<&'static FigureEntry>,
     /// With the mechanism: vectors of this kind at its points
     #[arg(long, value_enum, conflicts_with = "steps")]
-    pub vectors: Option<Vectors>,
+    pub vectors: Option<PointVectors>,
     /// Number of positions of the first driver: the sheet becomes a table of them, each with its mechanism and polygons, all to one
     /// set of scales; with `--figure mechanism` they lie behind the mechanism
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72), conflicts_with = "steps")]
@@ -174,8 +177,8 @@ pub struct Draw {
     #[arg(long, value_name = "LENGTH")]
     pub width: Option<String>,
     /// Letters of an SVG: outlines look the same everywhere; editable text depends on the fonts of the machine that shows it
-    #[arg(long, value_enum, default_value_t = Text::Outlines)]
-    pub text: Text,
+    #[arg(long, value_enum, default_value_t = TextFormat::Outlines)]
+    pub text: TextFormat,
     /// One picture for each step of the construction, with the step's sentence
     #[arg(long, conflicts_with = "figure")]
     pub steps: bool,
@@ -183,7 +186,7 @@ pub struct Draw {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
     #[command(flatten)]
-    pub look: Look,
+    pub look: LookArgs,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
     #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
     pub digits: usize,
@@ -196,9 +199,9 @@ pub struct Draw {
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Lesson {
+pub struct LessonArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// The page to write, or `-` for standard output (default: named after the scene)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
@@ -215,18 +218,18 @@ pub struct Lesson {
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "over")]
     pub driver: Option<u64>,
     #[command(flatten)]
-    pub moves: Moves,
+    pub moves: TravelArgs,
     /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
     #[command(flatten)]
-    pub look: Look,
+    pub look: LookArgs,
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Solve {
+pub struct SolveArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// Answers as JSON, in SI, with both ways and their difference
     #[arg(long)]
     pub json: bool,
@@ -243,9 +246,9 @@ pub struct Solve {
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Plan {
+pub struct PlanArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// The plan as JSON, with counters of the work that the questions made: groups, equations, vectors, unknowns, values
     #[arg(long)]
     pub json: bool,
@@ -255,15 +258,15 @@ pub struct Plan {
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Worksheet {
+pub struct WorksheetArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// The file, ending in .pdf, .html, .md or .typ, or `-` for standard output; the last two get their drawings as SVG files beside them
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
     /// Formats where -o has no such ending, such as pdf,html; each ending is added where there are several (default of `-o -`: html)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
-    pub format: Vec<Sheet>,
+    pub format: Vec<SheetFormat>,
     /// Only the problem: what is given and wanted, no answer
     #[arg(long, conflicts_with = "solution")]
     pub problem_only: bool,
@@ -280,16 +283,16 @@ pub struct Worksheet {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
     #[command(flatten)]
-    pub look: Look,
+    pub look: LookArgs,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
     #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
     pub digits: usize,
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Accuracy {
+pub struct AccuracyArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// Also a series of poses that approach the nearest limit of the first driver, down to 1e-12
     #[arg(long)]
     pub toward_toggle: bool,
@@ -298,7 +301,7 @@ pub struct Accuracy {
     pub output: Option<String>,
     /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST", requires = "output")]
-    pub format: Vec<Format>,
+    pub format: Vec<FigureFormat>,
     /// The tables as JSON
     #[arg(long)]
     pub json: bool,
@@ -306,12 +309,12 @@ pub struct Accuracy {
     #[arg(long, value_name = "MS", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     pub patience: u64,
     #[command(flatten)]
-    pub look: Look,
+    pub look: LookArgs,
 }
 
 /// A driver's or parameter's values, and what is asked at each.
 #[derive(ClapArgs, Debug)]
-pub struct Range {
+pub struct RangeArgs {
     /// The variable: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); for `sweep` and `curves` also `t`, the time: all drivers, each by its
     /// law or at its rate (default where the scene has laws of time); of `sweep` a parameter of the scene
     #[arg(long, value_name = "NAME")]
@@ -332,27 +335,27 @@ pub struct Range {
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Sweep {
+pub struct SweepArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     #[command(flatten)]
-    pub range: Range,
+    pub range: RangeArgs,
     /// Write to this file, ending in .csv, .json, .npy or .parquet (default: `-`, standard output)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
     /// Format where -o has no such ending (default of standard output: csv)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT")]
-    pub format: Vec<Table>,
+    pub format: Vec<TableFormat>,
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Curves {
+pub struct CurvesArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     #[command(flatten)]
-    pub range: Range,
+    pub range: RangeArgs,
     #[command(flatten)]
-    pub look: Look,
+    pub look: LookArgs,
     /// The vectors that are asked for, each from one pole, in place of line diagrams: the polar diagram of a bearing's force, the hodograph of
     /// a velocity
     #[arg(long)]
@@ -362,38 +365,38 @@ pub struct Curves {
     pub output: String,
     /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
-    pub format: Vec<Format>,
+    pub format: Vec<FigureFormat>,
 }
 
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "Links and pairs are enough: without driver and lengths whatever lengths decide stays open")]
-pub struct Mobility {
+pub struct MobilityArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
     #[command(flatten)]
-    pub look: Look,
+    pub look: LookArgs,
     /// The groups drawn apart, in a file ending in .svg, .png or .pdf, or on `-`, standard output, in place of the report; the scene must
     /// tell its pose
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
     /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST", requires = "output")]
-    pub format: Vec<Format>,
+    pub format: Vec<FigureFormat>,
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Cam {
+pub struct CamArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// Folder for two figures: the motion of the follower, and the profile by inversion
     #[arg(short, long, value_name = "FOLDER")]
     pub output: Option<String>,
     /// Formats of the figures, such as svg,pdf (default: svg,png)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
-    pub format: Vec<Format>,
+    pub format: Vec<FigureFormat>,
     /// Write the profile to this file in millimetres, ending in .csv (a row for each angle) or .dxf (for a machine that cuts), or to `-`,
     /// standard output, as CSV in place of the report
     #[arg(long, value_name = "FILE")]
@@ -408,16 +411,16 @@ pub struct Cam {
     #[arg(long)]
     pub json: bool,
     #[command(flatten)]
-    pub look: Look,
+    pub look: LookArgs,
     /// Resolution of the PNG in dots per inch
     #[arg(long, default_value_t = 200.0, value_parser = dpi)]
     pub dpi: f64,
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Batch {
+pub struct BatchArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// A parameter and its values: NAME=FROM..TO:N; bare numbers keep the unit
     #[arg(long, value_name = "NAME=FROM..TO:N", required = true)]
     pub vary: Vec<String>,
@@ -428,11 +431,11 @@ pub struct Batch {
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     #[command(flatten)]
-    pub range: Range,
+    pub range: RangeArgs,
     /// Write to this file, ending in .csv, .npy or .parquet, or to `-`, standard output; an interrupted run goes on where it was left
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
     /// Format where -o has no such ending (default of `-o -`: csv)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT")]
-    pub format: Vec<Rows>,
+    pub format: Vec<BatchFormat>,
 }

@@ -1,7 +1,7 @@
 //! `hodograph attempts`: the wrong solutions that the scene names, or all typical mistakes that are
 //! possible in it.
 
-use super::{Input, Run, args, choices, files};
+use super::{CommandResult, SceneInput, args, choices, files};
 use crate::attempts;
 use crate::certified::certify;
 use crate::report::answers::DIGITS;
@@ -10,13 +10,14 @@ use crate::worked::Scope;
 use std::process::ExitCode;
 
 /// Runs the command.
-pub fn run(a: args::Attempts) -> Run {
-    let mut input = Input::read(&a.common)?;
+pub fn run(a: args::AttemptsArgs) -> CommandResult {
+    let mut input = SceneInput::read(&a.common)?;
     let worked = input.work(Scope::Figure)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     let all = attempts::wanted(&input.scene, &worked, a.all).map_err(|f| input.failed(f))?;
     let certified = certify(&input.scene, &worked, DIGITS);
-    let words = report::Words { scene: &input.scene, worked: &worked, certified: &certified, notation: &notation, lang, digits: DIGITS };
+    let words =
+        report::AttemptWords { scene: &input.scene, worked: &worked, certified: &certified, notation: &notation, lang, digits: DIGITS };
     if a.json {
         files::print(&format!("{:#}\n", report::json(&words, &all)))?;
         return Ok(ExitCode::SUCCESS);

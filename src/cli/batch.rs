@@ -1,20 +1,20 @@
 //! `hodograph batch`: varied parameters, many mechanisms, written block by block into one file.
 //!
-//! The rows go to a part file beside the output ([`Part`]), which is renamed when all are written.
+//! The rows go to a part file beside the output ([`PartialTable`]), which is renamed when all are written.
 //! An interrupted run leaves the part, and the same command continues from there. A file that
 //! cannot be written completely is removed: an output file is always complete.
 
-use super::args::Batch as Args;
-use super::part::Part;
+use super::args::BatchArgs as Args;
+use super::part::PartialTable;
 use super::sweep::{ask, driver_of, stations, within};
 use super::target::unwritable;
-use super::values::Rows;
-use super::{Failure, Input, Run, Told, choices, errors, files, lang, long, places, stop, tables};
+use super::values::BatchFormat;
+use super::{CommandResult, Failure, SceneInput, SourceFaults, choices, errors, files, lang, long, places, stop, tables};
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::mechanism::Mechanism;
-use crate::report::table::{Format, GENERATOR, Head, Piece};
-use crate::sweep::Placed;
-use crate::sweep::batch::{Batch, Block, Choice};
+use crate::report::table::{GENERATOR, RowFormat, TableHead, TablePiece};
+use crate::sweep::PlacedScene;
+use crate::sweep::batch::{Batch, Block, ParameterChoice};
 use crate::sweep::vary::Variation;
 use std::io;
 use std::path::Path;
@@ -29,10 +29,10 @@ const MOST_POSITIONS: usize = 100_000;
 /// rows.
 const BLOCK: usize = 1 << 20;
 
-pub fn batch(a: Args) -> Run {
-    let mut input = Input::read(&a.common)?;
+pub fn batch(a: Args) -> CommandResult {
+    let mut input = SceneInput::read(&a.common)?;
     ask(&mut input, a.range.find.as_deref())?;
-    let (format, output) = tables::place(&a.output, &a.format, Rows::Csv)?;
+    let (format, output) = tables::place(&a.output, &a.format, BatchFormat::Csv)?;
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
     let batch = plan(&input, &mechanism, &a)?;
     let (lang, _) = choices(&input.scene, &a.common);
@@ -58,8 +58,8 @@ pub fn batch(a: Args) -> Run {
 }
 
 /// The columns of a batch. The mechanism's number, its parameters and the driver's position repeat.
-fn head(batch: &Batch, title: &str) -> Head {
-    let mut head = Head::new(title, batch.columns()).told_in(lang::now());
+fn head(batch: &Batch, title: &str) -> TableHead {
+    let mut head = TableHead::new(title, batch.columns()).in_language(lang::now());
     let leading = 2 + batch.values.len();
     head.columns.iter_mut().take(leading).for_each(|c| c.repeats = true);
     head.columns.iter_mut().take(1).for_each(|c| c.whole = true);
@@ -69,7 +69,7 @@ fn head(batch: &Batch, title: &str) -> Head {
 /// # Errors
 /// Arguments that cannot be read or do not fit the quantity of their parameter, each shown in its
 /// own argument.
-fn plan<'a>(input: &'a Input, mechanism: &'a Mechanism, a: &Args) -> Result<Batch<'a>, Failure> {
+fn plan<'a>(input: &'a SceneInput, mechanism: &'a Mechanism, a: &Args) -> Result<Batch<'a>, Failure> {
     let scene = &input.scene;
     let mut ranges = Vec::new();
     let mut wrong = Vec::new();
@@ -77,7 +77,7 @@ fn plan<'a>(input: &'a Input, mechanism: &'a Mechanism, a: &Args) -> Result<Batc
         let known = range(text).and_then(|r| Variation::new(scene, &[r.name]).map(|_| r).map_err(|f| at(text, r.name, f)));
         match known {
             Ok(r) => ranges.push((text, r)),
-            Err(faults) => wrong.push(Told::argument("--vary", text, faults)),
+            Err(faults) => wrong.push(SourceFaults::argument("--vary", text, faults)),
         }
     }
     if !wrong.is_empty() {
@@ -91,7 +91,7 @@ fn plan<'a>(input: &'a Input, mechanism: &'a Mechanism, a: &Args) -> Result<Batc
         let read = checked(r.from).and_then(|()| checked(r.to)).and_then(|()| variation.range(scene, r.name, r.from, r.to, r.count - 1));
         match read {
             Ok(list) => values.push(list),
-            Err(faults) => wrong.push(Told::argument("--vary", text, faults)),
+            Err(faults) => wrong.push(SourceFaults::argument("--vary", text, faults)),
         }
     }
     if !wrong.is_empty() {
@@ -102,11 +102,11 @@ fn plan<'a>(input: &'a Input, mechanism: &'a Mechanism, a: &Args) -> Result<Batc
         None => None,
         Some(steps) => {
             let steps = within(steps, MOST_POSITIONS, both!("a batch", "批量计算"))?;
-            let placed = Placed::new(scene, mechanism).map_err(|f| input.failed(f))?;
+            let placed = PlacedScene::new(scene, mechanism).map_err(|f| input.failed(f))?;
             Some(stations(input, &placed, driver, &a.range, steps)?)
         }
     };
-    let choice = a.random.map_or(Choice::Grid, |count| Choice::Random { count, seed: a.seed });
+    let choice = a.random.map_or(ParameterChoice::Grid, |count| ParameterChoice::Random { count, seed: a.seed });
     Ok(Batch { scene, mechanism, variation, values, choice, driver, stations })
 }
 
@@ -119,7 +119,7 @@ fn at(text: &str, part: &str, faults: Faults) -> Faults {
 
 /// A parameter's values as given on the command line.
 #[derive(Clone, Copy)]
-struct Values<'a> {
+struct ParameterValues<'a> {
     name: &'a str,
     from: &'a str,
     to: &'a str,
@@ -127,7 +127,7 @@ struct Values<'a> {
 }
 
 /// `NAME=FROM..TO:N`, or `NAME=FROM..TO` for two values (the bounds of a random one).
-fn range(text: &str) -> Result<Values<'_>, Faults> {
+fn range(text: &str) -> Result<ParameterValues<'_>, Faults> {
     let unread = || {
         let d = Diagnostic::error("vary", both!("`--vary {text}` cannot be read", "无法识别 `--vary {text}`"));
         Faults::from(d.help(both!(
@@ -152,13 +152,13 @@ fn range(text: &str) -> Result<Values<'_>, Faults> {
             .into());
     }
     let (from, to) = bounds.split_once("..").ok_or_else(unread)?;
-    Ok(Values { name: name.trim(), from: from.trim(), to: to.trim(), count })
+    Ok(ParameterValues { name: name.trim(), from: from.trim(), to: to.trim(), count })
 }
 
-fn write(batch: &Batch, format: Rows, head: Head, out: &Path, job: &str) -> Result<Part, Failure> {
+fn write(batch: &Batch, format: BatchFormat, head: TableHead, out: &Path, job: &str) -> Result<PartialTable, Failure> {
     let failed = |e: io::Error| unwritable(out, &e);
     let format = tables::by_rows(format, head).map_err(failed)?;
-    let mut part = Part::open(out, job, &*format)?;
+    let mut part = PartialTable::open(out, job, &*format)?;
     if part.changed > 0 {
         let words = both!(
             "the bytes of {} mechanisms are not those that were written: they are computed again",
@@ -208,7 +208,7 @@ fn mechanisms_at_once(batch: &Batch) -> u64 {
 
 /// Computes and writes block after block, in parallel: one block is computed while the one before
 /// it is formatted and the one before that is written.
-fn stream(batch: &Batch, format: &dyn Format, part: &mut Part) -> io::Result<()> {
+fn stream(batch: &Batch, format: &dyn RowFormat, part: &mut PartialTable) -> io::Result<()> {
     let (all, step) = (batch.mechanisms(), mechanisms_at_once(batch));
     let bar = long::bar(all, part.done, &both!("mechanisms", "个机构"));
     let mut from = part.done;
@@ -221,7 +221,7 @@ fn stream(batch: &Batch, format: &dyn Format, part: &mut Part) -> io::Result<()>
         from = to;
         Some((to, block))
     };
-    let form = |(to, block): &(u64, Block), used: Option<(u64, u64, Piece)>| {
+    let form = |(to, block): &(u64, Block), used: Option<(u64, u64, TablePiece)>| {
         let columns: Vec<&[f64]> = block.columns.iter().map(Vec::as_slice).collect();
         Ok((*to, block.missing, format.piece_in(&columns, used.unwrap_or_default().2)?))
     };

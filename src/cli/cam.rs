@@ -5,25 +5,25 @@ use super::draw::{FORMATS, style_of};
 use super::places::in_stream;
 use super::target::is_stream;
 use super::together::Together;
-use super::values::{Format, Profile, Text};
-use super::{Failure, Input, Run, args, choices, files, places};
-use crate::cam::{Motion, Segment};
+use super::values::{FigureFormat, Profile, TextFormat};
+use super::{CommandResult, Failure, SceneInput, args, choices, files, places};
+use crate::cam::{CamMotion, ProfileSegment};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::cam::{inversion, motion};
 use crate::geom::Vec2;
 use crate::render::dxf::{Entity, dxf};
 use crate::report::cam::Report;
-use crate::report::table::{Csv, Format as _, Head, Piece};
-use crate::scene::{Cam, Turning};
+use crate::report::table::{Csv, RowFormat as _, TableHead, TablePiece};
+use crate::scene::{Cam, TurningCam};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Runs the command.
-pub fn run(a: args::Cam) -> Run {
+pub fn run(a: args::CamArgs) -> CommandResult {
     places::no_report_beside(a.profile.as_deref(), a.json)?;
     let formats = if a.format.is_empty() { FORMATS.to_vec() } else { places::once(&a.format) };
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common)?.drawn_in(&style);
+    let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
     let (lang, _) = choices(&input.scene, &a.common);
     let chosen = chosen(&input, a.cam).map_err(|f| input.failed(f))?;
     let report = |k: usize| {
@@ -40,7 +40,7 @@ pub fn run(a: args::Cam) -> Run {
         Ok(())
     };
     if let Some(folder) = &a.output {
-        if places::of_name::<Format>(folder).is_some() || is_stream(folder) {
+        if places::of_name::<FigureFormat>(folder).is_some() || is_stream(folder) {
             let d = Diagnostic::error(
                 "output",
                 both!("{} would be a folder: a cam has two figures", "{}应为文件夹：凸轮有两幅图", places::shown(folder)),
@@ -57,7 +57,7 @@ pub fn run(a: args::Cam) -> Run {
             for (word, figure) in [("cam-motion", motion::figure(r, &style, lang)), ("cam-profile", inversion::figure(r, &style, lang))] {
                 for format in &formats {
                     let Warned { value, notes: more } =
-                        files::bytes(&figure, *format, Text::Outlines, a.dpi).map_err(|f| input.failed(f))?;
+                        files::bytes(&figure, *format, TextFormat::Outlines, a.dpi).map_err(|f| input.failed(f))?;
                     notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
                     add(Path::new(folder).join(format!("{stem}-{word}{number}.{}", format.ending())), &value, &mut all)?;
                 }
@@ -98,7 +98,7 @@ pub fn run(a: args::Cam) -> Run {
 }
 
 /// Returns the cams that can be surveyed, or the one at a place in the list.
-fn chosen(input: &Input, which: Option<usize>) -> Result<Vec<(&Cam, &Turning)>, Faults> {
+fn chosen(input: &SceneInput, which: Option<usize>) -> Result<Vec<(&Cam, &TurningCam)>, Faults> {
     let cams = &input.scene.cams;
     if cams.is_empty() {
         let d = Diagnostic::error("no-cam", both!("the scene has no cam", "机构文件中没有凸轮"));
@@ -117,7 +117,7 @@ fn chosen(input: &Input, which: Option<usize>) -> Result<Vec<(&Cam, &Turning)>, 
         return Err(d.into());
     }
     let named = cams.iter().enumerate().filter(|(i, _)| which.is_none_or(|k| k == i + 1));
-    let all: Vec<(&Cam, &Turning)> = named.clone().filter_map(|(_, c)| Some((c, c.disc.as_ref()?))).collect();
+    let all: Vec<(&Cam, &TurningCam)> = named.clone().filter_map(|(_, c)| Some((c, c.disc.as_ref()?))).collect();
     if !all.is_empty() {
         return Ok(all);
     }
@@ -135,11 +135,11 @@ fn chosen(input: &Input, which: Option<usize>) -> Result<Vec<(&Cam, &Turning)>, 
 /// The profile as a table.
 fn csv(report: &Report, steps: usize) -> Result<Vec<u8>, Failure> {
     let (names, columns) = report.table(steps);
-    let csv = Csv::new(Head::new("", names));
+    let csv = Csv::new(TableHead::new("", names));
     let views: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
     let mut out = csv.begin(columns[0].len() as u64, &[]);
     // Writing to memory does not fail.
-    let piece = csv.piece_in(&views, Piece::default()).map_err(|e| Failure::Output(both!("{e}", "{e}")))?;
+    let piece = csv.piece_in(&views, TablePiece::default()).map_err(|e| Failure::Output(both!("{e}", "{e}")))?;
     out.extend(piece.parts.concat());
     Ok(out)
 }
@@ -151,18 +151,18 @@ fn entities(report: &Report, steps: usize) -> Vec<(&'static str, Entity)> {
     let mm = |v: Vec2| v * 1e3;
     let mut out: Vec<(&'static str, Entity)> = Vec::new();
     match &disc.motion {
-        Motion::Law { .. } => out.push(("PROFILE", Entity::Closed(disc.outline(steps).into_iter().map(mm).collect()))),
-        Motion::Profile(segments) => out.extend(segments.iter().filter_map(|s| {
+        CamMotion::Law { .. } => out.push(("PROFILE", Entity::Closed(disc.outline(steps).into_iter().map(mm).collect()))),
+        CamMotion::Profile(segments) => out.extend(segments.iter().filter_map(|s| {
             let entity = match *s {
-                Segment::Line { .. } => {
+                ProfileSegment::Line { .. } => {
                     let ends = s.points(1.0);
                     Entity::Line([mm(ends[0]), mm(*ends.last()?)])
                 }
-                Segment::Arc { radius: 0.0, .. } => return None,
-                Segment::Arc { centre, radius, normals: [from, to] } if to - from >= std::f64::consts::TAU => {
+                ProfileSegment::Arc { radius: 0.0, .. } => return None,
+                ProfileSegment::Arc { centre, radius, normals: [from, to] } if to - from >= std::f64::consts::TAU => {
                     Entity::Circle { centre: mm(centre), radius: radius * 1e3 }
                 }
-                Segment::Arc { centre, radius, normals: [from, to] } => {
+                ProfileSegment::Arc { centre, radius, normals: [from, to] } => {
                     // The centre of a concave arc is on the other side, and the arc runs in the
                     // other direction.
                     let half = if radius < 0.0 { std::f64::consts::PI } else { 0.0 };

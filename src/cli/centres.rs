@@ -1,16 +1,16 @@
 //! `hodograph centres`: all instantaneous centres, the construction of each, and the quantities
 //! that follow from them.
 
-use super::{Input, Run, args, choices, files, pencil};
+use super::{CommandResult, SceneInput, args, choices, files, pencil};
 use crate::centres;
 use crate::diag::Warned;
 use crate::report::{centres as report, centres_json};
 use std::process::ExitCode;
 
 /// Runs the command.
-pub fn run(a: args::Centres) -> Run {
+pub fn run(a: args::CentresArgs) -> CommandResult {
     // A centre does not depend on the driver's speed.
-    let mut input = Input::read_at_rest(&a.common)?;
+    let mut input = SceneInput::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     if let Some(mm) = pencil(a.drafting.as_deref())? {
         input.scene.paper.pencil_mm = Some(mm);

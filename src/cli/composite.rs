@@ -1,7 +1,7 @@
 //! `hodograph composite`: the suitable moving points and frames, and the parts of the motion for
 //! those that the scene names.
 
-use super::{Input, Run, args, choices, files};
+use super::{CommandResult, SceneInput, args, choices, files};
 use crate::composite;
 use crate::diag::Warned;
 use crate::mechanism::Mechanism;
@@ -12,11 +12,11 @@ use std::process::ExitCode;
 const MOST: usize = 3;
 
 /// Runs the command.
-pub fn run(a: args::Composite) -> Run {
-    let mut input = Input::read(&a.common)?;
+pub fn run(a: args::CompositeArgs) -> CommandResult {
+    let mut input = SceneInput::read(&a.common)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     Mechanism::new(&input.scene).map_err(|f| input.failed(f))?;
-    let staged = composite::Staged::new(&input.scene);
+    let staged = composite::ContactScene::new(&input.scene);
     let all = staged.choices(&input.scene);
     let shown = staged.shown(&input.scene, MOST);
     let Warned { value, notes } = staged.solved(&shown, composite::level(&input.scene)).map_err(|f| input.failed(f))?;

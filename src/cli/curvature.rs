@@ -2,8 +2,8 @@
 //! drawing and by analysis.
 
 use super::draw::points_named;
-use super::{Failure, Input, Run, Told, args, choices, files, pencil};
-use crate::curvature::{Asked, centrodes, couplers, curvature};
+use super::{CommandResult, Failure, SceneInput, SourceFaults, args, choices, files, pencil};
+use crate::curvature::{CurvatureRequest, centrodes, couplers, curvature};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::report::{curvature as report, curvature_json};
 use crate::scene::{LinkId, Scene};
@@ -11,9 +11,9 @@ use hodograph_base::json::fields::suggest;
 use std::process::ExitCode;
 
 /// Runs the command.
-pub fn run(a: args::Curvature) -> Run {
+pub fn run(a: args::CurvatureArgs) -> CommandResult {
     // The curvature of a path does not depend on the driver's speed.
-    let mut input = Input::read_at_rest(&a.common)?;
+    let mut input = SceneInput::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let asked = asked(&input.scene, &a)?;
     if let Some(mm) = pencil(a.drafting.as_deref())? {
@@ -38,7 +38,7 @@ pub fn run(a: args::Curvature) -> Run {
 }
 
 /// Returns the links and points of the command line; reports all that do not exist at once.
-fn asked(scene: &Scene, a: &args::Curvature) -> Result<Asked, Failure> {
+fn asked(scene: &Scene, a: &args::CurvatureArgs) -> Result<CurvatureRequest, Failure> {
     let (links, points) = (links_named(scene, &a.link, "--link"), points_named(scene, &a.point, "--point"));
     let against: Vec<String> = a.against.iter().cloned().collect();
     let against = links_named(scene, &against, "--against").map(|all| all.first().copied());
@@ -56,7 +56,7 @@ fn asked(scene: &Scene, a: &args::Curvature) -> Result<Asked, Failure> {
         return Err(Failure::argument("--link", name, d));
     }
     if !links.is_empty() {
-        return Ok(Asked { links, against, points });
+        return Ok(CurvatureRequest { links, against, points });
     }
     // For named points, only the links that carry them.
     let carries = |l: &LinkId| points.is_empty() || points.iter().any(|p| scene.links[l.0].points.contains(p));
@@ -66,14 +66,14 @@ fn asked(scene: &Scene, a: &args::Curvature) -> Result<Asked, Failure> {
         links.dedup();
     }
     links.retain(|l| *l != frame);
-    Ok(Asked { links, against, points })
+    Ok(CurvatureRequest { links, against, points })
 }
 
 /// Returns the links with these names.
 ///
 /// # Errors
 /// `unknown-link` for each name that the scene does not have.
-fn links_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec<LinkId>, Told> {
+fn links_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec<LinkId>, SourceFaults> {
     let mut faults = Faults::default();
     let mut out = Vec::new();
     for name in names {
@@ -86,5 +86,5 @@ fn links_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec<Link
             }
         }
     }
-    if faults.list.is_empty() { Ok(out) } else { Err(Told::argument(option, &names.join(","), faults)) }
+    if faults.list.is_empty() { Ok(out) } else { Err(SourceFaults::argument(option, &names.join(","), faults)) }
 }

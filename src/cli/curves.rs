@@ -1,20 +1,20 @@
 //! `hodograph curves`: displacements, velocities and accelerations over the position of the driver,
 //! as line diagrams.
 
-use super::args::Curves;
+use super::args::CurvesArgs;
 use super::draw::style_of;
 use super::places::places;
 use super::sweep::{STEPS, ask, stations, swept_of, through, within};
-use super::values::Format;
-use super::{Failure, Input, Run, choices, files};
+use super::values::FigureFormat;
+use super::{CommandResult, Failure, SceneInput, choices, files};
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::figure::curves::{self, Diagram};
+use crate::figure::curves::{self, CurveDiagram};
 use crate::mechanism::Mechanism;
 use crate::position::Path;
 use crate::scene::quantity::Meaning;
 use crate::scene::{LinkId, PointId, Scene, Swept};
 use crate::sweep::pieces::gather;
-use crate::sweep::{self, Placed, Table, Width};
+use crate::sweep::{self, PlacedScene, Table, Width};
 use std::process::ExitCode;
 
 /// Largest number of steps of a diagram: its lines are drawn point by point, and no paper shows
@@ -22,10 +22,10 @@ use std::process::ExitCode;
 const MOST_STEPS: usize = 100_000;
 
 /// Runs the command.
-pub fn run(a: Curves) -> Run {
-    let places = places(&a.output, &a.format, Format::Svg)?;
+pub fn run(a: CurvesArgs) -> CommandResult {
+    let places = places(&a.output, &a.format, FigureFormat::Svg)?;
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common)?.drawn_in(&style);
+    let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
     let find = match &a.range.find {
         Some(find) => find.clone(),
         None => with_positions(&input)?.join(","),
@@ -37,7 +37,7 @@ pub fn run(a: Curves) -> Run {
     input.file.asked = a.range.find.clone();
     let mechanism = sweep::mechanism(&input.scene).map_err(|f| input.failed(f))?;
     let swept = swept_of(&input.scene, a.range.over.as_deref())?;
-    let placed = Placed::new(&input.scene, &mechanism).map_err(|f| input.failed(f))?;
+    let placed = PlacedScene::new(&input.scene, &mechanism).map_err(|f| input.failed(f))?;
     let steps = within(a.range.steps.unwrap_or(STEPS), MOST_STEPS, both!("a diagram", "线图"))?;
     let timed;
     let swept_at: Box<dyn Fn(Vec<f64>) -> Option<Table>>;
@@ -77,7 +77,7 @@ pub fn run(a: Curves) -> Run {
         let Some(figure) = figure else { return Err(input.failed(nothing(table))) };
         files::figure_or_pages(|| figure.clone(), || vec![figure.clone()], &places)?
     } else {
-        let diagram = Diagram::swept(&input.scene, swept, &table, &*swept_at, &notation);
+        let diagram = CurveDiagram::swept(&input.scene, swept, &table, &*swept_at, &notation);
         if diagram.is_empty() {
             return Err(input.failed(nothing(table)));
         }
@@ -95,10 +95,10 @@ pub fn run(a: Curves) -> Run {
 /// Returns the scene's questions, each preceded by its displacement: the angle of a link, or the
 /// coordinates in which a slider on the ground moves. A point that moves freely has no such
 /// coordinate.
-fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
+fn with_positions(input: &SceneInput) -> Result<Vec<String>, Failure> {
     let scene = &input.scene;
     let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
-    let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
+    let placed = PlacedScene::new(scene, &mechanism).map_err(|f| input.failed(f))?;
     // A gear train without given centres has no angles.
     let somewhere = input.file.notes.iter().all(|n| n.code != "free-centre");
     let mut words: Vec<String> = Vec::new();
@@ -140,7 +140,7 @@ fn has_line(scene: &Scene, link: LinkId) -> bool {
 const ALONG: f64 = 1e-9;
 
 /// Returns the coordinates in which a pin on a straight guide of the ground moves.
-fn axes(placed: &Placed, point: PointId) -> &'static [&'static str] {
+fn axes(placed: &PlacedScene, point: PointId) -> &'static [&'static str] {
     let guides = placed.scene.guides.iter().zip(&placed.at.guides);
     let on_ground = guides.filter(|(g, _)| g.pin == Some(point) && g.on == placed.scene.ground);
     match on_ground.map(|(_, path)| path).next() {

@@ -1,7 +1,7 @@
 //! `hodograph diff`: compares two figures, with the exit codes of diff(1).
 
-use super::args::Diff;
-use super::{Failure, Run, files, lang};
+use super::args::DiffArgs;
+use super::{CommandResult, Failure, files, lang};
 use crate::diag::{Diagnostic, both};
 use crate::render::diff::{Difference, Options, Picture, Pixels, compare, picture};
 use serde_json::{Value, json};
@@ -16,19 +16,19 @@ const TROUBLE: u8 = 2;
 const TOLD: usize = 60;
 
 /// Runs the command.
-pub fn run(a: Diff) -> Run {
+pub fn run(a: DiffArgs) -> CommandResult {
     match compared(&a) {
         // In the other commands, code 1 means that a file could not be written; here it means a
         // difference.
         Err(failure @ Failure::Output(_)) => {
-            failure.say();
+            failure.report();
             Ok(ExitCode::from(TROUBLE))
         }
         other => other,
     }
 }
 
-fn compared(a: &Diff) -> Run {
+fn compared(a: &DiffArgs) -> CommandResult {
     if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).as_deref() != Some("png")) {
         let d = Diagnostic::error("output", both!("{path} does not end in .png", "{path} 不以 .png 结尾"));
         return Err(Failure::argument("-o", path, d.help(both!("write -o diff.png", "请写 -o diff.png"))));
@@ -48,7 +48,7 @@ fn compared(a: &Diff) -> Run {
     }
     let alike = found.is_empty();
     if a.json {
-        files::print(&format!("{:#}\n", told(&found)))?;
+        files::print(&format!("{:#}\n", difference_json(&found)))?;
     } else if !alike {
         let lines = found.lines();
         let mut text: String = lines.iter().take(TOLD).map(|line| format!("{}\n", lang::of(line))).collect();
@@ -66,7 +66,7 @@ fn read(path: &str) -> Result<Picture, Failure> {
 }
 
 /// The differences for programs: lengths in mm, values in SI.
-fn told(found: &Difference) -> Value {
+fn difference_json(found: &Difference) -> Value {
     let Pixels { over, largest, bounds, sizes } = found.pixels;
     let vectors = found.vectors.iter().map(
         |v| json!({"id": v.id, "name": v.name, "tail_moved_mm": v.moved_mm[0], "tip_moved_mm": v.moved_mm[1], "mm": v.mm, "si": v.si}),

@@ -5,10 +5,10 @@ use super::args;
 use super::places::{agrees, in_stream, of_name, once, one_result};
 use super::target::is_stream;
 use super::together::Together;
-use super::values::{Format, Vectors};
-use super::{Failure, File, Run, Told, files, granted, ids, look_of, pencil, verdict};
+use super::values::{FigureFormat, PointVectors};
+use super::{CommandResult, Failure, InputFile, SourceFaults, files, granted, ids, look_of, pencil, verdict};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
-use crate::figure::list::{Entry, Extras};
+use crate::figure::list::{Extras, FigureEntry};
 use crate::paper::font::own::Fonts;
 use crate::paper::item::Figure;
 use crate::paper::style::{self, Style};
@@ -20,16 +20,16 @@ use hodograph_base::json::fields::suggest;
 use std::path::{Path, PathBuf};
 
 /// Default formats in a folder.
-pub const FORMATS: [Format; 2] = [Format::Svg, Format::Png];
+pub const FORMATS: [FigureFormat; 2] = [FigureFormat::Svg, FigureFormat::Png];
 
 /// Runs the command.
-pub fn run(a: args::Draw) -> Run {
+pub fn run(a: args::DrawArgs) -> CommandResult {
     output(&a.output).map_err(|f| Failure::argument("-o", &a.output, f))?;
     formats(&a)?;
     let style = style_of(&a.look)?;
     let width_mm = width(a.width.as_deref())?;
     let pencil_mm = pencil(a.drafting.as_deref())?;
-    let mut file = File::open(&a.common.scene, &a.common.set)?;
+    let mut file = InputFile::open(&a.common.scene, &a.common.set)?;
     file.fonts = style.fonts.clone();
     let extent = if needs_no_rate(&a) { Extent::Pose } else { Extent::Motion };
     let problem = file.read(|bytes| problem::read_as(bytes, extent))?;
@@ -66,9 +66,14 @@ pub fn run(a: args::Draw) -> Run {
 /// Writes figures, each with its name: a document with one page each, or files in all requested
 /// formats, all of them or none. Returns the notes, each once; letters that the embedded fonts lack
 /// are noted for any format.
-fn put(a: &args::Draw, name: &str, figures: Vec<(String, Figure)>, failed: impl Fn(Faults) -> Failure) -> Result<Vec<Diagnostic>, Failure> {
+fn put(
+    a: &args::DrawArgs,
+    name: &str,
+    figures: Vec<(String, Figure)>,
+    failed: impl Fn(Faults) -> Failure,
+) -> Result<Vec<Diagnostic>, Failure> {
     let formats = formats(a)?;
-    if formats == [Format::Pdf] && (is_stream(&a.output) || of_name(&a.output) == Some(Format::Pdf)) {
+    if formats == [FigureFormat::Pdf] && (is_stream(&a.output) || of_name(&a.output) == Some(FigureFormat::Pdf)) {
         let pages: Vec<Figure> = figures.into_iter().map(|(_, f)| f).collect();
         let file = pdf::pdf(&pages).map_err(&failed)?;
         files::write(Path::new(&a.output), &file.value)?;
@@ -96,8 +101,8 @@ fn put(a: &args::Draw, name: &str, figures: Vec<(String, Figure)>, failed: impl 
 }
 
 /// Returns true if none of the requested figures depends on the driver's speed.
-fn needs_no_rate(a: &args::Draw) -> bool {
-    let still = |e: &&'static Entry| matches!(e.name, "centres" | "curvature" | "centrodes" | "inversions");
+fn needs_no_rate(a: &args::DrawArgs) -> bool {
+    let still = |e: &&'static FigureEntry| matches!(e.name, "centres" | "curvature" | "centrodes" | "inversions");
     !a.figure.is_empty() && a.figure.iter().all(still) && a.path.is_empty() && a.poses == 0 && !a.steps
 }
 
@@ -113,12 +118,12 @@ pub(super) fn width(given: Option<&str>) -> Result<Option<f64>, Failure> {
 /// # Errors
 /// `format` if the ending and `--format` contradict each other, or several formats are requested
 /// for one stream.
-fn formats(a: &args::Draw) -> Result<Vec<Format>, Failure> {
+fn formats(a: &args::DrawArgs) -> Result<Vec<FigureFormat>, Failure> {
     let asked = once(&a.format);
     if is_stream(&a.output) {
-        return Ok(vec![in_stream(&a.output, &asked, Format::Svg)?]);
+        return Ok(vec![in_stream(&a.output, &asked, FigureFormat::Svg)?]);
     }
-    match of_name::<Format>(&a.output).filter(|_| !Path::new(&a.output).is_dir()) {
+    match of_name::<FigureFormat>(&a.output).filter(|_| !Path::new(&a.output).is_dir()) {
         Some(named) => agrees(&a.output, named, &asked).map(|()| vec![named]),
         None if asked.is_empty() => Ok(FORMATS.to_vec()),
         None => Ok(asked),
@@ -129,7 +134,7 @@ fn formats(a: &args::Draw) -> Result<Vec<Format>, Failure> {
 fn output(path: &str) -> Result<(), Faults> {
     let folder = path.ends_with(std::path::is_separator) || Path::new(path).is_dir() || is_stream(path);
     match files::ending(path) {
-        Some(ending) if !folder && Format::of(&ending).is_none() => {
+        Some(ending) if !folder && FigureFormat::of(&ending).is_none() => {
             let d = Diagnostic::error(
                 "output",
                 both!("{path} is neither a .svg, nor a .png, nor a .pdf file", "{path} 不是 .svg、.png 或 .pdf 文件"),
@@ -146,7 +151,7 @@ fn output(path: &str) -> Result<(), Faults> {
 }
 
 /// Returns the style of a look, with the fonts of the command line before its own.
-pub fn style_of(look: &args::Look) -> Result<Style, Failure> {
+pub fn style_of(look: &args::LookArgs) -> Result<Style, Failure> {
     ids::take(&look.id_prefix)?;
     let mut style = read_style(&look.style)?;
     let mut fonts = Fonts::default();
@@ -186,10 +191,10 @@ fn read_style(name: &str) -> Result<Style, Failure> {
 ///
 /// # Errors
 /// Vectors that the questions do not call for, points that the scene does not have.
-fn extras(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Extras, Failure> {
+fn extras(scene: &Scene, worked: &Worked, a: &args::DrawArgs) -> Result<Extras, Failure> {
     let (vectors, word) = match a.vectors {
-        Some(Vectors::Velocity) => (Some(DiagramKind::Velocity), "velocity"),
-        Some(Vectors::Acceleration) => (Some(DiagramKind::Acceleration), "acceleration"),
+        Some(PointVectors::Velocity) => (Some(DiagramKind::Velocity), "velocity"),
+        Some(PointVectors::Acceleration) => (Some(DiagramKind::Acceleration), "acceleration"),
         None => (None, ""),
     };
     let mut wrong = Vec::new();
@@ -197,7 +202,7 @@ fn extras(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Extras, Fail
         let kind = on.vectors();
         let d = Diagnostic::error("no-figure", both!("the scene's questions call for no {}", "所求的量用不到{}", kind))
             .help(both!("ask for one in \"find\"", "请在 \"find\" 中求相应的量"));
-        wrong.push(Told::argument("--vectors", word, d));
+        wrong.push(SourceFaults::argument("--vectors", word, d));
     }
     match points_named(scene, &a.path, "--path") {
         Ok(points) if wrong.is_empty() => Ok(Extras { vectors, dimensions: a.dimensions, poses: usize::from(a.poses), points }),
@@ -213,7 +218,7 @@ fn extras(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Extras, Fail
 ///
 /// # Errors
 /// `unknown-point` for each name that the scene does not have.
-pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec<PointId>, Told> {
+pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec<PointId>, SourceFaults> {
     let mut faults = Faults::default();
     let mut points = Vec::new();
     let mut start = 0;
@@ -231,14 +236,19 @@ pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec
         }
         start += whole.len() + 1;
     }
-    if faults.has_errors() { Err(Told::argument(option, &names.join(","), faults)) } else { Ok(points) }
+    if faults.has_errors() { Err(SourceFaults::argument(option, &names.join(","), faults)) } else { Ok(points) }
 }
 
 /// Returns the files of each figure: one file if the output has a format's ending, else one for
 /// each format in a folder.
-fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)], formats: &[Format]) -> Result<Vec<Vec<(Format, PathBuf)>>, Faults> {
+fn names(
+    a: &args::DrawArgs,
+    scene: &str,
+    figures: &[(String, Figure)],
+    formats: &[FigureFormat],
+) -> Result<Vec<Vec<(FigureFormat, PathBuf)>>, Faults> {
     let out = Path::new(&a.output);
-    let one = is_stream(&a.output) || of_name::<Format>(&a.output).is_some() && !out.is_dir();
+    let one = is_stream(&a.output) || of_name::<FigureFormat>(&a.output).is_some() && !out.is_dir();
     if let (true, [format], [_]) = (one, formats, figures) {
         return Ok(vec![vec![(*format, out.to_path_buf())]]);
     }
@@ -252,7 +262,7 @@ fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)], formats: &[F
             .into());
     }
     let stem = files::stem(scene, "sheet");
-    let file = |word: &str, f: Format| {
+    let file = |word: &str, f: FigureFormat| {
         let dash = if word.is_empty() { "" } else { "-" };
         out.join(format!("{stem}{dash}{word}.{}", f.ending()))
     };

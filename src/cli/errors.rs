@@ -29,7 +29,7 @@ pub fn tell(faults: &Faults, name: &str, source: &str) {
     if as_json() {
         add(faults.json(name, source));
     } else if !faults.list.is_empty() {
-        files::say(&diagnostics::render_in(faults, name, source, lang::now()));
+        files::write_stderr(&diagnostics::render_in(faults, name, source, lang::now()));
     }
 }
 
@@ -38,7 +38,7 @@ pub fn tell_line(diagnostic: &Diagnostic, line: &str) {
     if as_json() {
         add(vec![diagnostic.json("", "")]);
     } else {
-        files::say(line);
+        files::write_stderr(line);
     }
 }
 
@@ -54,6 +54,6 @@ pub fn finish() {
     }
     let told = TOLD.lock().unwrap_or_else(PoisonError::into_inner).take();
     if let Some(list) = told {
-        files::say(&format!("{:#}\n", json::document(list)));
+        files::write_stderr(&format!("{:#}\n", json::document(list)));
     }
 }

@@ -4,7 +4,7 @@
 //! `[code]`, title, cause (`- `) and cure (`+ `) in English, the three in Chinese, and perhaps an example (`> `). `tests/tidy` compares them
 //! with the codes of the sources, and docs/errors.md is made of them.
 
-use super::{Failure, Run, files, lang};
+use super::{CommandResult, Failure, files, lang};
 use crate::diag::{Both, Diagnostic, both};
 use crate::scene::Lang;
 use clap::Args as ClapArgs;
@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 /// The arguments of the command.
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "All of them as a page: docs/errors.md")]
-pub struct Explain {
+pub struct ExplainArgs {
     /// The code in the first line of a message, such as dead-centre (default: the list of all codes)
     #[arg(value_name = "CODE")]
     pub code: Option<String>,
@@ -32,7 +32,7 @@ const FILES: [&str; 4] = [
 ];
 
 /// A code with its explanation.
-struct Entry {
+struct CodeExplanation {
     group: Both,
     code: &'static str,
     title: Both,
@@ -42,10 +42,10 @@ struct Entry {
 }
 
 /// Runs the command.
-pub fn run(a: Explain) -> Run {
+pub fn run(a: ExplainArgs) -> CommandResult {
     let all = entries();
     let Some(code) = &a.code else {
-        let list = || json!({"schema": "hodograph/explain/1", "codes": all.iter().map(Entry::json).collect::<Vec<_>>()});
+        let list = || json!({"schema": "hodograph/explain/1", "codes": all.iter().map(CodeExplanation::json).collect::<Vec<_>>()});
         return files::print(&if a.json { format!("{:#}\n", list()) } else { listed(&all) });
     };
     match all.iter().find(|e| e.code == code) {
@@ -55,15 +55,15 @@ pub fn run(a: Explain) -> Run {
     }
 }
 
-fn unknown(code: &str, all: &[Entry]) -> Diagnostic {
+fn unknown(code: &str, all: &[CodeExplanation]) -> Diagnostic {
     let help = nearest(code, all.iter().map(|e| e.code));
     let help = help.unwrap_or_else(|| both!("`hodograph explain` lists all codes", "`hodograph explain` 列出全部代码"));
     Diagnostic::error("unknown-code", both!("no diagnostic has the code `{code}`", "没有代码为 `{code}` 的诊断")).help(help)
 }
 
 /// All explanations.
-fn entries() -> Vec<Entry> {
-    let mut all: Vec<Entry> = Vec::new();
+fn entries() -> Vec<CodeExplanation> {
+    let mut all: Vec<CodeExplanation> = Vec::new();
     let mut group = Both::default();
     let mut lines = FILES.iter().flat_map(|text| text.lines()).peekable();
     while let Some(line) = lines.next() {
@@ -76,13 +76,13 @@ fn entries() -> Vec<Entry> {
         let both = |en, zh| Both { en, zh };
         let example = lines.next_if(|l| l.starts_with("> ")).map(|l| &l[2..]);
         let [title, cause, cure] = [both(title, zh_title), both(cause, zh_cause), both(cure, zh_cure)];
-        all.push(Entry { group: group.clone(), code, title, cause, cure, example });
+        all.push(CodeExplanation { group: group.clone(), code, title, cause, cure, example });
     }
     all
 }
 
 /// All codes with their titles.
-fn listed(all: &[Entry]) -> String {
+fn listed(all: &[CodeExplanation]) -> String {
     let lang = lang::now();
     let widest = all.iter().map(|e| e.code.len()).max().unwrap_or(0);
     let mut out = String::new();
@@ -97,7 +97,7 @@ fn listed(all: &[Entry]) -> String {
     out
 }
 
-impl Entry {
+impl CodeExplanation {
     fn text(&self, lang: Lang) -> String {
         let [title, cause, cure] = [&self.title, &self.cause, &self.cure].map(|text| lang.of(text));
         let example = self.example.map_or_else(String::new, |e| lang.of(&both!("Example: {}\n", "例：{}\n", e)).to_owned());

@@ -1,9 +1,9 @@
 //! Reads files up to a size limit, prints, and writes figures in their formats.
 
-use super::places::Place;
+use super::places::OutputPlace;
 use super::target::{has_read, stdout_is_taken};
-use super::together::{Out, Together};
-use super::values::{Format, Text};
+use super::together::{OutputFile, Together};
+use super::values::{FigureFormat, TextFormat};
 use super::{Failure, ids};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::paper::font::own;
@@ -96,19 +96,19 @@ fn bounded(path: &Path, most: u64, help: Both) -> Result<Vec<u8>, Diagnostic> {
 
 /// A refusal by this program, in place of an error of the system.
 #[derive(Debug)]
-pub struct Refused(pub Both);
+pub struct FileRefusal(pub Both);
 
-impl std::fmt::Display for Refused {
+impl std::fmt::Display for FileRefusal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&self.0.en)
     }
 }
 
-impl std::error::Error for Refused {}
+impl std::error::Error for FileRefusal {}
 
 /// The reason of a system error: in the system's words, and in Chinese for common errors.
 pub fn reason(e: &io::Error) -> Both {
-    if let Some(Refused(words)) = e.get_ref().and_then(|e| e.downcast_ref()) {
+    if let Some(FileRefusal(words)) = e.get_ref().and_then(|e| e.downcast_ref()) {
         return words.clone();
     }
     match e.kind() {
@@ -146,7 +146,7 @@ pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result
 }
 
 /// Writes to standard error. A failure to write is ignored: the exit code still gives the outcome.
-pub fn say(text: &str) {
+pub fn write_stderr(text: &str) {
     let _ = io::stderr().lock().write_all(diagnostics::visible(text).as_bytes());
 }
 
@@ -162,7 +162,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 /// Writes a file piece by piece, completely or not at all: a failed or interrupted run leaves
 /// nothing behind.
-pub fn write_with(path: &Path, fill: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<(), Failure> {
+pub fn write_with(path: &Path, fill: impl FnOnce(&mut OutputFile) -> io::Result<()>) -> Result<(), Failure> {
     let mut one = Together::default();
     one.add_with(path, fill)?;
     one.appear()
@@ -174,14 +174,14 @@ pub fn stem<'a>(name: &'a str, otherwise: &'a str) -> &'a str {
 }
 
 /// Writes a figure in a format; letters that the fonts lack are noted.
-pub fn bytes(figure: &Figure, format: Format, text: Text, dpi: f64) -> Result<Warned<Vec<u8>>, Faults> {
+pub fn bytes(figure: &Figure, format: FigureFormat, text: TextFormat, dpi: f64) -> Result<Warned<Vec<u8>>, Faults> {
     match format {
-        Format::Pdf => pdf::pdf(std::slice::from_ref(figure)),
-        Format::Svg => {
-            let Warned { value, notes } = if text == Text::Editable { svg::write_editable(figure) } else { svg::write(figure) }?;
+        FigureFormat::Pdf => pdf::pdf(std::slice::from_ref(figure)),
+        FigureFormat::Svg => {
+            let Warned { value, notes } = if text == TextFormat::Editable { svg::write_editable(figure) } else { svg::write(figure) }?;
             Ok(Warned { value: ids::put_before(&value).into_owned().into_bytes(), notes })
         }
-        Format::Png => {
+        FigureFormat::Png => {
             let Warned { value, notes } = svg::write(figure)?;
             Ok(Warned { value: png::render(&value, dpi)?, notes })
         }
@@ -192,7 +192,7 @@ pub fn bytes(figure: &Figure, format: Format, text: Text, dpi: f64) -> Result<Wa
 const DPI: f64 = 200.0;
 
 /// Writes one figure to its places. Returns the file names, one per line, and the notes.
-pub fn figure(figure: &Figure, places: &[Place<Format>]) -> Result<Warned<String>, Failure> {
+pub fn figure(figure: &Figure, places: &[OutputPlace<FigureFormat>]) -> Result<Warned<String>, Failure> {
     figure_or_pages(|| figure.clone(), || vec![figure.clone()], places)
 }
 
@@ -201,13 +201,13 @@ pub fn figure(figure: &Figure, places: &[Place<Format>]) -> Result<Warned<String
 pub fn figure_or_pages(
     one: impl Fn() -> Figure,
     pages: impl Fn() -> Vec<Figure>,
-    places: &[Place<Format>],
+    places: &[OutputPlace<FigureFormat>],
 ) -> Result<Warned<String>, Failure> {
     let (mut all, mut names, mut notes) = (Together::default(), String::new(), Vec::new());
     for (format, path) in places {
         let made = match format {
-            Format::Pdf => pdf::pdf(&pages()),
-            Format::Svg | Format::Png => bytes(&one(), *format, Text::Outlines, DPI),
+            FigureFormat::Pdf => pdf::pdf(&pages()),
+            FigureFormat::Svg | FigureFormat::Png => bytes(&one(), *format, TextFormat::Outlines, DPI),
         };
         let Warned { value, notes: more } = made.map_err(|f| Failure::input(f, "", ""))?;
         notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());

@@ -4,7 +4,7 @@
 //! The printer of the help knows only English headings; they are translated in its output.
 
 use super::args::Args;
-use super::files::Refused;
+use super::files::FileRefusal;
 use crate::diag::{Both, Diagnostic};
 use crate::figure::list::LIST;
 use crate::scene::Lang;
@@ -53,16 +53,16 @@ pub fn command(lang: Lang) -> Command {
 fn chinese(mut command: Command) -> Command {
     command.build();
     let names: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_owned()).collect();
-    let mut command = told(command, "");
+    let mut command = translated(command, "");
     for name in names {
-        command = command.mut_subcommand(&name, |c| told(c, &name));
+        command = command.mut_subcommand(&name, |c| translated(c, &name));
     }
     // Chinese has no spaces at which the printer could break a line: the terminal breaks it.
     command.term_width(0)
 }
 
 /// Translates one command and its arguments.
-fn told(command: Command, name: &str) -> Command {
+fn translated(command: Command, name: &str) -> Command {
     let command = match entry(name, "") {
         Some(about) => command.about(about).long_about(about),
         None => command,
@@ -119,7 +119,7 @@ pub fn usage(e: &clap::Error) -> String {
 /// Returns the reason for which the library refuses a value.
 fn refused(e: &clap::Error) -> String {
     let source = std::error::Error::source(e);
-    if let Some(Refused(words)) = source.and_then(|s| s.downcast_ref()) {
+    if let Some(FileRefusal(words)) = source.and_then(|s| s.downcast_ref()) {
         return words.zh.clone();
     }
     let why = source.map(ToString::to_string).unwrap_or_default();

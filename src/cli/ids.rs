@@ -22,7 +22,7 @@ pub fn put_before(svg: &str) -> Cow<'_, str> {
 }
 
 /// Refuses a prefix for a whole page.
-pub fn of_lesson(a: &args::Lesson) -> Result<(), Failure> {
+pub fn of_lesson(a: &args::LessonArgs) -> Result<(), Failure> {
     if a.look.id_prefix.is_empty() || a.reveal {
         return Ok(());
     }

@@ -1,7 +1,7 @@
 //! `hodograph inversions`: each link of the chain as ground in turn, in words and as scene files.
 
 use super::together::Together;
-use super::{Failure, Input, Run, args, choices, files, places};
+use super::{CommandResult, Failure, SceneInput, args, choices, files, places};
 use crate::diag::{Diagnostic, Warned, both};
 use crate::inversions::inversions;
 use crate::report::inversions as report;
@@ -10,12 +10,12 @@ use std::path::Path;
 use std::process::ExitCode;
 
 /// Runs the command.
-pub fn run(a: args::Inversions) -> Run {
+pub fn run(a: args::InversionsArgs) -> CommandResult {
     if a.pick.is_none() {
         places::no_report_beside(a.output.as_deref(), a.json)?;
     }
     // The rotation of links does not depend on the driver's speed.
-    let mut input = Input::read_at_rest(&a.common)?;
+    let mut input = SceneInput::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let Warned { value: all, notes } = inversions(&input.scene).map_err(|f| input.failed(f))?;
     input.file.notes.extend(notes);

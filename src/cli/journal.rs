@@ -23,7 +23,7 @@ pub struct Job {
 
 /// A piece of the table.
 #[derive(Serialize, Deserialize, Debug, PartialEq)]
-pub struct Entry {
+pub struct JournalEntry {
     /// Number of mechanisms in the part after this piece.
     pub done: u64,
     /// Number of positions of the piece without a row.
@@ -62,7 +62,7 @@ pub struct Journal {
     /// End of the job's line.
     pub begun: usize,
     /// The pieces, each with the end of its line.
-    pub pieces: Vec<(Entry, usize)>,
+    pub pieces: Vec<(JournalEntry, usize)>,
 }
 
 /// Reads a journal; `None` if even its job is incomplete.

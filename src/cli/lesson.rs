@@ -1,7 +1,7 @@
 //! `hodograph lesson`: one page with the construction step by step, or a fragment for slides.
 
 use super::draw::{style_of, width};
-use super::{Failure, File, Run, args, files, granted, ids, look_of, sweep, verdict};
+use super::{CommandResult, Failure, InputFile, args, files, granted, ids, look_of, sweep, verdict};
 use crate::diag::{Diagnostic, Warned, both};
 use crate::problem::{self, Lesson, Look, Options, Wish};
 use crate::scene::Swept;
@@ -10,7 +10,7 @@ use crate::scene::Swept;
 const LESSONS: [&str; 2] = ["html", "htm"];
 
 /// Runs the command.
-pub fn run(a: args::Lesson) -> Run {
+pub fn run(a: args::LessonArgs) -> CommandResult {
     if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e.as_str()))) {
         let d = Diagnostic::error("output", both!("{path} does not end in .html", "{path} 不以 .html 结尾"))
             .help(both!("write -o lesson.html", "请写 -o lesson.html"));
@@ -19,7 +19,7 @@ pub fn run(a: args::Lesson) -> Run {
     let width_mm = width(a.width.as_deref())?;
     let style = style_of(&a.look)?;
     ids::of_lesson(&a)?;
-    let mut file = File::open(&a.common.scene, &a.common.set)?;
+    let mut file = InputFile::open(&a.common.scene, &a.common.set)?;
     file.fonts = style.fonts.clone();
     let problem = file.read(|bytes| problem::read(bytes))?;
     granted(problem.kind(), &[(a.pick.map(|n| n.to_string()), Wish::Candidate), (a.reveal.then(String::new), Wish::Reveal)])?;

@@ -1,8 +1,8 @@
 //! `hodograph mobility`: the degree of freedom as text or JSON, and the groups drawn apart.
 
 use super::draw::style_of;
-use super::values::Format;
-use super::{Input, Run, args, choices, files, places};
+use super::values::FigureFormat;
+use super::{CommandResult, SceneInput, args, choices, files, places};
 use crate::figure::groups;
 use crate::report::mobility as report;
 use crate::scene::{self, Scene};
@@ -17,11 +17,11 @@ pub(super) fn posed_scene(scene: Scene) -> Scene {
 }
 
 /// Runs the command.
-pub fn run(a: args::Mobility) -> Run {
+pub fn run(a: args::MobilityArgs) -> CommandResult {
     places::no_report_beside(a.output.as_deref(), a.json)?;
-    let places = a.output.as_deref().map(|output| places::places(output, &a.format, Format::Svg)).transpose()?;
+    let places = a.output.as_deref().map(|output| places::places(output, &a.format, FigureFormat::Svg)).transpose()?;
     let style = style_of(&a.look)?;
-    let mut input = Input::read_topology(&a.common)?.drawn_in(&style);
+    let mut input = SceneInput::read_topology(&a.common)?.drawn_in(&style);
     let (lang, notation) = choices(&input.scene, &a.common);
     let (survey, checked) = report::surveyed(&input.scene);
     if let Some(places) = &places {

@@ -52,13 +52,13 @@ use crate::problem::{self, Extent, Kind, Look, Problem, Solved, Verdict, Wish};
 use crate::report::{diagnostics, price};
 use crate::scene::{self, Lang, Scene};
 use crate::worked::{Scope, Worked, work};
-use args::{Args, Command, Common};
+use args::{Args, Command, CommonArgs};
 use clap::FromArgMatches;
 use draw::style_of;
 use std::ffi::OsString;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
-use values::Errors;
+use values::FaultFormat;
 
 /// Runs the program.
 pub fn main() -> ExitCode {
@@ -70,7 +70,7 @@ pub fn main() -> ExitCode {
 fn run() -> ExitCode {
     let given: Vec<OsString> = std::env::args_os().collect();
     // Faults of the arguments have the same form.
-    if help::given(&given, "--errors", Errors::named) == Some(Errors::Json) {
+    if help::given(&given, "--errors", FaultFormat::named) == Some(FaultFormat::Json) {
         errors::collect();
     }
     let asked = help::given(&given, "--lang", Lang::named);
@@ -113,7 +113,7 @@ fn run() -> ExitCode {
         Command::Schema { diagnostics: true, .. } => files::print(include_str!("schema/errors.json")),
         Command::Schema { .. } => files::print(problem::schema(Kind::Scene)),
     };
-    result.unwrap_or_else(Failure::say)
+    result.unwrap_or_else(Failure::report)
 }
 
 /// Prints help and version, or the faults of the arguments.
@@ -127,15 +127,15 @@ fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
     // Arguments are quoted as given, without control characters; the colours are then lost too.
     // Texts other than the English of the library have no colours.
     if diagnostics::visible(&plain) != plain || of_help != Lang::En && e.use_stderr() {
-        files::say(&plain);
+        files::write_stderr(&plain);
         return ExitCode::from(code);
     }
     if of_help != Lang::En {
-        return files::print(&plain).unwrap_or_else(Failure::say);
+        return files::print(&plain).unwrap_or_else(Failure::report);
     }
     match e.print() {
         Err(io) if !e.use_stderr() && io.kind() != std::io::ErrorKind::BrokenPipe => {
-            Failure::Output(both!("standard output: {}", "标准输出：{}", files::reason(&io))).say()
+            Failure::Output(both!("standard output: {}", "标准输出：{}", files::reason(&io))).report()
         }
         _ => ExitCode::from(code),
     }
@@ -144,7 +144,7 @@ fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
 /// The reason for which a run ended early.
 enum Failure {
     /// A fault in a scene, an argument, or a named file.
-    Input(Vec<Told>),
+    Input(Vec<SourceFaults>),
     /// A file could not be written.
     Output(Both),
     /// The user asked to stop; the text describes the remaining work.
@@ -152,38 +152,38 @@ enum Failure {
 }
 
 /// Faults, with the text that their places refer to.
-struct Told {
+struct SourceFaults {
     faults: Faults,
     name: String,
     source: String,
 }
 
-impl Told {
+impl SourceFaults {
     /// Faults of an argument, each at its place in it; a fault without a place refers to the whole
     /// argument.
-    fn argument(option: &str, text: &str, faults: impl Into<Faults>) -> Told {
+    fn argument(option: &str, text: &str, faults: impl Into<Faults>) -> SourceFaults {
         let whole = (!text.is_empty()).then(|| Span::new(0, text.len()));
         let mut faults = faults.into();
         for d in &mut faults.list {
             d.span = d.span.filter(|s| s.end <= text.len()).or(whole);
         }
-        Told { faults, name: option.into(), source: text.into() }
+        SourceFaults { faults, name: option.into(), source: text.into() }
     }
 }
 
 impl Failure {
     /// Returns the failure for faults of a file.
     fn input(faults: impl Into<Faults>, name: &str, source: &str) -> Failure {
-        Failure::Input(vec![Told { faults: faults.into(), name: name.into(), source: source.into() }])
+        Failure::Input(vec![SourceFaults { faults: faults.into(), name: name.into(), source: source.into() }])
     }
 
     /// Returns the failure for faults of an argument.
     fn argument(option: &str, text: &str, faults: impl Into<Faults>) -> Failure {
-        Failure::Input(vec![Told::argument(option, text, faults)])
+        Failure::Input(vec![SourceFaults::argument(option, text, faults)])
     }
 
     /// Reports the failure; returns its exit code, even if the report cannot be written.
-    fn say(self) -> ExitCode {
+    fn report(self) -> ExitCode {
         match self {
             Failure::Input(all) => {
                 all.iter().for_each(|t| errors::tell(&t.faults, &t.name, &t.source));
@@ -208,10 +208,10 @@ fn interrupted(message: &Both) {
     errors::tell_line(&Diagnostic::error("interrupted", message.clone()), lang::of(&line));
 }
 
-type Run = Result<ExitCode, Failure>;
+type CommandResult = Result<ExitCode, Failure>;
 
 /// The file given to a command, with the notes on it.
-struct File {
+struct InputFile {
     name: String,
     source: String,
     notes: Vec<Diagnostic>,
@@ -221,9 +221,9 @@ struct File {
     asked: Option<String>,
 }
 
-impl File {
+impl InputFile {
     /// Opens the file that the command line names, with its parameters.
-    fn open(path: &str, set: &[String]) -> Result<File, Failure> {
+    fn open(path: &str, set: &[String]) -> Result<InputFile, Failure> {
         let (name, bytes) = values::file(path, set)?;
         let source = String::from_utf8_lossy(&bytes).into_owned();
         let beside = |other: &str| std::path::Path::new(path).parent().filter(|_| path != "-").unwrap_or("".as_ref()).join(other);
@@ -231,7 +231,7 @@ impl File {
             .map_err(|faults| Failure::input(faults, &name, &source))?;
         scene::language_of(&bytes).into_iter().for_each(lang::take);
         let source = String::from_utf8_lossy(&bytes).into_owned();
-        Ok(File { name, source, notes: Vec::new(), fonts: Fonts::default(), asked: None })
+        Ok(InputFile { name, source, notes: Vec::new(), fonts: Fonts::default(), asked: None })
     }
 
     /// Reads the file; its notes are kept.
@@ -253,7 +253,7 @@ impl File {
 
     /// Diagnostics of the file, each with the text that its place refers to: the file, or the
     /// questions of the command line.
-    fn told(&self, faults: Faults) -> Vec<Told> {
+    fn with_sources(&self, faults: Faults) -> Vec<SourceFaults> {
         let (mut of_file, mut of_asked) = (Faults::default(), Faults::default());
         for mut d in faults.list {
             match (d.span.and_then(scene::place_in_asked), &self.asked) {
@@ -265,14 +265,14 @@ impl File {
                 (None, _) => of_file.push(d),
             }
         }
-        let file = Told { faults: of_file, name: self.name.clone(), source: self.source.clone() };
-        let asked = self.asked.iter().map(|text| Told::argument("--find", text, std::mem::take(&mut of_asked)));
+        let file = SourceFaults { faults: of_file, name: self.name.clone(), source: self.source.clone() };
+        let asked = self.asked.iter().map(|text| SourceFaults::argument("--find", text, std::mem::take(&mut of_asked)));
         std::iter::once(file).chain(asked).filter(|t| !t.faults.list.is_empty()).collect()
     }
 
     /// Returns the failure for faults of the file.
     fn failed(&self, faults: Faults) -> Failure {
-        Failure::Input(self.told(faults))
+        Failure::Input(self.with_sources(faults))
     }
 
     /// Reports the notes if faults are written as JSON; the answers as JSON contain them too.
@@ -285,46 +285,46 @@ impl File {
     /// Reports the notes, and the letters that the author's fonts lack.
     fn say_notes(&self) {
         let list: Vec<_> = self.notes.iter().cloned().chain(self.fonts.lacking()).collect();
-        self.told(Faults { list }).iter().for_each(|t| errors::tell(&t.faults, &t.name, &t.source));
+        self.with_sources(Faults { list }).iter().for_each(|t| errors::tell(&t.faults, &t.name, &t.source));
     }
 }
 
 /// A scene file that has been read.
-struct Input {
-    file: File,
+struct SceneInput {
+    file: InputFile,
     scene: Scene,
 }
 
-impl Input {
+impl SceneInput {
     /// Reads the scene that the command line names; it may lack a rate on which no question
     /// depends.
-    fn read(common: &Common) -> Result<Input, Failure> {
-        Input::of(common, Extent::Motion)
+    fn read(common: &CommonArgs) -> Result<SceneInput, Failure> {
+        SceneInput::of(common, Extent::Motion)
     }
 
     /// Reads the scene for questions that do not depend on rates.
-    fn read_at_rest(common: &Common) -> Result<Input, Failure> {
-        Input::of(common, Extent::Pose)
+    fn read_at_rest(common: &CommonArgs) -> Result<SceneInput, Failure> {
+        SceneInput::of(common, Extent::Pose)
     }
 
-    fn of(common: &Common, extent: Extent) -> Result<Input, Failure> {
-        let mut file = File::open(&common.scene, &common.set)?;
+    fn of(common: &CommonArgs, extent: Extent) -> Result<SceneInput, Failure> {
+        let mut file = InputFile::open(&common.scene, &common.set)?;
         let problem = file.read(|bytes| {
             Kind::of(bytes).grants(Wish::Mechanism)?;
             problem::read_as(bytes, extent)
         })?;
         let scene = problem.into_scene().map_err(|d| file.failed(d.into()))?;
-        Ok(Input { file, scene })
+        Ok(SceneInput { file, scene })
     }
 
     /// Reads its links and pairs; all else may be missing.
-    fn read_topology(common: &Common) -> Result<Input, Failure> {
-        let mut file = File::open(&common.scene, &common.set)?;
+    fn read_topology(common: &CommonArgs) -> Result<SceneInput, Failure> {
+        let mut file = InputFile::open(&common.scene, &common.set)?;
         let scene = file.read(|bytes| {
             Kind::of(bytes).grants(Wish::Mechanism)?;
             scene::read_topology(bytes)
         })?;
-        Ok(Input { file, scene })
+        Ok(SceneInput { file, scene })
     }
 
     /// Returns the failure for faults of the scene.
@@ -333,7 +333,7 @@ impl Input {
     }
 
     /// Sets the style of its figures.
-    fn drawn_in(mut self, style: &Style) -> Input {
+    fn drawn_in(mut self, style: &Style) -> SceneInput {
         self.file.fonts = style.fonts.clone();
         self
     }
@@ -374,13 +374,13 @@ fn granted(kind: Kind, wishes: &[(Option<String>, Wish)]) -> Result<(), Failure>
 
 /// Returns language and notation of the command line, else those of the file, with a style and
 /// digits.
-fn look_of(common: &Common, style: Style, digits: usize) -> Look {
+fn look_of(common: &CommonArgs, style: Style, digits: usize) -> Look {
     Look { lang: lang::asked(), notation: common.notation.as_deref().and_then(Notation::named), style, digits }
 }
 
 /// Returns language and notation: the command line's, else the scene's, else English and its
 /// profile.
-fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
+fn choices(scene: &Scene, common: &CommonArgs) -> (Lang, Notation) {
     look_of(common, Style::default(), 0).of(scene.language, scene.notation.as_deref())
 }
 
@@ -394,8 +394,8 @@ fn verdict(verdict: Verdict) -> ExitCode {
     }
 }
 
-fn solve(a: args::Solve) -> Run {
-    let mut file = File::open(&a.common.scene, &a.common.set)?;
+fn solve(a: args::SolveArgs) -> CommandResult {
+    let mut file = InputFile::open(&a.common.scene, &a.common.set)?;
     let problem = file.read(|bytes| {
         Kind::of(bytes).grants(Wish::Answers)?;
         problem::read(bytes)
@@ -415,11 +415,11 @@ fn solve(a: args::Solve) -> Run {
     Ok(verdict(solved.verdict()))
 }
 
-fn accuracy(a: args::Accuracy) -> Run {
+fn accuracy(a: args::AccuracyArgs) -> CommandResult {
     places::no_report_beside(a.output.as_deref(), a.json)?;
-    let places = a.output.as_deref().map(|output| places::places(output, &a.format, values::Format::Svg)).transpose()?;
+    let places = a.output.as_deref().map(|output| places::places(output, &a.format, values::FigureFormat::Svg)).transpose()?;
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common)?.drawn_in(&style);
+    let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Questions)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let start = Instant::now();

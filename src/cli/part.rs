@@ -6,11 +6,11 @@
 //! that they belong to it.
 
 use super::Failure;
-use super::files::Refused;
-use super::journal::{self, Entry, Job};
-use super::target::{Target, as_before, stands_at, unwritable};
+use super::files::FileRefusal;
+use super::journal::{self, Job, JournalEntry};
+use super::target::{OutputTarget, as_before, has_name, unwritable};
 use crate::diag::{Both, Diagnostic, both};
-use crate::report::table::{Format, Piece, Standing};
+use crate::report::table::{PiecePlace, RowFormat, TablePiece};
 use std::ffi::OsString;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -18,14 +18,14 @@ use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 /// The table in progress.
-pub struct Part {
-    target: Target,
+pub struct PartialTable {
+    target: OutputTarget,
     path: PathBuf,
     file: File,
     journal: File,
     /// Folder of the part for a pipe or a device; it is removed at the end of the run.
     _folder: Option<TempDir>,
-    pieces: Vec<Standing>,
+    pieces: Vec<PiecePlace>,
     bytes: u64,
     /// Number of mechanisms in the file.
     pub done: u64,
@@ -37,17 +37,17 @@ pub struct Part {
     pub changed: u64,
 }
 
-impl Part {
+impl PartialTable {
     /// Opens the part of an output, and continues where the same job was left.
-    pub fn open(out: &Path, job: &str, format: &dyn Format) -> Result<Part, Failure> {
-        let target = Target::of(out)?;
-        Part::opened(out, target, job, format).map_err(|e| unwritable(out, &e))
+    pub fn open(out: &Path, job: &str, format: &dyn RowFormat) -> Result<PartialTable, Failure> {
+        let target = OutputTarget::of(out)?;
+        PartialTable::opened(out, target, job, format).map_err(|e| unwritable(out, &e))
     }
 
-    fn opened(out: &Path, target: Target, job: &str, format: &dyn Format) -> io::Result<Part> {
+    fn opened(out: &Path, target: OutputTarget, job: &str, format: &dyn RowFormat) -> io::Result<PartialTable> {
         let (path, folder) = match &target {
-            Target::File(file) => (beside(file, ".part"), None),
-            Target::Stream(_) | Target::Stdout => {
+            OutputTarget::File(file) => (beside(file, ".part"), None),
+            OutputTarget::Stream(_) | OutputTarget::Stdout => {
                 let folder = tempfile::tempdir()?;
                 (folder.path().join("table.part"), Some(folder))
             }
@@ -82,8 +82,19 @@ impl Part {
             }
         };
         let bytes = job.begin;
-        let mut part =
-            Part { target, path, file, journal, _folder: folder, pieces: Vec::new(), bytes, done: 0, rows: 0, missing: 0, changed: 0 };
+        let mut part = PartialTable {
+            target,
+            path,
+            file,
+            journal,
+            _folder: folder,
+            pieces: Vec::new(),
+            bytes,
+            done: 0,
+            rows: 0,
+            missing: 0,
+            changed: 0,
+        };
         if let Err(e) = part.go_on(&job, &begin, &text) {
             part.remove();
             return Err(e);
@@ -113,7 +124,7 @@ impl Part {
     }
 
     /// Counts the pieces with unchanged bytes; returns their length in the journal.
-    fn recall(&mut self, begun: usize, entries: Vec<(Entry, usize)>) -> io::Result<usize> {
+    fn recall(&mut self, begun: usize, entries: Vec<(JournalEntry, usize)>) -> io::Result<usize> {
         let mut kept = begun;
         let all = entries.last().map_or(0, |(e, _)| e.done);
         let mut file = io::BufReader::with_capacity(1 << 20, self.file.try_clone()?);
@@ -131,9 +142,9 @@ impl Part {
     }
 
     /// Counts a piece.
-    fn take(&mut self, entry: Entry) {
+    fn take(&mut self, entry: JournalEntry) {
         if entry.rows > 0 {
-            self.pieces.push(Standing { offset: self.bytes, rows: entry.rows, index: entry.index });
+            self.pieces.push(PiecePlace { offset: self.bytes, rows: entry.rows, index: entry.index });
         }
         (self.bytes, self.done) = (entry.bytes, entry.done);
         self.rows += entry.rows;
@@ -141,8 +152,8 @@ impl Part {
     }
 
     /// Adds a piece, after which the file holds `done` mechanisms.
-    pub fn add(&mut self, piece: &Piece, done: u64, missing: u64) -> io::Result<()> {
-        let mut entry = Entry { done, missing, bytes: self.bytes, crc: 0, rows: piece.rows, index: piece.index.clone() };
+    pub fn add(&mut self, piece: &TablePiece, done: u64, missing: u64) -> io::Result<()> {
+        let mut entry = JournalEntry { done, missing, bytes: self.bytes, crc: 0, rows: piece.rows, index: piece.index.clone() };
         if piece.rows > 0 {
             piece.write(&mut self.file)?;
             let mut crc = crc32fast::Hasher::new();
@@ -156,7 +167,7 @@ impl Part {
 
     /// Returns true if the same command can continue from here in a later run.
     pub fn stays(&self) -> bool {
-        matches!(self.target, Target::File(_))
+        matches!(self.target, OutputTarget::File(_))
     }
 
     /// Removes part and journal. A file that cannot be removed stays; its name identifies it.
@@ -166,12 +177,12 @@ impl Part {
     }
 
     /// Ends the table and gives it its final name.
-    pub fn finish(&mut self, format: &dyn Format, notes: &[Diagnostic]) -> io::Result<()> {
+    pub fn finish(&mut self, format: &dyn RowFormat, notes: &[Diagnostic]) -> io::Result<()> {
         self.file.write_all(&format.end(&self.pieces, notes)?)?;
         self.file.seek(SeekFrom::Start(0))?;
         self.file.write_all(&format.begin(self.rows, &[]))?;
         match &self.target {
-            Target::File(out) => {
+            OutputTarget::File(out) => {
                 self.file.sync_all()?;
                 as_before(&self.file, out)?;
                 std::fs::rename(&self.path, out)?;
@@ -231,7 +242,7 @@ fn claimed(path: &Path) -> io::Result<File> {
         match file.try_lock() {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => {
-                return Err(io::Error::other(Refused(both!("another run is writing it", "另一个程序正在写入"))));
+                return Err(io::Error::other(FileRefusal(both!("another run is writing it", "另一个程序正在写入"))));
             }
             // On a file system without locks, the user must not start two runs at once.
             Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => {}
@@ -239,7 +250,7 @@ fn claimed(path: &Path) -> io::Result<File> {
         }
         // The run that held the lock may have ended and removed the file between opening and
         // locking.
-        if !stands_at(&file, path) {
+        if !has_name(&file, path) {
             continue;
         }
         let mut first = Vec::new();
@@ -270,7 +281,7 @@ fn own(path: &Path) -> io::Result<Option<File>> {
         Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(None),
         // The name may have become a link in the meantime, or the run that owned the file has
         // removed it.
-        Ok(file) if stands_at(&file, path) => Ok(Some(file)),
+        Ok(file) if has_name(&file, path) => Ok(Some(file)),
         Ok(_) if std::fs::symlink_metadata(path).is_err() => Ok(None),
         Ok(_) => Err(stranger(path, both!("it is a link or no plain file", "它是链接或不是普通文件"))),
         Err(e) => Err(e),
@@ -294,7 +305,7 @@ fn created(path: &Path) -> io::Result<File> {
 }
 
 fn stranger(path: &Path, why: Both) -> io::Error {
-    io::Error::other(Refused(both!(
+    io::Error::other(FileRefusal(both!(
         "{} is in the way ({}): move it away, or name another output",
         "{} 已存在（{}）：请移走，或另写输出文件",
         path.display(),

@@ -10,7 +10,7 @@ use crate::diag::{Both, Diagnostic, both};
 use clap::ValueEnum;
 
 /// A result's format and its file.
-pub type Place<F> = (F, String);
+pub type OutputPlace<F> = (F, String);
 
 /// An output's name in sentences.
 pub fn shown(output: &str) -> Both {
@@ -33,7 +33,7 @@ pub fn of_name<F: ValueEnum + Copy>(path: &str) -> Option<F> {
 /// # Errors
 /// `output` if neither the name nor `--format` gives a format; `format` if the two contradict each
 /// other or a stream is to take several formats.
-pub fn places<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual: F) -> Result<Vec<Place<F>>, Failure> {
+pub fn places<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual: F) -> Result<Vec<OutputPlace<F>>, Failure> {
     let formats = once(formats);
     if is_stream(output) {
         return Ok(vec![(in_stream(output, &formats, usual)?, output.to_owned())]);

@@ -1,12 +1,12 @@
 //! `hodograph plan`: the equations without numbers, as text and as JSON.
 
-use super::{Input, Run, args, choices, files, verdict};
+use super::{CommandResult, SceneInput, args, choices, files, verdict};
 use crate::certified::certify;
 use crate::diag::Warned;
 use crate::effort::Work;
 use crate::figure::sheet;
 use crate::notation::Notation;
-use crate::plan::text::Writer;
+use crate::plan::text::PlanWriter;
 use crate::problem::Verdict;
 use crate::report::forces::ForceWriter;
 use crate::report::{answers, plan as plan_text, plan_json};
@@ -14,8 +14,8 @@ use crate::scene::Lang;
 use crate::worked::{Scope, work};
 use std::process::ExitCode;
 
-pub(super) fn run(a: args::Plan) -> Run {
-    let mut input = Input::read(&a.common)?;
+pub(super) fn run(a: args::PlanArgs) -> CommandResult {
+    let mut input = SceneInput::read(&a.common)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     if a.json {
         return plan_for_programs(input, lang, &notation, a.figure);
@@ -26,7 +26,7 @@ pub(super) fn run(a: args::Plan) -> Run {
     };
     let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
     let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
-    let w = Writer { scene: &input.scene, plan: &plan, notation: &notation, lang };
+    let w = PlanWriter { scene: &input.scene, plan: &plan, notation: &notation, lang };
     let worked = if demand.wants_forces() { work(&input.scene, Scope::Questions).ok() } else { None };
     let drawn = worked.as_ref().and_then(|w| w.value.equilibrium.as_ref());
     let forces = drawn.map(|of| ForceWriter { scene: &input.scene, notation: &notation, lang, of });
@@ -39,8 +39,8 @@ pub(super) fn run(a: args::Plan) -> Run {
 
 /// Prints the plan and the work done for it. A plan needs no numbers: if the pose cannot be solved,
 /// the plan is printed alone, and the notes give the reason.
-fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: bool) -> Run {
-    let fail = |input: &Input, faults| input.failed(faults);
+fn plan_for_programs(mut input: SceneInput, lang: Lang, notation: &Notation, figure: bool) -> CommandResult {
+    let fail = |input: &SceneInput, faults| input.failed(faults);
     let mut code = ExitCode::SUCCESS;
     let document = match work(&input.scene, if figure { Scope::Figure } else { Scope::Questions }) {
         Ok(Warned { value: worked, notes }) => {
@@ -50,17 +50,17 @@ fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: 
             let certified = certify(&input.scene, &worked, answers::DIGITS);
             let mut done = Work::of(&worked).with_certified(&certified);
             if figure {
-                let options = sheet::Options { notation: notation.clone(), ..sheet::Options::of_language(lang) };
+                let options = sheet::SheetOptions { notation: notation.clone(), ..sheet::SheetOptions::of_language(lang) };
                 done = done.with_labels(sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?.labels_placed());
             }
-            let w = Writer { scene: &input.scene, plan: &worked.plan, notation, lang };
+            let w = PlanWriter { scene: &input.scene, plan: &worked.plan, notation, lang };
             plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &input.file.notes)
         }
         Err(faults) => {
             let mechanism = crate::mechanism::Mechanism::new(&input.scene).map_err(|f| fail(&input, f))?.value;
             let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
             let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
-            let w = Writer { scene: &input.scene, plan: &plan, notation, lang };
+            let w = PlanWriter { scene: &input.scene, plan: &plan, notation, lang };
             input.file.notes.extend(faults.list);
             plan_json::json(&mechanism, &demand, &w, None, &input.file.notes)
         }

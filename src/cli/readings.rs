@@ -1,7 +1,7 @@
 //! `hodograph readings`: the answers of each reading of a scene without its figure, and the reading
 //! that gives the printed answers.
 
-use super::{Input, Run, args, choices, files};
+use super::{CommandResult, SceneInput, args, choices, files};
 use crate::attempts::wanted;
 use crate::diag::{Faults, both};
 use crate::report::readings as report;
@@ -10,17 +10,17 @@ use crate::worked::{Scope, work};
 use std::process::ExitCode;
 
 /// Runs the command.
-pub fn run(a: args::Readings) -> Run {
-    let input = Input::read(&a.common)?;
+pub fn run(a: args::ReadingsArgs) -> CommandResult {
+    let input = SceneInput::read(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let mut all = Vec::new();
     let mut faults = Faults::default();
     for reading in scene::readings::readings(&input.file.source).map_err(|f| input.failed(f))? {
-        let read = || -> Result<report::Read, Faults> {
+        let read = || -> Result<report::SolvedReading, Faults> {
             let scene = scene::read(&reading.text)?.value;
             let worked = work(&scene, Scope::Figure)?.value;
             let named = if scene.attempts.is_empty() { Vec::new() } else { wanted(&scene, &worked, false)? };
-            Ok(report::Read { name: reading.name.clone(), scene, worked, attempts: named })
+            Ok(report::SolvedReading { name: reading.name.clone(), scene, worked, attempts: named })
         };
         match read() {
             Ok(read) => all.push(read),

@@ -1,31 +1,31 @@
 //! `hodograph sweep` (all positions of a driver, or values of a parameter, into a file) and
 //! `hodograph limits` (results of the whole motion).
 
-use super::args::{Limits, Range, Sweep};
-use super::places::Place;
-use super::values::Table;
-use super::{Failure, Input, Run, Told, choices, files, tables};
+use super::args::{LimitsArgs, RangeArgs, SweepArgs};
+use super::places::OutputPlace;
+use super::values::TableFormat;
+use super::{CommandResult, Failure, SceneInput, SourceFaults, choices, files, tables};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::mechanism::Mechanism;
 use crate::report::limits as report;
 use crate::scene::{self, Angle, Scene, Swept, edit};
 use crate::sweep::extreme;
-use crate::sweep::long::Long;
-use crate::sweep::pieces::Pieces;
-use crate::sweep::station::{self, Way};
-use crate::sweep::timed::Timed;
-use crate::sweep::vary::{Span, Variation, Varied};
-use crate::sweep::{self, Placed, Stations, Steps};
+use crate::sweep::long::LongSweep;
+use crate::sweep::pieces::SweepPieces;
+use crate::sweep::station::{self, DriverSpan};
+use crate::sweep::timed::TimedSweep;
+use crate::sweep::vary::{ParameterSpan, Variation, Varied};
+use crate::sweep::{self, PlacedScene, StationSteps, Stations};
 use std::process::ExitCode;
 
 /// Default number of steps: one for each degree of a turn.
 pub const STEPS: usize = 360;
 
-pub fn sweep(a: Sweep) -> Run {
-    let mut input = Input::read(&a.common)?;
+pub fn sweep(a: SweepArgs) -> CommandResult {
+    let mut input = SceneInput::read(&a.common)?;
     // Without a name and a format, the table is printed.
     let asked = a.output.as_deref().or((!a.format.is_empty()).then_some("-"));
-    let place = asked.map(|output| tables::place(output, &a.format, Table::Csv)).transpose()?;
+    let place = asked.map(|output| tables::place(output, &a.format, TableFormat::Csv)).transpose()?;
     ask(&mut input, a.range.find.as_deref())?;
     input.over_a_table();
     let notes = sweep_into(&input, &a, place.as_ref())?;
@@ -34,7 +34,7 @@ pub fn sweep(a: Sweep) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-impl Input {
+impl SceneInput {
     /// Changes the scene to its whole motion for a table. The rows follow every piece of a profile;
     /// where no driver moves the cam, the scene is read again for each row.
     pub(super) fn over_a_table(&mut self) {
@@ -46,7 +46,7 @@ impl Input {
 }
 
 /// Writes the table to its place; returns its notes.
-fn sweep_into(input: &Input, a: &Sweep, place: Option<&Place<Table>>) -> Result<Vec<Diagnostic>, Failure> {
+fn sweep_into(input: &SceneInput, a: &SweepArgs, place: Option<&OutputPlace<TableFormat>>) -> Result<Vec<Diagnostic>, Failure> {
     let title = input.scene.title.get(choices(&input.scene, &a.common).0);
     let scene = &input.scene;
     let mechanism = sweep::mechanism(scene).map_err(|f| input.failed(f))?;
@@ -57,18 +57,18 @@ fn sweep_into(input: &Input, a: &Sweep, place: Option<&Place<Table>>) -> Result<
         let span = values(scene, &variation, name, a)?;
         return write(&mut Varied::new(scene, &mechanism, &variation, span), title, place);
     }
-    let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
+    let placed = PlacedScene::new(scene, &mechanism).map_err(|f| input.failed(f))?;
     if swept == Some(Swept::Time) {
         let (timed, range) = through(&placed, &a.range)?;
         return write(&mut timed.steps(range, a.range.steps.unwrap_or(STEPS)), title, place);
     }
     let driver = driver_of(scene, over)?;
     let steps = steps(input, &placed, driver, &a.range, a.range.steps.unwrap_or(STEPS))?;
-    let mut long = Long::new(&placed, driver, steps).map_err(|f| input.failed(f))?;
+    let mut long = LongSweep::new(&placed, driver, steps).map_err(|f| input.failed(f))?;
     write(&mut long, title, place)
 }
 
-fn write(sweep: &mut dyn Pieces, title: &str, place: Option<&Place<Table>>) -> Result<Vec<Diagnostic>, Failure> {
+fn write(sweep: &mut dyn SweepPieces, title: &str, place: Option<&OutputPlace<TableFormat>>) -> Result<Vec<Diagnostic>, Failure> {
     match place {
         Some(place) => tables::write(sweep, title, place)?,
         None => files::print_with(|out| tables::print(sweep, out))?,
@@ -77,9 +77,9 @@ fn write(sweep: &mut dyn Pieces, title: &str, place: Option<&Place<Table>>) -> R
 }
 
 /// Runs the command `limits`.
-pub fn limits(a: Limits) -> Run {
+pub fn limits(a: LimitsArgs) -> CommandResult {
     // The limits of the motion do not depend on the driver's speed.
-    let mut input = Input::read_at_rest(&a.common)?;
+    let mut input = SceneInput::read_at_rest(&a.common)?;
     input.over_a_turn();
     let (lang, _) = choices(&input.scene, &a.common);
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
@@ -111,7 +111,7 @@ pub fn limits(a: Limits) -> Run {
 
 /// Returns mean balancing moment and surplus energy of a scene with loads, with the flywheel if
 /// requested.
-fn balanced(input: &Input, driver: usize, delta: Option<&str>) -> Result<Option<report::balanced::Balanced>, Failure> {
+fn balanced(input: &SceneInput, driver: usize, delta: Option<&str>) -> Result<Option<report::balanced::BalancedEnergy>, Failure> {
     let wrong = |message: Both, help: Both| {
         Failure::argument("--flywheel", delta.unwrap_or_default(), Diagnostic::error("flywheel", message).help(help))
     };
@@ -141,7 +141,7 @@ fn balanced(input: &Input, driver: usize, delta: Option<&str>) -> Result<Option<
         Err(_) if told.is_none() => return Ok(None),
         Err(faults) => return Err(input.failed(faults)),
     };
-    let energy = sweep::mechanism(&scene).and_then(|m| sweep::energy::energy(&Placed::new(&scene, &m)?, driver));
+    let energy = sweep::mechanism(&scene).and_then(|m| sweep::energy::energy(&PlacedScene::new(&scene, &m)?, driver));
     let energy = match energy {
         Ok(energy) => energy,
         Err(_) if told.is_none() => return Ok(None),
@@ -153,7 +153,7 @@ fn balanced(input: &Input, driver: usize, delta: Option<&str>) -> Result<Option<
             let message = both!("the driver stands still", "原动件静止");
             Err(wrong(message, both!("give its \"omega\"", "请给出其 \"omega\"")))
         }
-        (Some(energy), delta) => Ok(Some(report::balanced::Balanced { energy, rate, delta })),
+        (Some(energy), delta) => Ok(Some(report::balanced::BalancedEnergy { energy, rate, delta })),
         (None, None) => Ok(None),
         (None, Some(_)) => {
             let message =
@@ -191,7 +191,7 @@ pub fn swept_of(scene: &Scene, over: Option<&str>) -> Result<Swept, Failure> {
 }
 
 /// Replaces the scene's questions by those of `--find`; faults point to the argument.
-pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
+pub fn ask(input: &mut SceneInput, find: Option<&str>) -> Result<(), Failure> {
     let Some(find) = find else { return Ok(()) };
     input.file.asked = Some(find.to_owned());
     let read = scene::read_asking(&input.file.source, find);
@@ -201,7 +201,7 @@ pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
 }
 
 /// Returns the values of a parameter between the bounds of the command line.
-fn values(scene: &Scene, variation: &Variation, name: &str, a: &Sweep) -> Result<Span, Failure> {
+fn values(scene: &Scene, variation: &Variation, name: &str, a: &SweepArgs) -> Result<ParameterSpan, Failure> {
     let bound = |text: Option<&str>, option: &'static str| {
         let missing = || {
             Diagnostic::error("range", both!("{option} is missing", "缺少 {option}"))
@@ -223,7 +223,7 @@ pub fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
 
 /// Returns the stations of a driver between two values in the scene's notation; by default a full
 /// turn for a turning driver, and the whole travel for a sliding one.
-pub fn stations(input: &Input, placed: &Placed, driver: usize, range: &Range, count: usize) -> Result<Stations, Failure> {
+pub fn stations(input: &SceneInput, placed: &PlacedScene, driver: usize, range: &RangeArgs, count: usize) -> Result<Stations, Failure> {
     Ok(steps(input, placed, driver, range, count)?.all())
 }
 
@@ -259,13 +259,13 @@ fn not_too_far(option: &str, text: &str, angle: Angle) -> Result<Angle, Failure>
 }
 
 /// Follows the mechanism through the time of the command line (s); returns it with the ends.
-pub fn through<'a>(placed: &'a Placed<'a>, range: &Range) -> Result<(Timed<'a>, [f64; 2]), Failure> {
+pub fn through<'a>(placed: &'a PlacedScene<'a>, range: &RangeArgs) -> Result<(TimedSweep<'a>, [f64; 2]), Failure> {
     let ends = bounds(range, edit::time)?;
     let text = range.to.as_deref().or(range.from.as_deref()).unwrap_or_default();
-    Timed::new(placed, ends).map_err(|f| Failure::argument("--to", text, f))
+    TimedSweep::new(placed, ends).map_err(|f| Failure::argument("--to", text, f))
 }
 
-fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Steps, Failure> {
+fn steps(input: &SceneInput, placed: &PlacedScene, driver: usize, range: &RangeArgs, steps: usize) -> Result<StationSteps, Failure> {
     let Some(d) = placed.scene.drivers.get(driver) else {
         return Err(input.failed(Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件")).into()));
     };
@@ -273,8 +273,8 @@ fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: us
         bounds(range, edit::angle)?;
         let (from, to) = (range.from.as_deref().unwrap_or("0"), range.to.as_deref().unwrap_or("360"));
         let [first, last] = edit::angles(from, to).map_err(|f| Failure::argument("--to", to, f))?;
-        let way = Way::Turn(not_too_far("--from", from, first)?, not_too_far("--to", to, last)?);
-        return Ok(Steps { way, steps });
+        let way = DriverSpan::Turn(not_too_far("--from", from, first)?, not_too_far("--to", to, last)?);
+        return Ok(StationSteps { way, steps });
     }
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
     let [from, to] = match bounds(range, edit::length)? {
@@ -285,15 +285,15 @@ fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: us
             [from.unwrap_or(low), to.unwrap_or(high)]
         }
     };
-    Ok(Steps { way: Way::Slide { from, to, per_value }, steps })
+    Ok(StationSteps { way: DriverSpan::Slide { from, to, per_value }, steps })
 }
 
 /// Reads `--from` and `--to` if given; reports all their faults at once.
-fn bounds<T>(range: &Range, read: impl Fn(&str) -> Result<T, Faults>) -> Result<[Option<T>; 2], Failure> {
+fn bounds<T>(range: &RangeArgs, read: impl Fn(&str) -> Result<T, Faults>) -> Result<[Option<T>; 2], Failure> {
     let mut wrong = Vec::new();
     let both = [("--from", &range.from), ("--to", &range.to)].map(|(option, text)| {
         let text = text.as_deref()?;
-        read(text).map_err(|faults| wrong.push(Told::argument(option, text, faults))).ok()
+        read(text).map_err(|faults| wrong.push(SourceFaults::argument(option, text, faults))).ok()
     });
     if wrong.is_empty() { Ok(both) } else { Err(Failure::Input(wrong)) }
 }

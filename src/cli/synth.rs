@@ -1,6 +1,6 @@
 //! `hodograph synth`: a synthesis file to candidates, as a table or JSON, and one of them as a scene file.
 
-use super::{File, Run, errors, files, lang, places};
+use super::{CommandResult, InputFile, errors, files, lang, places};
 use crate::diag::{Both, Diagnostic, both};
 use crate::digits::significant;
 use crate::problem::{self, Kind, Look, Options};
@@ -14,7 +14,7 @@ use std::time::Instant;
 #[command(
     after_help = "Start: hodograph new time-ratio > wish.json && hodograph synth wish.json; the construction: hodograph draw wish.json -o out/; problem and solution: hodograph worksheet wish.json -o sheet.pdf"
 )]
-pub struct Synth {
+pub struct SynthArgs {
     /// The synthesis file; `-` reads standard input
     #[arg(value_name = "FILE")]
     pub file: String,
@@ -39,10 +39,10 @@ pub struct Synth {
 }
 
 /// Runs the command.
-pub fn run(a: Synth) -> Run {
+pub fn run(a: SynthArgs) -> CommandResult {
     places::no_report_beside(a.output.as_deref(), a.json)?;
     let start = Instant::now();
-    let mut file = File::open(&a.file, &a.set)?;
+    let mut file = InputFile::open(&a.file, &a.set)?;
     let problem = file.read(|bytes| problem::read_of(bytes, Kind::Task))?;
     let candidate = a.pick.map_or(0, |n| n as usize - 1);
     let solved = file.solve(&problem, &Options { candidate, ..Options::default() })?;

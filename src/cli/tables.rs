@@ -1,14 +1,14 @@
 //! Writes tables into files: chooses the format by the name, and writes rows as they come, with the
 //! memory of one piece.
 
-use super::places::{self, Place, places};
+use super::places::{self, OutputPlace, places};
 use super::spool::{self, Spool};
-use super::together::Out;
-use super::values::{Rows, Table};
+use super::together::OutputFile;
+use super::values::{BatchFormat, TableFormat};
 use super::{Failure, files, lang, long, stop};
 use crate::diag::{Diagnostic, both};
-use crate::report::table::{self, Csv, Format, Head, Npy, Parquet, Piece, Standing};
-use crate::sweep::pieces::Pieces;
+use crate::report::table::{self, Csv, Npy, Parquet, PiecePlace, RowFormat, TableHead, TablePiece};
+use crate::sweep::pieces::SweepPieces;
 use clap::ValueEnum;
 use indicatif::ProgressBar;
 use std::io::{self, Seek, Write};
@@ -24,7 +24,7 @@ const NUMBERS: usize = 1 << 21;
 ///
 /// # Errors
 /// Those of [`places`], and `format` if several are requested.
-pub fn place<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual: F) -> Result<Place<F>, Failure> {
+pub fn place<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual: F) -> Result<OutputPlace<F>, Failure> {
     let mut all = places(output, formats, usual)?;
     if all.len() == 1 {
         return Ok(all.swap_remove(0));
@@ -36,25 +36,25 @@ pub fn place<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual
 }
 
 /// Returns a format that is written row by row.
-pub fn by_rows(format: Rows, head: Head) -> io::Result<Box<dyn Format>> {
+pub fn by_rows(format: BatchFormat, head: TableHead) -> io::Result<Box<dyn RowFormat>> {
     Ok(match format {
-        Rows::Csv => Box::new(Csv::new(head)),
-        Rows::Npy => Box::new(Npy::new(head)),
-        Rows::Parquet => Box::new(Parquet::new(head)?),
+        BatchFormat::Csv => Box::new(Csv::new(head)),
+        BatchFormat::Npy => Box::new(Npy::new(head)),
+        BatchFormat::Parquet => Box::new(Parquet::new(head)?),
     })
 }
 
 /// Writes a sweep, completely or not at all; one piece is computed while the one before it is
 /// written.
-pub fn write(sweep: &mut dyn Pieces, title: &str, (format, path): &Place<Table>) -> Result<(), Failure> {
-    let head = Head::new(title, sweep.columns()).told_in(lang::now());
+pub fn write(sweep: &mut dyn SweepPieces, title: &str, (format, path): &OutputPlace<TableFormat>) -> Result<(), Failure> {
+    let head = TableHead::new(title, sweep.columns()).in_language(lang::now());
     stop::watch();
     let _looking = stop::Looking::begin();
     files::write_with(Path::new(path), |out| match format {
-        Table::Json => by_columns(sweep, &head, out),
-        Table::Csv => rows(sweep, &*by_rows(Rows::Csv, head)?, out),
-        Table::Npy => rows(sweep, &*by_rows(Rows::Npy, head)?, out),
-        Table::Parquet => rows(sweep, &*by_rows(Rows::Parquet, head)?, out),
+        TableFormat::Json => by_columns(sweep, &head, out),
+        TableFormat::Csv => rows(sweep, &*by_rows(BatchFormat::Csv, head)?, out),
+        TableFormat::Npy => rows(sweep, &*by_rows(BatchFormat::Npy, head)?, out),
+        TableFormat::Parquet => rows(sweep, &*by_rows(BatchFormat::Parquet, head)?, out),
     })
 }
 
@@ -64,8 +64,8 @@ const KEPT: usize = 8 << 20;
 
 /// Prints a sweep as CSV to a place where nothing can be overwritten: the notes come first, but are
 /// known only with the last row.
-pub fn print(sweep: &mut dyn Pieces, out: &mut dyn Write) -> io::Result<()> {
-    let format = Csv::new(Head::new("", sweep.columns()).told_in(lang::now()));
+pub fn print(sweep: &mut dyn SweepPieces, out: &mut dyn Write) -> io::Result<()> {
+    let format = Csv::new(TableHead::new("", sweep.columns()).in_language(lang::now()));
     let mut rows = tempfile::spooled_tempfile(KEPT);
     let mut count = 0;
     in_pieces(sweep, &ProgressBar::hidden(), formed(&format), |piece| {
@@ -80,7 +80,7 @@ pub fn print(sweep: &mut dyn Pieces, out: &mut dyn Write) -> io::Result<()> {
 /// Makes a sweep piece by piece until all are made or the user asks to stop; formats each piece and
 /// takes it.
 fn in_pieces<U: Send>(
-    sweep: &mut dyn Pieces,
+    sweep: &mut dyn SweepPieces,
     bar: &ProgressBar,
     mut form: impl FnMut(&[&[f64]], Option<U>) -> io::Result<U> + Send,
     take: impl FnMut(&U) -> io::Result<()>,
@@ -107,11 +107,11 @@ fn in_pieces<U: Send>(
 }
 
 /// Returns the function that formats pieces.
-fn formed(format: &dyn Format) -> impl FnMut(&[&[f64]], Option<Piece>) -> io::Result<Piece> + Send {
+fn formed(format: &dyn RowFormat) -> impl FnMut(&[&[f64]], Option<TablePiece>) -> io::Result<TablePiece> + Send {
     |columns, used| format.piece_in(columns, used.unwrap_or_default())
 }
 
-fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Result<()> {
+fn rows(sweep: &mut dyn SweepPieces, format: &dyn RowFormat, out: &mut OutputFile) -> io::Result<()> {
     let count = sweep.count() as u64;
     let bar = long::bar(count, 0, &both!("positions", "个位置"));
     // The beginning assumes that all rows exist and are finite; otherwise it is replaced.
@@ -122,7 +122,7 @@ fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Resul
     in_pieces(sweep, &bar, formed(format), |piece| {
         piece.write(out)?;
         written += piece.rows;
-        standing.push(Standing { offset, rows: piece.rows, index: piece.index.clone() });
+        standing.push(PiecePlace { offset, rows: piece.rows, index: piece.index.clone() });
         offset += piece.length();
         Ok(())
     })?;
@@ -133,7 +133,7 @@ fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Resul
     if told == begin { Ok(()) } else { out.replace_beginning(begin.len() as u64, &told) }
 }
 
-fn by_columns(sweep: &mut dyn Pieces, head: &Head, out: &mut Out) -> io::Result<()> {
+fn by_columns(sweep: &mut dyn SweepPieces, head: &TableHead, out: &mut OutputFile) -> io::Result<()> {
     let bar = long::bar(sweep.count() as u64, 0, &both!("positions", "个位置"));
     let mut spool = Spool::new(out.scratch()?);
     in_pieces(

@@ -24,7 +24,7 @@ fn was_read(path: &Path) -> bool {
 }
 
 /// The destination of an output.
-pub enum Target {
+pub enum OutputTarget {
     /// A file, which is written under a temporary name in its folder and renamed; links have been
     /// followed.
     File(PathBuf),
@@ -57,27 +57,27 @@ pub fn is_stream(name: &str) -> bool {
 /// Largest number of links in a chain, as in the system; more count as a loop.
 const LINKS: usize = 40;
 
-impl Target {
+impl OutputTarget {
     /// Returns the destination for an output's name. Write permission is checked here, before any
     /// work is done.
     ///
     /// # Errors
     /// A folder, a file that may not be written, a file that this run has read.
-    pub fn of(path: &Path) -> Result<Target, Failure> {
+    pub fn of(path: &Path) -> Result<OutputTarget, Failure> {
         if path.to_str().is_some_and(is_stdout) {
             TAKEN.store(true, Ordering::Relaxed);
-            return Ok(Target::Stdout);
+            return Ok(OutputTarget::Stdout);
         }
         let fail = |e: io::Error| unwritable(path, &e);
         // Folders are created first: `new/../scene.json` is another file once `new` exists.
         std::fs::create_dir_all(folder_of(path)).map_err(fail)?;
         match std::fs::metadata(path) {
             Ok(m) if m.is_dir() => return Err(fail(io::ErrorKind::IsADirectory.into())),
-            Ok(m) if !m.is_file() => return Ok(Target::Stream(path.to_owned())),
+            Ok(m) if !m.is_file() => return Ok(OutputTarget::Stream(path.to_owned())),
             Err(e) if e.kind() != io::ErrorKind::NotFound => return Err(fail(e)),
             _ => {}
         }
-        let Some(file) = followed(path).map_err(fail)? else { return Ok(Target::Stream(path.to_owned())) };
+        let Some(file) = followed(path).map_err(fail)? else { return Ok(OutputTarget::Stream(path.to_owned())) };
         std::fs::create_dir_all(folder_of(&file)).map_err(fail)?;
         if was_read(&file) {
             let d = Diagnostic::error(
@@ -93,19 +93,19 @@ impl Target {
             }
             OpenOptions::new().append(true).open(&file).map_err(fail)?;
         }
-        Ok(Target::File(file))
+        Ok(OutputTarget::File(file))
     }
 }
 
-impl Target {
+impl OutputTarget {
     /// Copies a whole result to a destination that is not a file. A reader of standard output that
     /// closes its end causes no error.
     pub fn take(&self, from: &mut File) -> io::Result<()> {
         from.seek(SeekFrom::Start(0))?;
         match self {
-            Target::File(_) => Ok(()),
-            Target::Stream(path) => io::copy(from, &mut OpenOptions::new().append(true).open(path)?).map(drop),
-            Target::Stdout => {
+            OutputTarget::File(_) => Ok(()),
+            OutputTarget::Stream(path) => io::copy(from, &mut OpenOptions::new().append(true).open(path)?).map(drop),
+            OutputTarget::Stdout => {
                 let mut out = io::stdout().lock();
                 match io::copy(from, &mut out).and_then(|_| out.flush()) {
                     Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(e),
@@ -135,7 +135,7 @@ fn followed(path: &Path) -> io::Result<Option<PathBuf>> {
         let to = std::fs::read_link(&at)?;
         at = at.parent().unwrap_or(Path::new("")).join(to);
     }
-    Err(io::Error::other(super::files::Refused(both!("too many symbolic links", "符号链接过多"))))
+    Err(io::Error::other(super::files::FileRefusal(both!("too many symbolic links", "符号链接过多"))))
 }
 
 /// The folder of a file.
@@ -177,7 +177,7 @@ fn owner(_: &File, _: &Metadata) {}
 /// Returns true if an open file has this name itself, not through a link, and has not been
 /// replaced.
 #[cfg(unix)]
-pub fn stands_at(file: &File, path: &Path) -> bool {
+pub fn has_name(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
     let id = |m: Metadata| (m.dev(), m.ino());
     file.metadata().ok().map(id).is_some_and(|f| std::fs::symlink_metadata(path).ok().map(id) == Some(f))
@@ -185,6 +185,6 @@ pub fn stands_at(file: &File, path: &Path) -> bool {
 
 /// Returns true if an open file has this name.
 #[cfg(not(unix))]
-pub fn stands_at(_: &File, path: &Path) -> bool {
+pub fn has_name(_: &File, path: &Path) -> bool {
     std::fs::symlink_metadata(path).is_ok_and(|m| m.is_file())
 }

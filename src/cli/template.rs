@@ -1,13 +1,13 @@
 //! `hodograph new` and `hodograph templates`.
 
-use super::{Failure, Run, files, values};
+use super::{CommandResult, Failure, files, values};
 use crate::diag::{Diagnostic, both};
 use crate::problem::{Kind, templates};
 use hodograph_base::json::fields::suggest;
 use std::process::ExitCode;
 
 /// Writes a template.
-pub fn new(template: Option<&str>, set: &[String], output: Option<&str>) -> Run {
+pub fn new(template: Option<&str>, set: &[String], output: Option<&str>) -> CommandResult {
     let names: Vec<&str> = templates::all().iter().map(|t| t.name).collect();
     let all = |got: &str| suggest(got, names.iter().copied(), both!("the templates are", "模板有"));
     let Some(template) = template else {
@@ -30,7 +30,7 @@ pub fn new(template: Option<&str>, set: &[String], output: Option<&str>) -> Run 
 }
 
 /// Lists the templates with their parameters.
-pub fn list() -> Run {
+pub fn list() -> CommandResult {
     let mut out = String::new();
     for t in templates::all() {
         let kind = match t.kind {

@@ -4,7 +4,7 @@
 //! A temporary name is `.hodograph-`, twelve letters or digits, `.tmp`, and its writer holds a lock
 //! on it. Files of a killed run have no lock: the next run that writes to the folder removes them.
 
-use super::target::{Target, as_before, folder_of, stands_at, unwritable};
+use super::target::{OutputTarget, as_before, folder_of, has_name, unwritable};
 use super::{Failure, stop};
 use crate::diag::both;
 use std::fs::{File, OpenOptions};
@@ -19,13 +19,13 @@ const RANDOM: usize = 12;
 /// Files in progress.
 #[derive(Default)]
 pub struct Together {
-    files: Vec<Staged>,
-    streams: Vec<(PathBuf, Target, File)>,
+    files: Vec<StagedFile>,
+    streams: Vec<(PathBuf, OutputTarget, File)>,
     cleared: Vec<PathBuf>,
 }
 
 /// A complete file under its temporary name.
-struct Staged {
+struct StagedFile {
     temporary: NamedTempFile,
     place: PathBuf,
     /// The name that the user gave.
@@ -39,20 +39,20 @@ impl Together {
     }
 
     /// Adds a file that is written piece by piece.
-    pub fn add_with(&mut self, path: &Path, fill: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<(), Failure> {
+    pub fn add_with(&mut self, path: &Path, fill: impl FnOnce(&mut OutputFile) -> io::Result<()>) -> Result<(), Failure> {
         stop::watch();
         let fail = |e: io::Error| unwritable(path, &e);
         let filled = |file: &File, folder: &Path| {
-            let mut out = Out { file: BufWriter::with_capacity(1 << 16, file.try_clone()?), folder: folder.to_owned() };
+            let mut out = OutputFile { file: BufWriter::with_capacity(1 << 16, file.try_clone()?), folder: folder.to_owned() };
             fill(&mut out).and_then(|()| out.flush())
         };
-        match Target::of(path)? {
-            target @ (Target::Stream(_) | Target::Stdout) => {
+        match OutputTarget::of(path)? {
+            target @ (OutputTarget::Stream(_) | OutputTarget::Stdout) => {
                 let file = tempfile::tempfile().map_err(fail)?;
                 unless_stopped(path, filled(&file, &std::env::temp_dir()))?;
                 self.streams.push((path.to_owned(), target, file));
             }
-            Target::File(place) => {
+            OutputTarget::File(place) => {
                 let folder = folder_of(&place);
                 self.clear(folder);
                 let temporary = temporary(folder).map_err(fail)?;
@@ -60,7 +60,7 @@ impl Together {
                 // readable while it is written.
                 as_before(temporary.as_file(), &place).map_err(fail)?;
                 unless_stopped(path, filled(temporary.as_file(), folder))?;
-                self.files.push(Staged { temporary, place, name: path.to_owned() });
+                self.files.push(StagedFile { temporary, place, name: path.to_owned() });
             }
         }
         Ok(())
@@ -158,7 +158,7 @@ fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
         let file = builder.tempfile_in(folder)?;
         // Another run that clears the folder may have removed the file before it was locked.
         match file.as_file().try_lock() {
-            Ok(()) if stands_at(file.as_file(), file.path()) => return Ok(file),
+            Ok(()) if has_name(file.as_file(), file.path()) => return Ok(file),
             Ok(()) | Err(std::fs::TryLockError::WouldBlock) => {}
             // On a file system without locks no files are cleared.
             Err(std::fs::TryLockError::Error(_)) => return Ok(file),
@@ -177,7 +177,7 @@ fn clear_one(path: &Path) {
     }
     if let Ok(file) = OpenOptions::new().append(true).open(path)
         && file.try_lock().is_ok()
-        && stands_at(&file, path)
+        && has_name(&file, path)
     {
         // A file that cannot be removed stays.
         let _ = std::fs::remove_file(path);
@@ -193,12 +193,12 @@ fn unless_stopped(path: &Path, filled: io::Result<()>) -> Result<(), Failure> {
 }
 
 /// A file in progress; it accepts no bytes once the user has asked to stop.
-pub struct Out {
+pub struct OutputFile {
     file: BufWriter<File>,
     folder: PathBuf,
 }
 
-impl Write for Out {
+impl Write for OutputFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         // Not of the kind `Interrupted`, which would be retried.
         if stop::asked() { Err(io::Error::other("interrupted")) } else { self.file.write(bytes) }
@@ -209,7 +209,7 @@ impl Write for Out {
     }
 }
 
-impl Out {
+impl OutputFile {
     /// Creates an unnamed file in the same place, for rows that are not in their final order.
     pub fn scratch(&self) -> io::Result<File> {
         tempfile::tempfile_in(&self.folder)

@@ -1,40 +1,40 @@
 //! Values of arguments: the named choices, and the reading of numbers.
 
-use super::files::Refused;
-use super::{Failure, Told, files};
+use super::files::FileRefusal;
+use super::{Failure, SourceFaults, files};
 use crate::certified::ladder::MOST_DIGITS;
 use crate::diag::{Diagnostic, Faults, both};
-use crate::figure::list::{self, Entry};
+use crate::figure::list::{self, FigureEntry};
 use crate::scene::{Lang, edit};
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Format {
+pub enum FigureFormat {
     Svg,
     Png,
     Pdf,
 }
 
-impl Format {
+impl FigureFormat {
     /// The format that a file's ending names.
-    pub fn of(ending: &str) -> Option<Format> {
-        Format::value_variants().iter().copied().find(|f| f.ending() == ending)
+    pub fn of(ending: &str) -> Option<FigureFormat> {
+        FigureFormat::value_variants().iter().copied().find(|f| f.ending() == ending)
     }
 
     /// The ending of its files.
     pub fn ending(self) -> &'static str {
         match self {
-            Format::Svg => "svg",
-            Format::Png => "png",
-            Format::Pdf => "pdf",
+            FigureFormat::Svg => "svg",
+            FigureFormat::Png => "png",
+            FigureFormat::Pdf => "pdf",
         }
     }
 }
 
 /// Formats of a worksheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Sheet {
+pub enum SheetFormat {
     Pdf,
     Html,
     Md,
@@ -43,7 +43,7 @@ pub enum Sheet {
 
 /// Formats of a motion; PNG is a picture for each frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Moving {
+pub enum MotionFormat {
     Gif,
     Svg,
     Png,
@@ -51,7 +51,7 @@ pub enum Moving {
 
 /// Formats of a sweep's table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Table {
+pub enum TableFormat {
     Csv,
     Json,
     Npy,
@@ -60,7 +60,7 @@ pub enum Table {
 
 /// Formats of a batch's table: those that are written row by row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Rows {
+pub enum BatchFormat {
     Csv,
     Npy,
     Parquet,
@@ -75,7 +75,7 @@ pub enum Profile {
 
 /// The form of letters in an SVG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Text {
+pub enum TextFormat {
     /// Outlines
     Outlines,
     /// Text, for drawing programs
@@ -84,7 +84,7 @@ pub enum Text {
 
 /// Vectors at the points of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Vectors {
+pub enum PointVectors {
     /// Velocities
     Velocity,
     /// Accelerations
@@ -92,7 +92,7 @@ pub enum Vectors {
 }
 
 /// The figures that `draw` makes, by name.
-pub fn figures() -> impl TypedValueParser<Value = &'static Entry> {
+pub fn figures() -> impl TypedValueParser<Value = &'static FigureEntry> {
     let values = list::LIST.iter().map(|e| PossibleValue::new(e.name).help(e.about[0]));
     PossibleValuesParser::new(values).map(|name| list::named(&name).unwrap_or(list::USUAL))
 }
@@ -105,15 +105,15 @@ pub enum Language {
 
 /// Form of faults, warnings and notes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Errors {
+pub enum FaultFormat {
     Text,
     Json,
 }
 
-impl Errors {
+impl FaultFormat {
     /// The form of a name.
-    pub fn named(name: &str) -> Option<Errors> {
-        Errors::from_str(name, false).ok()
+    pub fn named(name: &str) -> Option<FaultFormat> {
+        FaultFormat::from_str(name, false).ok()
     }
 }
 
@@ -127,19 +127,19 @@ impl From<Language> for Lang {
 }
 
 /// A number of digits that the precision ladder can certify.
-pub fn digits(s: &str) -> Result<usize, Refused> {
+pub fn digits(s: &str) -> Result<usize, FileRefusal> {
     match s.parse::<usize>() {
         Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
-        _ => Err(Refused(both!("not a whole number from 1 to {MOST_DIGITS}", "不是 1 到 {MOST_DIGITS} 的整数"))),
+        _ => Err(FileRefusal(both!("not a whole number from 1 to {MOST_DIGITS}", "不是 1 到 {MOST_DIGITS} 的整数"))),
     }
 }
 
 /// Reads a length: a bare `--drafting` before the scene's name would take that for its length.
-pub fn length(s: &str) -> Result<String, Refused> {
+pub fn length(s: &str) -> Result<String, FileRefusal> {
     match s.trim_start().chars().next() {
         None => Ok(String::new()),
         Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
-        Some(_) => Err(Refused(both!(
+        Some(_) => Err(FileRefusal(both!(
             "not a length; write --drafting=0.1mm, or put --drafting after the scene",
             "不是长度；请写 --drafting=0.1mm，或把 --drafting 放在机构文件之后"
         ))),
@@ -147,37 +147,37 @@ pub fn length(s: &str) -> Result<String, Refused> {
 }
 
 /// The greatest number of steps: a hundred columns of ten million rows are eight gigabytes.
-pub fn steps(s: &str) -> Result<usize, Refused> {
+pub fn steps(s: &str) -> Result<usize, FileRefusal> {
     match s.parse::<usize>() {
         Ok(n) if n <= 10_000_000 => Ok(n),
-        _ => Err(Refused(both!("not a whole number from 0 to 10000000", "不是 0 到 10000000 的整数"))),
+        _ => Err(FileRefusal(both!("not a whole number from 0 to 10000000", "不是 0 到 10000000 的整数"))),
     }
 }
 
 /// A resolution that neither vanishes nor fills the memory: an A4 sheet at 2400 dpi has 550 million pixels.
-pub fn dpi(s: &str) -> Result<f64, Refused> {
+pub fn dpi(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (20.0..=1200.0).contains(&v) => Ok(v),
-        Ok(v) => Err(Refused(both!("{v} is not between 20 and 1200", "{v} 不在 20 到 1200 之间"))),
-        Err(_) => Err(Refused(both!("not a number", "不是数"))),
+        Ok(v) => Err(FileRefusal(both!("{v} is not between 20 and 1200", "{v} 不在 20 到 1200 之间"))),
+        Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
     }
 }
 
 /// A tolerance of places on paper.
-pub fn tolerance(s: &str) -> Result<f64, Refused> {
+pub fn tolerance(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (0.0..=1000.0).contains(&v) => Ok(v),
-        Ok(v) => Err(Refused(both!("{v} is not between 0 and 1000", "{v} 不在 0 到 1000 之间"))),
-        Err(_) => Err(Refused(both!("not a number", "不是数"))),
+        Ok(v) => Err(FileRefusal(both!("{v} is not between 0 and 1000", "{v} 不在 0 到 1000 之间"))),
+        Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
     }
 }
 
 /// A time that a viewer sees something in and does not give up.
-pub fn seconds(s: &str) -> Result<f64, Refused> {
+pub fn seconds(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (0.1..=600.0).contains(&v) => Ok(v),
-        Ok(v) => Err(Refused(both!("{v} is not between 0.1 and 600", "{v} 不在 0.1 到 600 之间"))),
-        Err(_) => Err(Refused(both!("not a number", "不是数"))),
+        Ok(v) => Err(FileRefusal(both!("{v} is not between 0.1 and 600", "{v} 不在 0.1 到 600 之间"))),
+        Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
     }
 }
 
@@ -202,13 +202,13 @@ pub(super) fn with_values(set: &[String], apply: impl Fn(&[(&str, &str)]) -> Res
         let Some((name, value)) = s.split_once('=') else {
             let d = Diagnostic::error("set", both!("`--set {s}` has no `=`", "`--set {s}` 没有 `=`"))
                 .help(both!("write --set NAME=VALUE, such as --set l_AB=120", "请写 --set NAME=VALUE，如 --set l_AB=120"));
-            wrong.push(Told::argument("--set", s, d));
+            wrong.push(SourceFaults::argument("--set", s, d));
             continue;
         };
         values.push((name.trim(), value.trim()));
         if let Err(faults) = apply(&values) {
             values.pop();
-            wrong.push(Told::argument("--set", s, faults));
+            wrong.push(SourceFaults::argument("--set", s, faults));
         }
     }
     if !wrong.is_empty() {

@@ -2,10 +2,10 @@
 
 use super::draw::style_of;
 use super::mobility::posed_scene;
-use super::places::{Place, one_result, places};
+use super::places::{OutputPlace, one_result, places};
 use super::together::Together;
-use super::values::Sheet;
-use super::{Failure, File, Input, Run, args, choices, files, granted, ids, look_of, verdict};
+use super::values::SheetFormat;
+use super::{CommandResult, Failure, InputFile, SceneInput, args, choices, files, granted, ids, look_of, verdict};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::sheet;
 use crate::paper::style::Style;
@@ -14,20 +14,22 @@ use crate::problem::{self, Kind, Wish};
 use crate::render::pdf;
 use crate::scene;
 use crate::worked::{Scope, work};
-use crate::worksheet::{Beside, Document, Options, Sides, html, markdown, mobility, mobility_of_pairs, pages, typst};
+use crate::worksheet::{
+    CompanionFile, Document, WorksheetOptions, WorksheetSides, html, markdown, mobility, mobility_of_pairs, pages, typst,
+};
 use std::path::Path;
 use std::process::ExitCode;
 
 /// Runs the command.
-pub fn run(a: args::Worksheet) -> Run {
+pub fn run(a: args::WorksheetArgs) -> CommandResult {
     let files = Files::of(&a)?;
     let style = style_of(&a.look)?;
     let sides = match (a.problem_only, a.solution) {
-        (true, _) => Sides::Problem,
-        (_, true) => Sides::Solution,
-        _ => Sides::Both,
+        (true, _) => WorksheetSides::Problem,
+        (_, true) => WorksheetSides::Solution,
+        _ => WorksheetSides::Both,
     };
-    let mut file = File::open(&a.common.scene, &a.common.set)?;
+    let mut file = InputFile::open(&a.common.scene, &a.common.set)?;
     file.fonts = style.fonts.clone();
     let wishes = [
         (a.pick.map(|n| n.to_string()), Wish::Candidate),
@@ -50,14 +52,14 @@ pub fn run(a: args::Worksheet) -> Run {
     Ok(verdict(solved.verdict()))
 }
 
-fn options(input: &Input, a: &args::Worksheet, style: Style, sides: Sides) -> Options {
+fn options(input: &SceneInput, a: &args::WorksheetArgs, style: Style, sides: WorksheetSides) -> WorksheetOptions {
     let (lang, notation) = choices(&input.scene, &a.common);
-    Options { sheet: sheet::Options { lang, notation: style.marks.over(&notation), digits: a.digits, style }, sides }
+    WorksheetOptions { sheet: sheet::SheetOptions { lang, notation: style.marks.over(&notation), digits: a.digits, style }, sides }
 }
 
 /// Runs the worksheet on mobility: it needs links and pairs, and the pose only for its drawings.
-fn counting(a: &args::Worksheet, style: Style, sides: Sides, files: &Files) -> Run {
-    let mut input = Input::read_topology(&a.common)?.drawn_in(&style);
+fn counting(a: &args::WorksheetArgs, style: Style, sides: WorksheetSides, files: &Files) -> CommandResult {
+    let mut input = SceneInput::read_topology(&a.common)?.drawn_in(&style);
     let options = options(&input, a, style, sides);
     let posed = scene::read_pose(&input.file.source).ok().and_then(|read| {
         let scene = posed_scene(read.value);
@@ -94,12 +96,12 @@ fn no_drawings() -> Diagnostic {
 /// The files of a document.
 struct Files {
     output: String,
-    places: Vec<Place<Sheet>>,
+    places: Vec<OutputPlace<SheetFormat>>,
 }
 
 impl Files {
-    fn of(a: &args::Worksheet) -> Result<Files, Failure> {
-        Ok(Files { output: a.output.clone(), places: places(&a.output, &a.format, Sheet::Html)? })
+    fn of(a: &args::WorksheetArgs) -> Result<Files, Failure> {
+        Ok(Files { output: a.output.clone(), places: places(&a.output, &a.format, SheetFormat::Html)? })
     }
 
     /// Writes the files and their drawings, all or none, and prints their names. Returns the
@@ -136,22 +138,23 @@ impl Files {
 
 /// A document in a format, with the diagnostics of parts that could not be written faithfully.
 #[derive(Default)]
-struct Written {
+struct FormattedSheet {
     bytes: Vec<u8>,
-    beside: Vec<Beside>,
+    beside: Vec<CompanionFile>,
     notes: Vec<Diagnostic>,
 }
 
 /// Returns the document in a format; the names of its drawings begin with `stem`.
-fn written(document: &Document, format: Sheet, stem: &str) -> Result<Written, Faults> {
-    let text = |(text, beside): (String, Vec<Beside>)| Written { bytes: text.into_bytes(), beside, ..Written::default() };
+fn written(document: &Document, format: SheetFormat, stem: &str) -> Result<FormattedSheet, Faults> {
+    let text =
+        |(text, beside): (String, Vec<CompanionFile>)| FormattedSheet { bytes: text.into_bytes(), beside, ..FormattedSheet::default() };
     Ok(match format {
-        Sheet::Pdf => {
+        SheetFormat::Pdf => {
             let file = pdf::document(&pages::pages(document), &document.title, words(document.lang).tag)?;
-            Written { bytes: file.value, notes: file.notes, ..Written::default() }
+            FormattedSheet { bytes: file.value, notes: file.notes, ..FormattedSheet::default() }
         }
-        Sheet::Html => text((html::html(document)?, Vec::new())),
-        Sheet::Md => text(markdown::markdown(document, stem)?),
-        Sheet::Typ => text(typst::typst(document, stem)?),
+        SheetFormat::Html => text((html::html(document)?, Vec::new())),
+        SheetFormat::Md => text(markdown::markdown(document, stem)?),
+        SheetFormat::Typ => text(typst::typst(document, stem)?),
     })
 }

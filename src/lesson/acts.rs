@@ -4,15 +4,15 @@
 
 use serde_json::{Value, json};
 
-use crate::construct::{Action, Drawing, Polygon};
+use crate::construct::{Action, PlanDrawing, Polygon};
 use crate::equilibrium;
 use crate::notation::Notation;
-use crate::plan::text::Writer;
-use crate::plan::{Body, By, Term, TermKind, VertexId};
+use crate::plan::text::PlanWriter;
+use crate::plan::{Term, TermConnection, TermKind, TurningBody, VertexId};
 use crate::scene::{DiagramKind, Lang, LinkId, Scene};
 
 use super::bank::Formulas;
-use super::frames::Frame;
+use super::frames::SolvedFrame;
 use super::steps::writer;
 
 /// Returns, for each action of a polygon, its kind, its links, and the data of its first term; −1
@@ -25,16 +25,16 @@ use super::steps::writer;
 /// * Sense, decided by: `t` an angular velocity or acceleration, `n` a centre, `k` an angular
 ///   velocity and a sliding velocity, `s` a sliding velocity.
 /// * Formulas of symbol, direction, line and angular velocity or acceleration.
-pub fn acts(frame: &Frame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+pub fn acts(frame: &SolvedFrame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let (scene, paper) = (&frame.scene, &frame.worked.construction);
     let Some(p) = paper.polygon(on) else { return Vec::new() };
-    let w = Writer { scene, plan: &frame.worked.plan, notation, lang: Lang::En };
-    p.actions.iter().map(|a| Act { w: &w, on, p, paper }.told(a, formulas)).collect()
+    let w = PlanWriter { scene, plan: &frame.worked.plan, notation, lang: Lang::En };
+    p.actions.iter().map(|a| PolygonActs { w: &w, on, p, paper }.action_json(a, formulas)).collect()
 }
 
 /// [`acts`] for the equilibrium of some links: known forces are laid off, and lines cross in a
 /// vertex without number.
-pub fn acts_of_forces(frame: &Frame, links: &[LinkId], notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+pub fn acts_of_forces(frame: &SolvedFrame, links: &[LinkId], notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let Some((w, group)) = writer(frame, links, notation, Lang::En) else { return Vec::new() };
     let own: Vec<usize> = group.links.iter().map(|l| l.0).collect();
     let of = |act: &equilibrium::Act| match act {
@@ -51,15 +51,15 @@ pub fn acts_of_forces(frame: &Frame, links: &[LinkId], notation: &Notation, form
     w.of.acts(group).iter().skip(1).map(of).collect()
 }
 
-struct Act<'a> {
-    w: &'a Writer<'a>,
+struct PolygonActs<'a> {
+    w: &'a PlanWriter<'a>,
     on: DiagramKind,
     p: &'a Polygon,
-    paper: &'a Drawing,
+    paper: &'a PlanDrawing,
 }
 
-impl Act<'_> {
-    fn told(&self, action: &Action, formulas: &mut Formulas) -> Value {
+impl PolygonActs<'_> {
+    fn action_json(&self, action: &Action, formulas: &mut Formulas) -> Value {
         let of_edges = |edges: &[usize]| edges.iter().flat_map(|e| self.p.edges[*e].terms.clone()).collect::<Vec<Term>>();
         match action {
             Action::LayOff(e) => self.of_terms("l", &of_edges(&[*e]), formulas),
@@ -98,11 +98,20 @@ impl Act<'_> {
     /// The angular velocity or acceleration that decides a term's sense.
     fn turning(&self, t: &Term) -> String {
         let (on, body) = match (t.kind, t.by) {
-            (TermKind::Coriolis, By::Guide { guide, .. }) => (DiagramKind::Velocity, Some(Body::Link(self.w.scene.guides[guide.0].on))),
-            (TermKind::Coriolis, By::Frame { body, .. }) => (DiagramKind::Velocity, body),
-            (TermKind::Coriolis, By::Cylinder(d)) => (DiagramKind::Velocity, Some(Body::Cylinder(d))),
-            (_, By::Turning(body)) => (self.on, Some(body)),
-            (_, By::Guide { .. } | By::Cylinder(_) | By::Contact(_) | By::Frame { .. } | By::Apart) => return String::new(),
+            (TermKind::Coriolis, TermConnection::Guide { guide, .. }) => {
+                (DiagramKind::Velocity, Some(TurningBody::Link(self.w.scene.guides[guide.0].on)))
+            }
+            (TermKind::Coriolis, TermConnection::Frame { body, .. }) => (DiagramKind::Velocity, body),
+            (TermKind::Coriolis, TermConnection::Cylinder(d)) => (DiagramKind::Velocity, Some(TurningBody::Cylinder(d))),
+            (_, TermConnection::Turning(body)) => (self.on, Some(body)),
+            (
+                _,
+                TermConnection::Guide { .. }
+                | TermConnection::Cylinder(_)
+                | TermConnection::Contact(_)
+                | TermConnection::Frame { .. }
+                | TermConnection::Apart,
+            ) => return String::new(),
         };
         body.map_or_else(String::new, |body| self.w.turning(on, body))
     }
@@ -118,13 +127,13 @@ impl Act<'_> {
     fn of_term(&self, t: &Term) -> Vec<usize> {
         let scene = self.w.scene;
         match t.by {
-            By::Turning(body) | By::Frame { body: Some(body), .. } => of_body(scene, body),
-            By::Cylinder(d) => of_body(scene, Body::Cylinder(d)),
-            By::Guide { guide, .. } => {
+            TermConnection::Turning(body) | TermConnection::Frame { body: Some(body), .. } => of_body(scene, body),
+            TermConnection::Cylinder(d) => of_body(scene, TurningBody::Cylinder(d)),
+            TermConnection::Guide { guide, .. } => {
                 let g = &scene.guides[guide.0];
                 [Some(g.on), g.slider].into_iter().flatten().filter(|l| *l != scene.ground).map(|l| l.0).collect()
             }
-            By::Contact(_) | By::Frame { body: None, .. } | By::Apart => {
+            TermConnection::Contact(_) | TermConnection::Frame { body: None, .. } | TermConnection::Apart => {
                 let on = |v: VertexId| self.w.plan.vertex(v).link(scene).filter(|l: &LinkId| *l != scene.ground);
                 [on(t.of), on(t.to)].into_iter().flatten().map(|l| l.0).collect()
             }
@@ -136,10 +145,10 @@ impl Act<'_> {
     }
 }
 
-fn of_body(scene: &Scene, body: Body) -> Vec<usize> {
+fn of_body(scene: &Scene, body: TurningBody) -> Vec<usize> {
     match body {
-        Body::Link(l) => vec![l.0],
-        Body::Cylinder(d) => scene.drivers[d].kind.parts().iter().map(|l| l.0).collect(),
+        TurningBody::Link(l) => vec![l.0],
+        TurningBody::Cylinder(d) => scene.drivers[d].kind.parts().iter().map(|l| l.0).collect(),
     }
 }
 

@@ -26,10 +26,10 @@ impl Formulas {
 
     /// A sentence without changing numbers as HTML; its formulas are given by their indices.
     pub fn phrase(&mut self, phrase: &Phrase) -> String {
-        sentence_with(phrase, |source| self.told(source))
+        sentence_with(phrase, |source| self.placeholder(source))
     }
 
-    fn told(&mut self, source: &str) -> String {
+    fn placeholder(&mut self, source: &str) -> String {
         format!("{}{}{}", FORMULA[0], self.formula(source), FORMULA[1])
     }
 
@@ -91,7 +91,7 @@ const HOLE: char = '\u{E000}';
 /// Packs one sentence over the frames, in label language with formulas between dollar signs; `None`
 /// where a frame has no sentence. Returns the forms with placeholders, the form of each frame, and
 /// the numbers for its placeholders.
-pub fn told(frames: &[Option<String>], formulas: &mut Formulas) -> Value {
+pub fn packed_sentences(frames: &[Option<String>], formulas: &mut Formulas) -> Value {
     let mut forms: Vec<(Vec<String>, Vec<Vec<&str>>)> = Vec::new();
     let mut index: HashMap<Vec<&str>, usize> = HashMap::new();
     let mut which: Vec<Option<(usize, usize)>> = Vec::new();
@@ -153,7 +153,7 @@ fn form(words: &[String], numbers: &[&str], open: &[bool], formulas: &mut Formul
     }
     let kept = || (0..open.len()).filter(|n| open[*n]).map(keeper);
     let html = sentence_with(&Phrase::new(&text), |source| {
-        if kept().any(|k| source.contains(&k)) { mathml(&Label::math(source)) } else { formulas.told(source) }
+        if kept().any(|k| source.contains(&k)) { mathml(&Label::math(source)) } else { formulas.placeholder(source) }
     });
     short(&kept().fold(html, |html, k| html.replace(&k, &HOLE.to_string())))
 }
@@ -188,7 +188,7 @@ mod tests {
     fn only_what_changes_is_a_hole() {
         let said = |mm: &str| Some(format!("From $b_2$ lay off {mm} mm, $v = {mm} m/s$."));
         let mut formulas = Formulas::default();
-        let told = told(&[said("36.2"), said("7"), None, said("7.25")], &mut formulas);
+        let told = packed_sentences(&[said("36.2"), said("7"), None, said("7.25")], &mut formulas);
         assert_eq!(told[0][0].as_str().unwrap().matches(HOLE).count(), 2, "{told}");
         assert!(
             formulas.list.len() == 1 && formulas.list[0] == short(&mathml(&Label::math("b_2"))),
@@ -200,7 +200,7 @@ mod tests {
 
     #[test]
     fn other_words_are_another_form() {
-        let told = told(&[Some("3 up".into()), Some("4 down".into()), Some("5 up".into())], &mut Formulas::default());
+        let told = packed_sentences(&[Some("3 up".into()), Some("4 down".into()), Some("5 up".into())], &mut Formulas::default());
         assert_eq!(told, json!([[format!("{HOLE} up"), "4 down"], [0, 1, 1, 1, 0, 1], "3 5"]));
     }
 }

@@ -14,7 +14,7 @@ use crate::figure::synthesis::{self as figure, MOVES, Scaled, Set};
 use crate::geom::Point;
 use crate::mechanism::{Demand, Mechanism};
 use crate::paper::extent::Rect;
-use crate::paper::item::{Figure, Item};
+use crate::paper::item::{Figure, FigureItem};
 use crate::paper::phrase::Phrase;
 use crate::paper::style::Style;
 use crate::paper::words::words as figure_words;
@@ -26,11 +26,11 @@ use crate::report::html::sentence as html;
 use crate::report::symbols::symbols;
 use crate::report::synthesis::{pose_of, value};
 use crate::scene::{self, Book, Lang, Scene};
-use crate::sweep::follow::{Follower, Pose};
+use crate::sweep::follow::{PoseFollower, TravelPose};
 use crate::sweep::station::position_now;
-use crate::synthesis::board::Board;
+use crate::synthesis::board::SynthesisBoard;
 use crate::synthesis::candidate::letters;
-use crate::synthesis::{Candidate, Task};
+use crate::synthesis::{DesignCandidate, Task};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
@@ -69,7 +69,7 @@ fn word(key: &str, lang: Lang) -> &'static str {
 
 /// Options of the page.
 #[derive(Clone, Debug)]
-pub struct Options {
+pub struct DesignOptions {
     /// The language in which the page opens; it holds both.
     pub lang: Lang,
     /// Weights, sizes and fonts of the drawings; the page sets the colours.
@@ -82,14 +82,14 @@ pub struct Options {
 /// use hodograph::{paper::style::Style, lesson::design, scene::Lang, synthesis};
 /// let task = synthesis::read(synthesis::templates::get("body").unwrap())?.value;
 /// let found = synthesis::solve(&task)?;
-/// let page = design::lesson(&task, &found.candidates[0], &design::Options { lang: Lang::En, style: Style::default() })?;
+/// let page = design::lesson(&task, &found.candidates[0], &design::DesignOptions { lang: Lang::En, style: Style::default() })?;
 /// assert!(page.starts_with("<!DOCTYPE html>"));
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
 ///
 /// # Errors
 /// Drawing and formula disagree; a generated scene cannot be placed; those of the SVG writer.
-pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<String, Faults> {
+pub fn lesson(task: &Task, candidate: &DesignCandidate, options: &DesignOptions) -> Result<String, Faults> {
     let board = figure::to_scale(task, candidate)?;
     // Small type is enlarged: the page is read from the last row.
     let style = Style { small_mm: options.style.small_mm * LARGER, ..options.style.clone() };
@@ -100,7 +100,7 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
         None => String::new(),
     };
     let linkage = figure::scaled(task, candidate, set);
-    let motion = Motion::of(candidate, &linkage)?;
+    let motion = LinkageMotion::of(candidate, &linkage)?;
     let markup = moving(&linkage, motion.window, &mut drawn)?;
     let sentence = |b: &Both, lang: Lang| html(&Phrase::new(&symbols(lang.of(b))));
     let both_of = |b: &Both| json!([sentence(b, Lang::En), sentence(b, Lang::Zh)]);
@@ -138,8 +138,8 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
 }
 
 /// Items without their ids: two drawings in a page must not share ids.
-pub(super) fn nameless<'a>(items: impl Iterator<Item = &'a Item>) -> Vec<Item> {
-    items.map(|i| Item { id: String::new(), ..i.clone() }).collect()
+pub(super) fn nameless<'a>(items: impl Iterator<Item = &'a FigureItem>) -> Vec<FigureItem> {
+    items.map(|i| FigureItem { id: String::new(), ..i.clone() }).collect()
 }
 
 /// The construction, each element in a group that names its step.
@@ -185,7 +185,7 @@ fn name(name: &str) -> String {
 }
 
 /// The values measured on paper beside the formula's numbers; without a drawing the numbers alone.
-fn facts(book: &Book, candidate: &Candidate, board: Option<&Board>, lang: Lang) -> String {
+fn facts(book: &Book, candidate: &DesignCandidate, board: Option<&SynthesisBoard>, lang: Lang) -> String {
     let row = |cells: [String; 3], tag: &str| format!("<tr>{}</tr>", cells.map(|c| format!("<{tag}>{c}</{tag}>")).concat());
     let read = board.iter().flat_map(|b| b.readings.iter().map(move |r| (*b, r)));
     let rows: String = read
@@ -211,7 +211,7 @@ fn facts(book: &Book, candidate: &Candidate, board: Option<&Board>, lang: Lang) 
 }
 
 /// The linkage through the travel of its driver, in millimetres of the page, y down.
-struct Motion {
+struct LinkageMotion {
     /// The indices of each link's points.
     links: Vec<Vec<usize>>,
     /// Pins, also those on the ground: they are drawn over the links.
@@ -227,13 +227,13 @@ struct Motion {
     window: Rect,
 }
 
-impl Motion {
-    fn of(candidate: &Candidate, linkage: &Scaled) -> Result<Motion, Faults> {
+impl LinkageMotion {
+    fn of(candidate: &DesignCandidate, linkage: &Scaled) -> Result<LinkageMotion, Faults> {
         let scene = scene::read(candidate.scene_text())?.value;
         let mechanism = Mechanism::new(&scene)?.value;
         let demand = Demand::of(&scene, &mechanism).with_all_positions();
         let base = position::configure(&scene, &mechanism, &demand)?.value;
-        let follower = Follower::new(&scene, &mechanism, &demand, &base, 0);
+        let follower = PoseFollower::new(&scene, &mechanism, &demand, &base, 0);
         let sweep = follower.sweep(FRAMES);
         let now = position_now(&scene, &base, 0);
         let mut poses = sweep.poses;
@@ -241,10 +241,17 @@ impl Motion {
         // Frames were inserted: later frames have a larger index.
         let travels: Vec<f64> = stops.into_iter().flatten().collect();
         let stops = travels.iter().filter_map(|t| poses.iter().position(|p| p.travel == *t)).collect();
-        Motion::drawn(&scene, linkage, &poses, now, stops, sweep.full)
+        LinkageMotion::drawn(&scene, linkage, &poses, now, stops, sweep.full)
     }
 
-    fn drawn(scene: &Scene, linkage: &Scaled, poses: &[Pose], now: f64, stops: Vec<usize>, full: bool) -> Result<Motion, Faults> {
+    fn drawn(
+        scene: &Scene,
+        linkage: &Scaled,
+        poses: &[TravelPose],
+        now: f64,
+        stops: Vec<usize>,
+        full: bool,
+    ) -> Result<LinkageMotion, Faults> {
         let none = || Diagnostic::error("no-motion", both!("the linkage does not move", "机构不能运动"));
         let first = pose_of(scene, &poses.first().ok_or_else(none)?.configuration);
         let mut names: Vec<String> = Vec::new();
@@ -262,7 +269,7 @@ impl Motion {
         let grounded = |n: &String| scene.links[scene.ground.0].points.iter().any(|p| scene.point_name(*p) == n);
         let fixed = (0..names.len()).filter(|k| grounded(&names[*k])).collect();
         let mut window: Option<Rect> = None;
-        let mut frame = |pose: &Pose| {
+        let mut frame = |pose: &TravelPose| {
             let at = places(scene, &pose.configuration, &names);
             let on_page = at.iter().map(|p| linkage.place(*p));
             let places: Vec<Value> = on_page
@@ -279,7 +286,7 @@ impl Motion {
         };
         let frames = poses.iter().map(&mut frame).collect();
         let window = window.ok_or_else(none)?.grown(4.0);
-        Ok(Motion { links, pins, blocks, frames, stops, full, fixed, window })
+        Ok(LinkageMotion { links, pins, blocks, frames, stops, full, fixed, window })
     }
 }
 
@@ -296,7 +303,7 @@ fn places(scene: &Scene, at: &Configuration, names: &[String]) -> Vec<Point> {
 }
 
 /// Inserts the pose of a prescribed position; returns its travel if the motion reaches it.
-fn stop(poses: &mut Vec<Pose>, follower: &Follower, travel: f64, full: bool) -> Option<f64> {
+fn stop(poses: &mut Vec<TravelPose>, follower: &PoseFollower, travel: f64, full: bool) -> Option<f64> {
     let (low, high) = (poses.first()?.travel, poses.last()?.travel);
     let step = (high - low) / poses.len() as f64;
     let inside = |t: &f64| full && (0.0..TAU).contains(t) || (low - 1e-9..=high + 1e-9).contains(t);
@@ -308,6 +315,6 @@ fn stop(poses: &mut Vec<Pose>, follower: &Follower, travel: f64, full: bool) -> 
     }
     let configuration = follower.at(&nearest.configuration, wanted)?;
     let after = poses.iter().position(|p| p.travel > wanted).unwrap_or(poses.len());
-    poses.insert(after, Pose { travel: wanted, configuration });
+    poses.insert(after, TravelPose { travel: wanted, configuration });
     Some(wanted)
 }

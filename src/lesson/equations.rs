@@ -8,17 +8,17 @@ use serde_json::{Value, json};
 
 use crate::construct::{Action, Polygon};
 use crate::construction::MarkId;
-use crate::equilibrium::{Act, Side};
+use crate::equilibrium::{Act, ForceEdge};
 use crate::figure::tables::found_by;
 use crate::notation::Notation;
-use crate::plan::text::{Column, Writer};
-use crate::plan::{Step, Term};
-use crate::report::equation::{Written, written};
+use crate::plan::text::{EquationColumn, PlanWriter};
+use crate::plan::{PlanStep, Term};
+use crate::report::equation::{WrittenStep, written};
 use crate::scene::{DiagramKind, Lang, LinkId};
 
 use super::acts::{acts, acts_of_forces};
 use super::bank::{Formulas, runs};
-use super::frames::{Frame, Frames, groups};
+use super::frames::{Frames, SolvedFrame, groups};
 use super::steps::{LANGS, writer};
 
 /// Returns the texts of the equations for the page, and the variant of the construction in each
@@ -31,9 +31,9 @@ use super::steps::{LANGS, writer};
 /// * `acts`: for each variant and polygon the data of its actions ([`super::acts`]).
 /// * `frames`: runs of variants, −1 for none; 0 if all frames have the first.
 pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
-    let mut table = Book { written: Vec::new() };
+    let mut table = EquationTexts { written: Vec::new() };
     let (mut variants, mut about): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
-    let mut known: Vec<&Frame> = Vec::new();
+    let mut known: Vec<&SolvedFrame> = Vec::new();
     let mut which: Vec<i64> = Vec::new();
     for frame in &frames.list {
         if frame.end {
@@ -57,7 +57,7 @@ pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) 
 }
 
 /// True if two frames are drawn by the same equations in the same steps.
-fn alike(a: &Frame, b: &Frame) -> bool {
+fn alike(a: &SolvedFrame, b: &SolvedFrame) -> bool {
     let forces =
         || groups(&a.worked) == groups(&b.worked) && a.shown.contains(&DiagramKind::Force) == b.shown.contains(&DiagramKind::Force);
     a.worked.plan == b.worked.plan && a.worked.construction.acts == b.worked.construction.acts && forces()
@@ -77,14 +77,14 @@ fn drawn(p: &Polygon, action: usize) -> Vec<Term> {
 }
 
 /// The action that solves an equation, the index of its text, and its columns.
-type Solved = (usize, Option<usize>, Vec<Column>);
+type SolvedEquation = (usize, Option<usize>, Vec<EquationColumn>);
 
 /// Texts of all frames, each stored once.
-struct Book {
+struct EquationTexts {
     written: Vec<Value>,
 }
 
-impl Book {
+impl EquationTexts {
     fn index(&mut self, value: Value) -> usize {
         self.written.iter().position(|w| *w == value).unwrap_or_else(|| {
             self.written.push(value);
@@ -93,11 +93,11 @@ impl Book {
     }
 
     /// For each action of a polygon: 0, or the index of its text and the columns that it draws.
-    fn level(&mut self, frame: &Frame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+    fn level(&mut self, frame: &SolvedFrame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
         let (paper, plan) = (&frame.worked.construction, &frame.worked.plan);
         let Some(polygon) = paper.polygon(on) else { return Vec::new() };
-        let writers = LANGS.map(|lang| Writer { scene: &frame.scene, plan, notation, lang });
-        let mut all: Vec<Solved> = Vec::new();
+        let writers = LANGS.map(|lang| PlanWriter { scene: &frame.scene, plan, notation, lang });
+        let mut all: Vec<SolvedEquation> = Vec::new();
         for group in plan.steps(on) {
             for step in group.steps(group.drawn(paper.acts.chosen[group.group])) {
                 let (Some(found), [Some(en), Some(zh)]) = (found_by(polygon, step.target()), writers.map(|w| written(&w, paper, on, step)))
@@ -105,11 +105,11 @@ impl Book {
                     continue;
                 };
                 match (en, zh, step) {
-                    (Written::Table(columns), ..) => {
+                    (WrittenStep::Table(columns), ..) => {
                         let cells: Vec<Value> = columns.iter().map(|c| cells(c, formulas)).collect();
                         all.push((found, Some(self.index(json!(cells))), columns));
                     }
-                    (Written::Line(en), Written::Line(zh), Step::Equation { .. }) => {
+                    (WrittenStep::Line(en), WrittenStep::Line(zh), PlanStep::Equation { .. }) => {
                         let both = [en, zh].map(|line| formulas.phrase(&line));
                         all.push((found, Some(self.index(json!({"line": both}))), Vec::new()));
                     }
@@ -122,17 +122,17 @@ impl Book {
     }
 }
 
-impl Book {
+impl EquationTexts {
     /// For each step of a group's equilibrium after the first: 0, or its equation and the columns
     /// that the step draws.
-    fn forces(&mut self, frame: &Frame, links: &[LinkId], notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+    fn forces(&mut self, frame: &SolvedFrame, links: &[LinkId], notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
         let Some((w, group)) = writer(frame, links, notation, Lang::En) else { return Vec::new() };
         let [known, unknown, plus, end] = [&notation.known, &notation.unknown, "+", "= 0"].map(|text| formulas.formula(text) as i64);
-        let equations: Vec<(usize, Vec<Side>)> = w
+        let equations: Vec<(usize, Vec<ForceEdge>)> = w
             .equations(group)
             .into_iter()
             .map(|sides| {
-                let column = |(k, s): (usize, &Side)| {
+                let column = |(k, s): (usize, &ForceEdge)| {
                     let symbol = formulas.formula(&notation.vectors.write(w.symbol(s.term))) as i64;
                     json!([if k > 0 { plus } else { -1 }, symbol, known, if s.known { known } else { unknown }])
                 };
@@ -141,17 +141,17 @@ impl Book {
                 (self.index(json!(columns)), sides)
             })
             .collect();
-        let crossed = |side: &Side, to: MarkId| {
+        let crossed = |side: &ForceEdge, to: MarkId| {
             let v = &w.of.construction.vectors[side.vector.index()];
             !side.known && [v.from, v.to].contains(&to)
         };
-        let drawn = |act: &Act, side: &Side| match act {
+        let drawn = |act: &Act, side: &ForceEdge| match act {
             Act::Lay(own) | Act::Read(own) => own.vector == side.vector,
             Act::Cross(to) => crossed(side, *to),
             Act::Free | Act::Friction | Act::Moments(_) => false,
         };
         let of_act = |act: &Act| {
-            let columns = |sides: &[Side]| (0..sides.len()).filter(|k| drawn(act, &sides[*k])).collect::<Vec<_>>();
+            let columns = |sides: &[ForceEdge]| (0..sides.len()).filter(|k| drawn(act, &sides[*k])).collect::<Vec<_>>();
             let found = equations.iter().map(|(index, sides)| (*index, columns(sides))).find(|(_, columns)| !columns.is_empty());
             found.map_or(json!(0), |(index, columns)| json!([index].into_iter().chain(columns).collect::<Vec<_>>()))
         };
@@ -161,21 +161,21 @@ impl Book {
 
 /// Assigns an action to the first equation that is solved at it or after it; an action that only
 /// reads a value belongs to none.
-fn of_action(polygon: &Polygon, action: usize, all: &[Solved]) -> Value {
+fn of_action(polygon: &Polygon, action: usize, all: &[SolvedEquation]) -> Value {
     if polygon.actions[action].reads() {
         return json!(0);
     }
     let Some((found, Some(index), columns)) = all.iter().find(|(found, ..)| *found >= action) else { return json!(0) };
     let terms = drawn(polygon, action);
     // The unknown vector comes before the equals sign and is found last.
-    let sought = |k: usize, c: &Column| k == 0 && c.term.is_none() && *found == action;
-    let now = |(k, c): &(usize, &Column)| c.term.is_some_and(|t| terms.contains(&t)) || sought(*k, c);
+    let sought = |k: usize, c: &EquationColumn| k == 0 && c.term.is_none() && *found == action;
+    let now = |(k, c): &(usize, &EquationColumn)| c.term.is_some_and(|t| terms.contains(&t)) || sought(*k, c);
     let mut told = vec![*index];
     told.extend(columns.iter().enumerate().filter(now).map(|(k, _)| k));
     json!(told)
 }
 
-fn cells(c: &Column, formulas: &mut Formulas) -> Value {
+fn cells(c: &EquationColumn, formulas: &mut Formulas) -> Value {
     let mut cell = |text: &str| if text.is_empty() { -1 } else { formulas.formula(text) as i64 };
     json!([cell(c.joint), cell(&c.symbol), cell(&c.direction), cell(&c.magnitude)])
 }

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::equilibrium::GroupForces;
-use crate::figure::series::{Scales, ends};
+use crate::figure::series::{SeriesScales, ends};
 use crate::geom::Point;
 use crate::mechanism::{Demand, Mechanism};
 use crate::notation::Notation;
@@ -20,12 +20,12 @@ use crate::scene::{ByKind, DiagramKind, Kind, LinkId, Scene};
 use crate::worked::{Worked, work_placed, work_pose};
 
 use super::curve;
-use super::split::{Split, split};
-use super::zoom::{Ends, Windows, Zoom};
-use crate::sweep::follow::{Follower, Pose, Sweep, between};
+use super::split::{PolygonSplit, split};
+use super::zoom::{VectorEnds, Windows, Zoom};
+use crate::sweep::follow::{PoseFollower, PoseSweep, TravelPose, between};
 
 /// A pose with all its results.
-pub struct Frame {
+pub struct SolvedFrame {
     /// Travel of the driver from the scene's pose: radians, metres or seconds.
     pub travel: f64,
     /// The scene with its driver at this travel.
@@ -41,7 +41,7 @@ pub struct Frame {
 /// All frames of a lesson.
 pub struct Frames {
     /// The frames in the order of travel.
-    pub list: Vec<Frame>,
+    pub list: Vec<SolvedFrame>,
     /// The index of the scene's own pose.
     pub base: usize,
     /// True if the mechanism turns fully.
@@ -49,7 +49,7 @@ pub struct Frames {
     /// The scale and the windows of each polygon, if there is one.
     pub zoom: ByKind<Zoom>,
     /// The division of each polygon into several drawings, if it is split.
-    pub split: ByKind<Split>,
+    pub split: ByKind<PolygonSplit>,
     /// The links of each group with forces drawn in the scene's own pose.
     pub groups: Vec<Vec<LinkId>>,
     /// True if some polygon next to a limit is too large for the paper.
@@ -68,7 +68,7 @@ impl Frames {
         self.firsts(|a, b| groups(&a.worked) == groups(&b.worked))
     }
 
-    fn firsts(&self, alike: impl Fn(&Frame, &Frame) -> bool) -> Vec<usize> {
+    fn firsts(&self, alike: impl Fn(&SolvedFrame, &SolvedFrame) -> bool) -> Vec<usize> {
         let mut firsts: Vec<usize> = Vec::new();
         let first = |k: usize| {
             let known = firsts.iter().copied().find(|f| alike(&self.list[*f], &self.list[k]));
@@ -104,7 +104,7 @@ const BEFORE: [f64; 4] = [1e-9, 1e-7, 1e-5, 1e-3];
 
 /// A candidate pose, solved to its own scales.
 #[derive(Clone)]
-struct Trial {
+struct TrialPose {
     travel: f64,
     scene: Scene,
     /// The configuration in the scene of the motion.
@@ -114,21 +114,21 @@ struct Trial {
 
 /// The scales of all poses.
 struct Papers {
-    common: Scales,
+    common: SeriesScales,
     /// The scale of the scene's own figure (m/mm).
     mu: f64,
     /// The names of the points of the motion.
     points: Vec<String>,
     zooms: ByKind<Zoom>,
-    splits: ByKind<Split>,
+    splits: ByKind<PolygonSplit>,
     groups: Vec<Vec<LinkId>>,
 }
 
 /// A point and the index of the window that shows it.
-type Mark = (usize, Point);
+type WindowPoint = (usize, Point);
 
 /// The input of a lesson.
-pub struct Maker<'a> {
+pub struct LessonInput<'a> {
     /// The scene in its own pose.
     pub scene: &'a Scene,
     /// Its topology.
@@ -136,22 +136,22 @@ pub struct Maker<'a> {
     /// The quantities that the scene asks for, and all positions.
     pub demand: &'a Demand,
     /// The follower that moves the mechanism.
-    pub follower: &'a Follower<'a>,
+    pub follower: &'a PoseFollower<'a>,
     /// Sizes of the type.
     pub style: &'a Style,
     /// The notation of vectors.
     pub notation: &'a Notation,
 }
 
-impl Maker<'_> {
+impl LessonInput<'_> {
     /// Solves all poses of a sweep, and more poses between them.
     ///
     /// # Errors
     /// `no-motion` where no pose can be drawn.
-    pub fn frames(&self, sweep: &Sweep) -> Result<Frames, Faults> {
-        let mut trials: Vec<Trial> = Vec::with_capacity(2 * sweep.poses.len());
+    pub fn frames(&self, sweep: &PoseSweep) -> Result<Frames, Faults> {
+        let mut trials: Vec<TrialPose> = Vec::with_capacity(2 * sweep.poses.len());
         let here = here();
-        let worked: Vec<Option<Trial>> = sweep.poses.par_iter().map(|pose| here.enter(|| self.trial(pose))).collect();
+        let worked: Vec<Option<TrialPose>> = sweep.poses.par_iter().map(|pose| here.enter(|| self.trial(pose))).collect();
         for (k, trial) in worked.into_iter().enumerate() {
             match trial {
                 Some(trial) => trials.push(trial),
@@ -168,7 +168,7 @@ impl Maker<'_> {
         {
             // The turn is closed, so that the interval between the last frame and the first is
             // judged as well.
-            let turn = Trial { travel: sweep.period(), ..first.clone() };
+            let turn = TrialPose { travel: sweep.period(), ..first.clone() };
             trials.push(turn);
         }
         self.refine(&mut trials, sweep);
@@ -179,29 +179,29 @@ impl Maker<'_> {
     }
 
     /// A pose that is not singular.
-    fn trial(&self, pose: &Pose) -> Option<Trial> {
+    fn trial(&self, pose: &TravelPose) -> Option<TrialPose> {
         let regular = |w: &Worked| w.solution.singular.is_empty() && w.solution.refused.is_empty();
         self.worked(pose).filter(|trial| regular(&trial.worked))
     }
 
     /// Any pose, with the answers that it has.
-    fn worked(&self, pose: &Pose) -> Option<Trial> {
+    fn worked(&self, pose: &TravelPose) -> Option<TrialPose> {
         let scene = self.follower.scene_at(self.scene, pose.travel);
         let (scene, worked) = work_pose(&scene, (self.mechanism, self.demand), &pose.configuration).ok()?;
-        Some(Trial { travel: pose.travel, scene, at: pose.configuration.clone(), worked })
+        Some(TrialPose { travel: pose.travel, scene, at: pose.configuration.clone(), worked })
     }
 
     /// Returns the poses next to a singular one.
-    fn beside(&self, sweep: &Sweep, k: usize, parts: &[f64]) -> Vec<Trial> {
+    fn beside(&self, sweep: &PoseSweep, k: usize, parts: &[f64]) -> Vec<TrialPose> {
         let here = &sweep.poses[k];
         let neighbours = [k.checked_sub(1), Some(k + 1)].map(|n| n.and_then(|n| sweep.poses.get(n)));
-        let at = |travel: f64| self.trial(&Pose { travel, configuration: self.follower.at(&here.configuration, travel)? });
-        let aside = |n: &Pose| parts.iter().find_map(|part| at(here.travel + (n.travel - here.travel) * part));
+        let at = |travel: f64| self.trial(&TravelPose { travel, configuration: self.follower.at(&here.configuration, travel)? });
+        let aside = |n: &TravelPose| parts.iter().find_map(|part| at(here.travel + (n.travel - here.travel) * part));
         neighbours.into_iter().flatten().filter_map(aside).collect()
     }
 
     /// Adds frames where the page could not interpolate accurately enough.
-    fn refine(&self, trials: &mut Vec<Trial>, sweep: &Sweep) {
+    fn refine(&self, trials: &mut Vec<TrialPose>, sweep: &PoseSweep) {
         let most = trials.len() + (sweep.poses.len() as f64 * ADDED) as usize;
         let mut settled = vec![false; trials.len().saturating_sub(1)];
         for _ in 0..ROUNDS {
@@ -209,14 +209,14 @@ impl Maker<'_> {
             let open: Vec<usize> = (0..trials.len().saturating_sub(1)).filter(|k| !settled[*k]).collect();
             let halved = |k: &usize| {
                 let travel = 0.5 * (trials[*k].travel + trials[k + 1].travel);
-                let [one, other] = [*k, k + 1].map(|i| Pose { travel: trials[i].travel, configuration: trials[i].at.clone() });
+                let [one, other] = [*k, k + 1].map(|i| TravelPose { travel: trials[i].travel, configuration: trials[i].at.clone() });
                 let configuration = self.follower.at(&between(&one, &other, travel), travel)?;
-                let middle = self.trial(&Pose { travel, configuration })?;
+                let middle = self.trial(&TravelPose { travel, configuration })?;
                 let error = self.error(trials, *k, &middle, &papers);
                 (error > BETWEEN_MM).then_some((*k, error, middle))
             };
             let here = here();
-            let mut wanted: Vec<(usize, f64, Trial)> = open.par_iter().filter_map(|k| here.enter(|| halved(k))).collect();
+            let mut wanted: Vec<(usize, f64, TrialPose)> = open.par_iter().filter_map(|k| here.enter(|| halved(k))).collect();
             // The worst come first, because only a limited number may be added.
             wanted.sort_by(|a, b| b.1.total_cmp(&a.1));
             wanted.truncate(most.saturating_sub(trials.len()));
@@ -237,12 +237,12 @@ impl Maker<'_> {
     }
 
     /// Distance (mm) between a point of the page in the middle of an interval and its true place.
-    fn error(&self, trials: &[Trial], k: usize, middle: &Trial, papers: &Papers) -> f64 {
+    fn error(&self, trials: &[TrialPose], k: usize, middle: &TrialPose, papers: &Papers) -> f64 {
         let from = k.saturating_sub(2);
         // Polygons by two plans have no points in common.
-        let alike = |t: &Trial| [t.worked.plan == middle.worked.plan, groups(&t.worked) == groups(&middle.worked)];
-        let marks = |t: &Trial| papers.marks(t, alike(t));
-        let keys: Vec<(f64, Vec<Option<Mark>>)> =
+        let alike = |t: &TrialPose| [t.worked.plan == middle.worked.plan, groups(&t.worked) == groups(&middle.worked)];
+        let marks = |t: &TrialPose| papers.marks(t, alike(t));
+        let keys: Vec<(f64, Vec<Option<WindowPoint>>)> =
             (from..(k + 4).min(trials.len())).map(|i| (trials[i].travel, marks(&trials[i]))).collect();
         let at = k - from;
         let mut worst: f64 = 0.0;
@@ -279,17 +279,18 @@ impl Maker<'_> {
     }
 
     /// The scales of all poses.
-    fn papers(&self, trials: &[Trial], unlimited: bool) -> Papers {
+    fn papers(&self, trials: &[TrialPose], unlimited: bool) -> Papers {
         let poses: Vec<(f64, &Worked)> = trials.iter().map(|t| (t.travel, &t.worked)).collect();
         let own = trials.iter().min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs())).map(|t| &t.worked);
         let boxes = own.map_or(Boxes::default(), |w| Boxes::of(&self.scene.paper, &w.plan));
-        let common = Scales::of(&self.scene.paper, &poses, unlimited, boxes);
+        let common = SeriesScales::of(&self.scene.paper, &poses, unlimited, boxes);
         let own_poses: Vec<(&Scene, &Worked)> = trials.iter().map(|t| (&t.scene, &t.worked)).collect();
         let of = |on| {
             let (split, label_mm) = split(&own_poses, on, self.style, self.notation);
-            let ends =
-                |w: &Worked, part| split.as_ref().map_or_else(Vec::new, |s: &Split| s.ends(w, on, part).into_iter().flatten().collect());
-            let parts: Option<Ends> = if split.is_some() { Some(&ends) } else { None };
+            let ends = |w: &Worked, part| {
+                split.as_ref().map_or_else(Vec::new, |s: &PolygonSplit| s.ends(w, on, part).into_iter().flatten().collect())
+            };
+            let parts: Option<VectorEnds> = if split.is_some() { Some(&ends) } else { None };
             (Zoom::of(&self.scene.paper, &poses, &common, on, boxes, parts, &label_mm), split)
         };
         let (mut zooms, mut splits) = (ByKind::default(), ByKind::default());
@@ -310,7 +311,7 @@ impl Maker<'_> {
     }
 
     /// Draws all poses to the common scales.
-    fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
+    fn draw(&self, trials: Vec<TrialPose>, sweep: &PoseSweep) -> Result<Frames, Faults> {
         let papers = self.papers(&trials, sweep.is_unlimited());
         let mut frames = Frames {
             list: Vec::new(),
@@ -321,7 +322,7 @@ impl Maker<'_> {
             groups: papers.groups.clone(),
             cut: false,
         };
-        let to_scale = |trial: &Trial| {
+        let to_scale = |trial: &TrialPose| {
             let mut scene = trial.scene.clone();
             scene.paper.scales.set(Kind::Length, Some(papers.mu));
             for on in DiagramKind::VECTORS {
@@ -342,7 +343,7 @@ impl Maker<'_> {
             let shown: Vec<DiagramKind> = DiagramKind::VECTORS.into_iter().filter(holds).collect();
             let near = |k: usize| sweep.is_limit(k) && (sweep.poses[k].travel - trial.travel).abs() < 2.0 * BEFORE[3] * sweep.step(k);
             let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));
-            frames.list.push(Frame { travel: trial.travel, scene, worked, shown: if end { Vec::new() } else { shown }, end });
+            frames.list.push(SolvedFrame { travel: trial.travel, scene, worked, shown: if end { Vec::new() } else { shown }, end });
         }
         // For a scene in a singular pose, the nearest frame is the base.
         let from_own = |k: &usize| frames.list[*k].travel.abs();
@@ -372,11 +373,11 @@ fn vertices<'a>(worked: &'a Worked, links: &[LinkId]) -> impl Iterator<Item = Po
 impl Papers {
     /// Joints on paper, then images if polygons are requested, then vertices if those of forces
     /// are, in a fixed order.
-    fn marks(&self, trial: &Trial, [polygons, forces]: [bool; 2]) -> Vec<Option<Mark>> {
-        let Trial { scene, worked, .. } = trial;
+    fn marks(&self, trial: &TrialPose, [polygons, forces]: [bool; 2]) -> Vec<Option<WindowPoint>> {
+        let TrialPose { scene, worked, .. } = trial;
         let on_paper = |p: Point| Some((p.to_vec2() * (1.0 / self.mu)).to_point()).filter(|p| p.to_vec2().norm() < FAR_MM);
         let joint = |name: &String| Some((0, on_paper(worked.configuration.named(scene, name)?)?));
-        let mut marks: Vec<Option<Mark>> = self.points.iter().map(joint).collect();
+        let mut marks: Vec<Option<WindowPoint>> = self.points.iter().map(joint).collect();
         if let Some(zoom) = self.zooms.of(Kind::Force).filter(|_| forces) {
             let on_paper = self.common.holds(worked, DiagramKind::Force);
             for (links, windows) in self.groups.iter().zip(&zoom.windows) {
@@ -427,10 +428,10 @@ mod tests {
     fn each_frame_of_a_law_is_the_scene_at_its_instant() {
         let scene = read(templates::get("plate-by-law").unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let follower = Follower::new(&scene, &worked.mechanism, &worked.demand, &worked.configuration, Swept::Time);
+        let follower = PoseFollower::new(&scene, &worked.mechanism, &worked.demand, &worked.configuration, Swept::Time);
         let (style, notation) = (Style::default(), Notation::of_language(Lang::En));
         let (mechanism, demand) = (&worked.mechanism, &worked.demand);
-        let maker = Maker { scene: &scene, mechanism, demand, follower: &follower, style: &style, notation: &notation };
+        let maker = LessonInput { scene: &scene, mechanism, demand, follower: &follower, style: &style, notation: &notation };
         let frames = maker.frames(&follower.sweep(8)).unwrap();
         assert!(frames.list.len() > 7 && !frames.cut && !frames.full);
         for frame in frames.list.iter().step_by(3) {

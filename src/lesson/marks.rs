@@ -8,13 +8,13 @@ use serde_json::{Value, json};
 
 use crate::geom::Point;
 use crate::notation::Notation;
-use crate::plan::text::Writer;
-use crate::plan::{Spot, VertexId};
+use crate::plan::text::PlanWriter;
+use crate::plan::{VertexId, VertexPlace};
 use crate::scene::quantity::Meaning;
 use crate::scene::{DiagramKind, Lang};
 
 use super::bank::Formulas;
-use super::frames::{Frame, Frames};
+use super::frames::{Frames, SolvedFrame};
 use super::pack;
 use super::scenery::stray;
 use super::track::{UNIT, runs};
@@ -29,37 +29,37 @@ use super::track::{UNIT, runs};
 pub fn marks(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
     let base = &frames.list[frames.base];
     let plan = &base.worked.plan;
-    let w = Writer { scene: &base.scene, plan, notation, lang: Lang::En };
-    let alike = |f: &Frame| f.worked.plan.vertices == plan.vertices;
-    let has = |f: &Frame, on: DiagramKind| alike(f) && f.shown.contains(&on) && f.worked.construction.polygon(on).is_some();
+    let w = PlanWriter { scene: &base.scene, plan, notation, lang: Lang::En };
+    let alike = |f: &SolvedFrame| f.worked.plan.vertices == plan.vertices;
+    let has = |f: &SolvedFrame, on: DiagramKind| alike(f) && f.shown.contains(&on) && f.worked.construction.polygon(on).is_some();
     let seen: [Vec<bool>; 3] = [
         frames.list.iter().map(alike).collect(),
         frames.list.iter().map(|f| has(f, DiagramKind::Velocity)).collect(),
         frames.list.iter().map(|f| has(f, DiagramKind::Acceleration)).collect(),
     ];
-    let mut packed = Columns::default();
+    let mut packed = CoordinateColumns::default();
     let mut list = Vec::new();
     for v in (0..plan.vertices.len()).map(VertexId) {
-        let place = |f: &Frame| f.worked.construction.diagram.spots[v.0].map(|p| p + stray(frames, f));
+        let place = |f: &SolvedFrame| f.worked.construction.diagram.spots[v.0].map(|p| p + stray(frames, f));
         let placed = packed.points(frames, &seen[0], place);
         let fixed = plan.vertex(v).fixed;
         let symbols = [0, 1].map(|i| {
             let on = DiagramKind::POLYGONS[i];
-            let image = |f: &Frame| f.worked.construction.polygon(on)?.images[v.0];
+            let image = |f: &SolvedFrame| f.worked.construction.polygon(on)?.images[v.0];
             if fixed || !seen[i + 1].contains(&true) || !packed.points(frames, &seen[i + 1], image) {
                 return -1;
             }
             formulas.formula(&w.vector(on, v)) as i64
         });
-        let moves = !fixed && plan.vertex(v).trial.is_none() && matches!(plan.vertex(v).spot, Spot::Point(_));
+        let moves = !fixed && plan.vertex(v).trial.is_none() && matches!(plan.vertex(v).spot, VertexPlace::Point(_));
         list.push(json!([formulas.formula(&w.name(v)), placed, placed && moves, asked(&w, v), symbols]));
     }
     json!({"seen": seen.map(runs), "list": list, "columns": packed.text})
 }
 
 /// True if a question asks for a vector of the vertex.
-fn asked(w: &Writer, v: VertexId) -> bool {
-    let Spot::Point(point) = w.plan.vertex(v).spot else { return false };
+fn asked(w: &PlanWriter, v: VertexId) -> bool {
+    let VertexPlace::Point(point) = w.plan.vertex(v).spot else { return false };
     w.scene.find.iter().any(|f| match f.what.meaning(w.scene) {
         Some(Meaning::Vector(p)) => p.point == point,
         Some(Meaning::Place(_) | Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Ratio(..)) | None => false,
@@ -68,15 +68,15 @@ fn asked(w: &Writer, v: VertexId) -> bool {
 
 /// Columns one after the other; equal columns are stored once.
 #[derive(Default)]
-struct Columns {
+struct CoordinateColumns {
     text: String,
     told: HashMap<Vec<i64>, usize>,
 }
 
-impl Columns {
+impl CoordinateColumns {
     /// Adds a point over the frames in which it is seen. Returns `false` and adds nothing if some
     /// frame does not have it.
-    fn points(&mut self, frames: &Frames, seen: &[bool], of: impl Fn(&Frame) -> Option<Point>) -> bool {
+    fn points(&mut self, frames: &Frames, seen: &[bool], of: impl Fn(&SolvedFrame) -> Option<Point>) -> bool {
         let list: Option<Vec<Point>> = frames.list.iter().zip(seen).filter(|(_, s)| **s).map(|(f, _)| of(f)).collect();
         let Some(list) = list else { return false };
         for axis in [|p: &Point| p.x, |p: &Point| p.y] {

@@ -30,20 +30,20 @@ mod zoom;
 pub use pack::told;
 pub use reveal::{reveal, reveal_in};
 
-use crate::centres::Task;
+use crate::centres::CentreTask;
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::notation::Notation;
 use crate::paper::style::Style;
 use crate::scene::{Lang, Scene, Swept};
 use crate::worked::{Scope, Worked, work};
 
-use crate::sweep::follow::Follower;
+use crate::sweep::follow::PoseFollower;
 use crate::sweep::follow::course::over_a_turn;
-use frames::Maker;
+use frames::LessonInput;
 
 /// Options of a lesson.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Options {
+pub struct LessonOptions {
     /// The language in which the page opens; it holds both.
     pub lang: Lang,
     /// Notation of vectors; it is the same in both languages.
@@ -58,10 +58,16 @@ pub struct Options {
     pub style: Style,
 }
 
-impl Options {
+impl LessonOptions {
     /// The default lesson in a language.
-    pub fn of_language(lang: Lang) -> Options {
-        Options { lang, notation: Notation::of_language(lang), positions: POSITIONS, swept: Swept::Driver(0), style: Style::default() }
+    pub fn of_language(lang: Lang) -> LessonOptions {
+        LessonOptions {
+            lang,
+            notation: Notation::of_language(lang),
+            positions: POSITIONS,
+            swept: Swept::Driver(0),
+            style: Style::default(),
+        }
     }
 }
 
@@ -84,11 +90,11 @@ const MOST: usize = 120;
 /// use hodograph::{lesson, scene};
 /// let text = scene::templates::get("slider-crank").unwrap();
 /// let scene = scene::read(text)?.value;
-/// let page = lesson::lesson(&scene, &lesson::Options::of_language(scene::Lang::En))?.value;
+/// let page = lesson::lesson(&scene, &lesson::LessonOptions::of_language(scene::Lang::En))?.value;
 /// assert!(page.starts_with("<!DOCTYPE html>") && page.len() < 300_000);
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
-pub fn lesson(scene: &Scene, options: &Options) -> Result<Warned<String>, Faults> {
+pub fn lesson(scene: &Scene, options: &LessonOptions) -> Result<Warned<String>, Faults> {
     // Pairs that replace cams at the instant do not take part in the motion.
     let scene = &over_a_turn(scene);
     let Warned { value: worked, mut notes } = work(scene, Scope::Figure)?;
@@ -102,7 +108,7 @@ pub fn lesson(scene: &Scene, options: &Options) -> Result<Warned<String>, Faults
 ///
 /// # Errors
 /// A driver that the scene does not have; a mechanism too large for all its positions; those of the drawings.
-pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Warned<String>, Faults> {
+pub fn of_worked(scene: &Scene, worked: &Worked, options: &LessonOptions) -> Result<Warned<String>, Faults> {
     let mut notes = Vec::new();
     let size = scene.links.len() + scene.links.iter().map(|l| l.points.len()).sum::<usize>();
     if size > MOST {
@@ -132,14 +138,14 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
         let message = both!("`{name}` follows its cam: it does not move by itself", "`{name}` 由凸轮带动，不能单独运动");
         return Err(Diagnostic::error("no-driver", message).help(both!("let the cam turn", "请使凸轮转动")).into());
     }
-    let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.swept);
+    let follower = PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.swept);
     let sweep = follower.sweep(options.positions.clamp(8, 360));
     follower.proved(sweep.poses.iter().map(|p| &p.configuration))?;
-    if let Some(task) = Task::of(scene).filter(|t| t.alone) {
+    if let Some(task) = CentreTask::of(scene).filter(|t| t.alone) {
         let page = centres::lesson(scene, (worked, &task), options, (&follower, &sweep))?;
         return Ok(Warned { value: page, notes });
     }
-    let maker = Maker {
+    let maker = LessonInput {
         scene,
         mechanism: &worked.mechanism,
         demand: &worked.demand,

@@ -12,16 +12,16 @@ use super::pack::pressed;
 use super::page::{BASE, filled, terse, with_fonts};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::digits::significant;
-use crate::figure::particle::{ALONE, Maker, View, notation};
+use crate::figure::particle::{ALONE, ParticleDrafter, ParticleView, notation};
 use crate::geom::Point;
 use crate::paper::extent::{Rect, bounds, translate};
-use crate::paper::item::Item;
+use crate::paper::item::FigureItem;
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
 use crate::paper::style::Style;
 use crate::paper::words::words as figure_words;
-use crate::particle::board::{Drawn, Views, draw, draw_again};
-use crate::particle::{Problem, Solved, solve, solve_again};
+use crate::particle::board::{MotionDrawing, Views, draw, draw_again};
+use crate::particle::{ParticleProblem, ParticleSolution, solve, solve_again};
 use crate::render::escaped;
 use crate::render::number::mm;
 use crate::render::svg::Elements;
@@ -84,7 +84,7 @@ const AIR_MM: f64 = 2.0;
 
 /// Options of the page.
 #[derive(Clone, Debug)]
-pub struct Options {
+pub struct MotionOptions {
     /// The language in which the page opens; it holds both, the notation is that of this language.
     pub lang: Lang,
     /// Weights, sizes and fonts of the drawings; the page sets the colours.
@@ -96,35 +96,35 @@ pub struct Options {
 }
 
 /// An instant of the page.
-struct Frame {
-    problem: Problem,
-    solved: Solved,
-    drawn: Drawn,
+struct MotionFrame {
+    problem: ParticleProblem,
+    solved: ParticleSolution,
+    drawn: MotionDrawing,
 }
 
-impl Frame {
+impl MotionFrame {
     /// The frame of another instant; a pursuit continues from its state at this one.
-    fn at(&self, t: f64) -> Result<Frame, Faults> {
+    fn at(&self, t: f64) -> Result<MotionFrame, Faults> {
         let problem = self.problem.at(t, None)?;
         let solved = solve_again(&problem, &self.solved)?;
         let drawn = self.drawn_again(&problem)?;
-        Ok(Frame { problem, solved, drawn })
+        Ok(MotionFrame { problem, solved, drawn })
     }
 
-    fn drawn_again(&self, problem: &Problem) -> Result<Drawn, Faults> {
+    fn drawn_again(&self, problem: &ParticleProblem) -> Result<MotionDrawing, Faults> {
         let all = draw_again(problem, std::slice::from_ref(&self.drawn))?;
         Ok(all.into_iter().find(|d| d.motion == self.drawn.motion).ok_or_else(|| nothing(self.drawn.motion))?)
     }
 
     /// The frame drawn to other scales.
-    fn scaled(self, mu: [f64; 3]) -> Result<Frame, Faults> {
+    fn scaled(self, mu: [f64; 3]) -> Result<MotionFrame, Faults> {
         let problem = self.problem.at(self.problem.instant(), Some(mu))?;
         let drawn = self.drawn_again(&problem)?;
-        Ok(Frame { problem, drawn, ..self })
+        Ok(MotionFrame { problem, drawn, ..self })
     }
 
-    fn maker<'a>(&'a self, style: &'a Style, lang: Lang, also: &'a [Vec<Point>; 2]) -> Maker<'a> {
-        Maker { problem: &self.problem, solved: &self.solved, style, lang, also }
+    fn maker<'a>(&'a self, style: &'a Style, lang: Lang, also: &'a [Vec<Point>; 2]) -> ParticleDrafter<'a> {
+        ParticleDrafter { problem: &self.problem, solved: &self.solved, style, lang, also }
     }
 }
 
@@ -141,27 +141,27 @@ fn nothing(which: usize) -> Diagnostic {
 /// ```
 /// use hodograph::{paper::style::Style, lesson::motion, particle, scene::Lang};
 /// let problem = particle::read(particle::templates::get("plate-in-space").unwrap())?.value;
-/// let options = motion::Options { lang: Lang::En, style: Style::default(), positions: 8, motion: 0 };
+/// let options = motion::MotionOptions { lang: Lang::En, style: Style::default(), positions: 8, motion: 0 };
 /// assert!(motion::lesson(&problem, &options)?.starts_with("<!DOCTYPE html>"));
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
 ///
 /// # Errors
 /// The motion is not there, or cannot be solved at the given instant; those of the SVG writer.
-pub fn lesson(problem: &Problem, options: &Options) -> Result<String, Faults> {
+pub fn lesson(problem: &ParticleProblem, options: &MotionOptions) -> Result<String, Faults> {
     let style = Style { small_mm: options.style.small_mm * LARGER, label_mm: options.style.label_mm * LARGER, ..options.style.clone() };
     let (frames, base) = frames(problem, options)?;
-    let also = room(&frames);
+    let also = needed_points(&frames);
     let given = &frames[base];
     // First the fixed items, then the drawing of each instant.
     let still = given.maker(&style, options.lang, &also).course(&given.drawn, false);
-    let mut views: Vec<Vec<View>> = Vec::new();
+    let mut views: Vec<Vec<ParticleView>> = Vec::new();
     for f in &frames {
         views.push(seen(&f.maker(&style, options.lang, &also), &f.drawn, still.as_ref())?);
     }
-    let told: Vec<Value> = frames.iter().zip(&views).map(|(f, v)| told(f, v, &style)).collect();
+    let told: Vec<Value> = frames.iter().zip(&views).map(|(f, v)| instant_json(f, v, &style)).collect();
     let title = &problem.title;
-    let page = Page {
+    let page = MotionPage {
         title: [title.en.as_str(), title.zh.as_str()],
         lang: options.lang,
         words: &WORDS,
@@ -173,7 +173,7 @@ pub fn lesson(problem: &Problem, options: &Options) -> Result<String, Faults> {
 }
 
 /// A page of poses or instants, each with its drawings, the steps of its construction and its answers.
-pub(super) struct Page<'a> {
+pub(super) struct MotionPage<'a> {
     /// English and Chinese.
     pub title: [&'a str; 2],
     /// The language in which it opens.
@@ -185,21 +185,21 @@ pub(super) struct Page<'a> {
     /// The index of the given instant.
     pub base: usize,
     /// The fixed background of the first drawing, common to all instants.
-    pub still: Option<&'a View>,
+    pub still: Option<&'a ParticleView>,
 }
 
-impl Page<'_> {
+impl MotionPage<'_> {
     /// Writes the page from the drawings of each instant and its data: its name `at`, sentences of
     /// `steps`, `answers`, `scales`.
-    pub fn written(&self, views: &[Vec<View>], told: &[Value]) -> Result<String, Faults> {
+    pub fn written(&self, views: &[Vec<ParticleView>], told: &[Value]) -> Result<String, Faults> {
         let mut elements: Vec<Elements> = Vec::new();
         let mut drawings = Vec::new();
         for k in 0..views[self.base].len() {
             let ground = self.still.filter(|_| k == 0);
-            let parts: Vec<&View> = views.iter().map(|v| &v[k]).collect();
+            let parts: Vec<&ParticleView> = views.iter().map(|v| &v[k]).collect();
             drawings.push(Sequence::of(&parts, ground, &mut elements)?);
         }
-        let pairs = |v: &View| LANGS.map(|lang| escaped(&Phrase::new(lang.of(&v.caption)).plain()));
+        let pairs = |v: &ParticleView| LANGS.map(|lang| escaped(&Phrase::new(lang.of(&v.caption)).plain()));
         let list = |lang: Lang| {
             let word = |(key, said): &(&str, [&str; 2])| ((*key).to_owned(), json!(said[usize::from(lang == Lang::Zh)]));
             PLAYER.iter().chain(self.words).map(word).collect::<serde_json::Map<_, _>>()
@@ -237,10 +237,10 @@ impl Page<'_> {
 }
 
 /// The instants, to one set of scales as far as possible, and the index of the given one.
-fn frames(problem: &Problem, options: &Options) -> Result<(Vec<Frame>, usize), Faults> {
+fn frames(problem: &ParticleProblem, options: &MotionOptions) -> Result<(Vec<MotionFrame>, usize), Faults> {
     let which = options.motion;
     let drawn = draw(problem)?.into_iter().nth(which).ok_or_else(|| nothing(which))?;
-    let given = Frame { problem: problem.clone(), solved: solve(problem)?, drawn };
+    let given = MotionFrame { problem: problem.clone(), solved: solve(problem)?, drawn };
     let now = problem.instant();
     let last = match &given.drawn.views {
         Views::Chase { until, meets, .. } => {
@@ -258,12 +258,12 @@ fn frames(problem: &Problem, options: &Options) -> Result<(Vec<Frame>, usize), F
     times.push(now);
     times.sort_by(f64::total_cmp);
     // An instant at which a law has no value has no picture.
-    let natural: Vec<Frame> = times.iter().filter_map(|t| given.at(*t).ok()).collect();
+    let natural: Vec<MotionFrame> = times.iter().filter_map(|t| given.at(*t).ok()).collect();
     let usual = [0, 1, 2].map(|k| {
         let own = given.drawn.mu[k];
         natural.iter().map(|f| f.drawn.mu[k]).filter(|mu| *mu <= COARSER * own).fold(own, f64::max)
     });
-    let frames: Vec<Frame> = natural
+    let frames: Vec<MotionFrame> = natural
         .into_iter()
         .map(|f| {
             let mu = [0, 1, 2].map(|k| f.drawn.mu[k].max(usual[k]));
@@ -275,7 +275,7 @@ fn frames(problem: &Problem, options: &Options) -> Result<(Vec<Frame>, usize), F
 }
 
 /// Points that the two views of a plate must hold at any instant.
-fn room(frames: &[Frame]) -> [Vec<Point>; 2] {
+fn needed_points(frames: &[MotionFrame]) -> [Vec<Point>; 2] {
     let mut out = ALONE;
     for f in frames {
         let Views::Plate { places, velocities, accelerations, .. } = &f.drawn.views else { continue };
@@ -288,15 +288,15 @@ fn room(frames: &[Frame]) -> [Vec<Point>; 2] {
 }
 
 /// The moving part of the views of an instant.
-fn seen(maker: &Maker, drawn: &Drawn, still: Option<&View>) -> Result<Vec<View>, Diagnostic> {
+fn seen(maker: &ParticleDrafter, drawn: &MotionDrawing, still: Option<&ParticleView>) -> Result<Vec<ParticleView>, Diagnostic> {
     let Some(still) = still else { return maker.views(drawn) };
-    let course = View { part: maker.pair(drawn), caption: still.caption.clone(), scales: still.scales.clone() };
+    let course = ParticleView { part: maker.pair(drawn), caption: still.caption.clone(), scales: still.scales.clone() };
     Ok([course].into_iter().chain(maker.polygons(drawn)).collect())
 }
 
 /// Data of an instant: its time, the sentences of the steps, the answers, the scales of the
 /// drawings.
-fn told(f: &Frame, views: &[View], style: &Style) -> Value {
+fn instant_json(f: &MotionFrame, views: &[ParticleView], style: &Style) -> Value {
     let both_of = |say: &dyn Fn(Lang) -> String| json!(LANGS.map(say));
     let steps: Vec<Value> =
         f.drawn.steps.iter().map(|s| both_of(&|lang| html(&report::sentence(s, lang, &notation(style, lang))))).collect();
@@ -319,15 +319,15 @@ struct Sequence {
 }
 
 impl Sequence {
-    fn of(views: &[&View], ground: Option<&View>, all: &mut Vec<Elements>) -> Result<Sequence, Faults> {
+    fn of(views: &[&ParticleView], ground: Option<&ParticleView>, all: &mut Vec<Elements>) -> Result<Sequence, Faults> {
         let boxes = views.iter().copied().chain(ground).filter_map(|v| bounds(&v.part.items));
         let window = boxes.reduce(Rect::union).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(AIR_MM);
         let mut elements = Elements::new(window.height_mm());
-        let mut written = |v: &View| -> Result<String, Faults> {
-            let mut items: Vec<Item> = nameless(v.part.items.iter());
+        let mut written = |v: &ParticleView| -> Result<String, Faults> {
+            let mut items: Vec<FigureItem> = nameless(v.part.items.iter());
             translate(&mut items, Point::ORIGIN - window.min);
             let each = elements.of(&items)?;
-            let stepped = |(item, element): (&Item, String)| match item.steps().min() {
+            let stepped = |(item, element): (&FigureItem, String)| match item.steps().min() {
                 Some(k) => format!("<g data-step=\"{k}\">{element}</g>\n"),
                 None => format!("{element}\n"),
             };
@@ -339,7 +339,7 @@ impl Sequence {
         Ok(Sequence { size_mm: [window.width_mm(), window.height_mm()], ground, frames })
     }
 
-    fn markup(&self, k: usize, base: usize, view: &View, (lang, book): (Lang, &Book)) -> String {
+    fn markup(&self, k: usize, base: usize, view: &ParticleView, (lang, book): (Lang, &Book)) -> String {
         let [w, h] = self.size_mm.map(mm);
         format!(
             "<figure class=\"drawing\" id=\"drawing-{k}\" style=\"--w:{w}\">\n<svg viewBox=\"0 0 {w} {h}\" role=\"img\">\n<g class=\"ink\">\n{}</g>\n<g class=\"ink moving\">\n{}</g>\n</svg>\n\

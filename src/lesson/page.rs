@@ -23,14 +23,14 @@ use crate::scene::{Swept, driver_position};
 
 use super::bank::{self, Formulas};
 use super::equations::equations;
-use super::frames::{Frame, Frames};
+use super::frames::{Frames, SolvedFrame};
 use super::marks::marks;
-use super::scenery::{Layout, Scenery, Shows, scenery, stray};
+use super::scenery::{Scenery, Shows, WindowLayout, scenery, stray};
 use super::steps::{LANGS, answers, steps};
-use super::track::{Told, UNIT, runs};
+use super::track::{TrackOutput, UNIT, runs};
 use super::words::{table, word};
-use super::{Options, pack};
-use crate::sweep::follow::Sweep;
+use super::{LessonOptions, pack};
+use crate::sweep::follow::PoseSweep;
 use crate::webfont;
 
 /// Distance (mm of the diagram) from the pivot at which a link is gripped that has no other point,
@@ -60,7 +60,12 @@ const SCRIPT: [&str; 7] = [
 ///
 /// # Errors
 /// Those of the SVG writer.
-pub fn page(scene: &Scene, options: &Options, (mechanism, sweep): (&Mechanism, &Sweep), frames: &Frames) -> Result<String, Faults> {
+pub fn page(
+    scene: &Scene,
+    options: &LessonOptions,
+    (mechanism, sweep): (&Mechanism, &PoseSweep),
+    frames: &Frames,
+) -> Result<String, Faults> {
     let notation = &options.notation;
     let written = || {
         let mut formulas = Formulas::default();
@@ -74,7 +79,8 @@ pub fn page(scene: &Scene, options: &Options, (mechanism, sweep): (&Mechanism, &
     let (drawings, (steps, answers, equations, marks, mut formulas)) =
         rayon::join(|| here.enter(|| scenery(frames, notation, &options.style)), || here.enter(written));
     let drawings = drawings?;
-    let told: Vec<Vec<Told>> = drawings.iter().map(|d| d.layouts.iter().enumerate().map(|(k, l)| l.track.told(k == 0)).collect()).collect();
+    let told: Vec<Vec<TrackOutput>> =
+        drawings.iter().map(|d| d.layouts.iter().enumerate().map(|(k, l)| l.track.output(k == 0)).collect()).collect();
     let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
     let first = figures.next().unwrap_or_default();
     let polygons: String = figures.collect();
@@ -177,8 +183,8 @@ fn tag(lang: Lang) -> &'static str {
 /// Data of a drawing for the page. Each window has its magnification, the place of the origin (y
 /// down), the frames in which it holds the drawing, the moving elements, and the force polygon with
 /// which it is seen, if any; the second window also has the elements.
-fn drawing(d: &Scenery, told: &[Told], many: bool) -> Value {
-    let layout = |(l, told): (&Layout, &Told)| {
+fn drawing(d: &Scenery, told: &[TrackOutput], many: bool) -> Value {
+    let layout = |(l, told): (&WindowLayout, &TrackOutput)| {
         let origin = [l.origin.x, d.size_mm[1] - l.origin.y].map(ten_digits);
         // In hundredths; rounding and the round corners of arrowheads alone do not enlarge the
         // window.
@@ -201,7 +207,7 @@ fn drawing(d: &Scenery, told: &[Told], many: bool) -> Value {
 }
 
 /// A drawing with its caption, in its initial view.
-fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
+fn figure(d: &Scenery, told: &[TrackOutput], frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let book = &frames.list[frames.base].scene.book;
     let caption = |l: Lang| match (d.shows.on.caption(l), d.shows.part, l) {
@@ -291,7 +297,7 @@ fn driver(scene: &Scene, k: usize) -> Value {
 }
 
 /// Texts for each end of the travel, English and Chinese; null where nothing stops the driver.
-fn limits(scene: &Scene, mechanism: &Mechanism, sweep: &Sweep) -> Value {
+fn limits(scene: &Scene, mechanism: &Mechanism, sweep: &PoseSweep) -> Value {
     let ends = [sweep.poses.first(), sweep.poses.last()];
     let said = ends.into_iter().zip(sweep.limits).map(|(pose, limit)| {
         let (Some(pose), Some(_)) = (pose, limit) else { return Value::Null };
@@ -334,7 +340,7 @@ fn arm(frames: &Frames, driver: usize) -> f64 {
 
 /// The driver's grip on the diagram (mm from its origin): the farthest point of a turning link, or
 /// a place of the link at the distance `arm` from its pivot; the slider; the rod's joint.
-fn grip(frame: &Frame, driver: usize, arm: f64) -> Option<Point> {
+fn grip(frame: &SolvedFrame, driver: usize, arm: f64) -> Option<Point> {
     let (scene, at) = (&frame.scene, &frame.worked.configuration);
     let diagram = &frame.worked.construction.diagram;
     let place = match &scene.drivers[driver].kind {

@@ -4,7 +4,7 @@
 use crate::diag::{Faults, Warned};
 use crate::figure::fit::{self, Room};
 use crate::figure::forces;
-use crate::figure::list::{Extras, Wanted};
+use crate::figure::list::{Extras, FigureInput};
 use crate::figure::sheet;
 use crate::geom::Point;
 use crate::paper::item::Figure;
@@ -24,7 +24,7 @@ const GAP_MM: f64 = 6.0;
 ///
 /// # Errors
 /// Those of the SVG writer.
-pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Result<Warned<String>, Faults> {
+pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::SheetOptions) -> Result<Warned<String>, Faults> {
     let (drawings, _) = drawings(scene, worked, options, false)?;
     Ok(Warned { value: drawings.svg(scene, options, None), notes: Vec::new() })
 }
@@ -34,9 +34,9 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
 ///
 /// # Errors
 /// `paper-too-small` where the smallest legible drawings are wider.
-pub fn reveal_in(scene: &Scene, worked: &Worked, options: &sheet::Options, width_mm: f64) -> Result<Warned<String>, Faults> {
+pub fn reveal_in(scene: &Scene, worked: &Worked, options: &sheet::SheetOptions, width_mm: f64) -> Result<Warned<String>, Faults> {
     let extras = Extras::default();
-    let wanted = Wanted { scene, worked, options, extras: &extras };
+    let wanted = FigureInput { scene, worked, options, extras: &extras };
     let value = fit::first_that_fits("reveal", &wanted, Room::Column(width_mm), |w, stacked| {
         let (drawings, size) = drawings(w.scene, w.worked, w.options, stacked)?;
         Ok(if size[0] <= width_mm { Ok(drawings.svg(w.scene, w.options, Some(width_mm))) } else { Err(size) })
@@ -53,7 +53,7 @@ struct Drawings {
 
 /// The drawings and their common size (mm): those of the motion side by side with those of the
 /// forces below, or all stacked.
-fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: bool) -> Result<(Drawings, [f64; 2]), Faults> {
+fn drawings(scene: &Scene, worked: &Worked, options: &sheet::SheetOptions, stacked: bool) -> Result<(Drawings, [f64; 2]), Faults> {
     let of_motion =
         DiagramKind::ALL.into_iter().filter_map(|on| Some((on > DiagramKind::Plane, sheet::drawing(scene, worked, options, on)?)));
     let groups = worked.equilibrium.as_ref().map_or(0, |of| of.groups.len());
@@ -103,7 +103,7 @@ fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: b
 impl Drawings {
     /// The fragment, as wide as its slide, or in a given width (mm) with the drawings in the
     /// middle.
-    fn svg(&self, scene: &Scene, options: &sheet::Options, width_mm: Option<f64>) -> String {
+    fn svg(&self, scene: &Scene, options: &sheet::SheetOptions, width_mm: Option<f64>) -> String {
         let [own, height] = self.size_mm;
         let wide = width_mm.unwrap_or(own);
         let left = (own - wide) / 2.0;

@@ -10,20 +10,20 @@ use crate::construct::Polygon;
 use crate::diag::Faults;
 use crate::figure::course::courses;
 use crate::figure::forces;
-use crate::figure::mechanism::{self, Course};
+use crate::figure::mechanism::{self, SeriesFeatures};
 use crate::figure::polygon::{self, Share};
-use crate::figure::sheet::Options;
+use crate::figure::sheet::SheetOptions;
 use crate::geom::{Point, Vec2};
 use crate::notation::Notation;
-use crate::paper::drawing::{Drawing, Habits, Part};
+use crate::paper::drawing::{Drawing, DrawingPart, Habits};
 use crate::paper::extent::Rect;
 use crate::paper::style::Style;
-use crate::plan::text::Writer;
+use crate::plan::text::PlanWriter;
 use crate::scene::{DiagramKind, Lang};
 use crate::worked::Worked;
 
-use super::frames::{Frame, Frames};
-use super::track::Track;
+use super::frames::{Frames, SolvedFrame};
+use super::track::DrawingTrack;
 use super::zoom::{self, GAIN, stage_mm, window_mm, with_names};
 
 /// Largest magnification of the free bodies relative to the mechanism, and largest reduction.
@@ -71,20 +71,20 @@ pub struct Scenery {
     /// The drawing through the window that the scene's own pose fills, in the poses near it, then
     /// through the window that holds all poses; a single layout where one window serves both. For
     /// the mechanism, then one layout for the free bodies of each group with drawn forces.
-    pub layouts: Vec<Layout>,
+    pub layouts: Vec<WindowLayout>,
     /// True in each frame in which the drawing is on the paper.
     pub shown: Vec<bool>,
 }
 
 /// A drawing seen through one window.
-pub struct Layout {
+pub struct WindowLayout {
     /// SI per mm of the window.
     pub mu: f64,
     /// The place in the window of the diagram's origin or of the pole, x to the right and y up from
     /// the lower left corner.
     pub origin: Point,
     /// Its elements over the frames.
-    pub track: Track,
+    pub track: DrawingTrack,
     /// The frames in which it is drawn.
     pub held: Vec<bool>,
     /// The magnification of the window that is needed to hold the whole drawing, in each frame.
@@ -94,10 +94,10 @@ pub struct Layout {
 }
 
 /// A view of a drawing over all frames.
-struct View {
+struct DrawingView {
     mu: f64,
     seen: Rect,
-    parts: Parts,
+    parts: FrameParts,
     group: Option<usize>,
 }
 
@@ -121,14 +121,14 @@ pub fn scenery(frames: &Frames, notation: &Notation, style: &Style) -> Result<Ve
 }
 
 /// The parts of all frames; `None` where nothing is drawn.
-type Parts = Vec<Option<Part>>;
+type FrameParts = Vec<Option<DrawingPart>>;
 
 /// The maker of one drawing.
 struct Studio<'a> {
     frames: &'a Frames,
     notation: &'a Notation,
     /// The letters do not depend on the language.
-    options: Options,
+    options: SheetOptions,
     shows: Shows,
     /// True if the polygon has many vectors in some frame: its type is then small in all frames.
     full: bool,
@@ -142,7 +142,7 @@ impl<'a> Studio<'a> {
         let Style { palette, plate, .. } = Style::default();
         let style = Style { palette, plate, ..style.clone() };
         let share = share_of(frames, shows);
-        let is_full = |(w, p): (Writer, &Polygon)| share.map_or_else(|| polygon::is_full(&w, p), |s| polygon::is_full_share(&w, p, s));
+        let is_full = |(w, p): (PlanWriter, &Polygon)| share.map_or_else(|| polygon::is_full(&w, p), |s| polygon::is_full_share(&w, p, s));
         let full = frames.list.iter().any(|f| polygon_of(f, shows, notation).is_some_and(is_full));
         let mu = match shows.on {
             DiagramKind::Plane => frames.list[frames.base].worked.construction.diagram.mu,
@@ -150,7 +150,7 @@ impl<'a> Studio<'a> {
                 frames.zoom.of(on.kind()).map_or(1.0, |z| z.mu)
             }
         };
-        let options = Options { notation: notation.clone(), style, ..Options::of_language(Lang::En) };
+        let options = SheetOptions { notation: notation.clone(), style, ..SheetOptions::of_language(Lang::En) };
         Studio { frames, notation, options, shows, full, mu }
     }
 
@@ -165,7 +165,7 @@ impl<'a> Studio<'a> {
     /// not be seen as a whole.
     fn mechanism(&self) -> Result<Scenery, Faults> {
         let label = self.options.style.label_mm;
-        let lines = |k: usize, mu: f64, courses: &[Course]| self.diagram(k, mu, &courses[k]).1;
+        let lines = |k: usize, mu: f64, courses: &[SeriesFeatures]| self.diagram(k, mu, &courses[k]).1;
         let alone = |mu: f64| with_names(lines(self.frames.base, mu, &self.courses(mu)), label);
         let together = |mu: f64| {
             let courses = self.courses(mu);
@@ -180,19 +180,19 @@ impl<'a> Studio<'a> {
         let own_mu = first * times(alone(first), stage_mm(label));
         let (own, all) = (alone(own_mu), together(own_mu));
         if times(all, size(own)) <= GAIN {
-            let view = View { mu: own_mu, seen: all, parts: self.parts(own_mu, all, false), group: None };
+            let view = DrawingView { mu: own_mu, seen: all, parts: self.parts(own_mu, all, false), group: None };
             return self.told(size(all), self.with_groups(vec![view], own_mu, size(all)));
         }
         let first = own_mu * times(all, size(own));
         let mu = first * times(together(first), size(own));
         let seen = together(mu);
-        let near = View { mu: own_mu, seen: own, parts: self.parts(own_mu, own, true), group: None };
-        let whole = View { mu, seen, parts: self.parts(mu, seen, false), group: None };
+        let near = DrawingView { mu: own_mu, seen: own, parts: self.parts(own_mu, own, true), group: None };
+        let whole = DrawingView { mu, seen, parts: self.parts(mu, seen, false), group: None };
         self.told(size(own), self.with_groups(vec![near, whole], own_mu, size(own)))
     }
 
     /// Adds the free bodies of each group, as large as the window can hold them in all frames.
-    fn with_groups(&self, mut views: Vec<View>, own_mu: f64, [w, h]: [f64; 2]) -> Vec<View> {
+    fn with_groups(&self, mut views: Vec<DrawingView>, own_mu: f64, [w, h]: [f64; 2]) -> Vec<DrawingView> {
         let frames = &self.frames.list;
         for group in 0..self.frames.groups.len() {
             let around = |mu: f64| {
@@ -210,7 +210,7 @@ impl<'a> Studio<'a> {
             let seen = about(lines.centre(), [w, h]);
             let courses = self.courses(mu);
             let parts = self.over_frames(seen, false, |k, habits| self.freed(k, group, (mu, &courses[k]), seen, habits));
-            views.push(View { mu, seen, parts, group: Some(group) });
+            views.push(DrawingView { mu, seen, parts, group: Some(group) });
         }
         views
     }
@@ -230,7 +230,7 @@ impl<'a> Studio<'a> {
     }
 
     /// The free bodies of a group over the mechanism without its letters.
-    fn freed(&self, k: usize, group: usize, (mu, course): (f64, &Course), seen: Rect, habits: &mut Habits) -> Option<Part> {
+    fn freed(&self, k: usize, group: usize, (mu, course): (f64, &SeriesFeatures), seen: Rect, habits: &mut Habits) -> Option<DrawingPart> {
         let (drawing, lines, by) = self.bodies(k, group, mu)?;
         let room = with_names(lines, self.options.style.label_mm).union(seen);
         let mut part = drawing.finish_within(habits, Rect::new(room.min - by, room.max - by));
@@ -263,7 +263,7 @@ impl<'a> Studio<'a> {
             }
             own *= over;
         }
-        let layout = |i: usize, mu: f64| View { mu, seen: seen(i, mu), parts: self.parts(mu, seen(i, mu), i == 0), group: None };
+        let layout = |i: usize, mu: f64| DrawingView { mu, seen: seen(i, mu), parts: self.parts(mu, seen(i, mu), i == 0), group: None };
         let layouts =
             if zoom.view[0] == zoom.view[1] { vec![layout(1, own)] } else { vec![layout(0, own), layout(1, zoom.view[1].max(own))] };
         self.told(window, layouts)
@@ -277,31 +277,31 @@ impl<'a> Studio<'a> {
     /// places in the frame before. The order runs forward and backward from the scene's own pose;
     /// in a closed turn the two meet half a turn away. With `held`, each direction ends where the
     /// window does not hold the whole part.
-    fn parts(&self, mu: f64, window: Rect, held: bool) -> Parts {
+    fn parts(&self, mu: f64, window: Rect, held: bool) -> FrameParts {
         let courses = self.courses(mu);
         self.over_frames(window, held, |k, habits| self.part(k, mu, courses.get(k), window, habits))
     }
 
-    fn over_frames(&self, window: Rect, held: bool, part: impl Fn(usize, &mut Habits) -> Option<Part> + Sync) -> Parts {
+    fn over_frames(&self, window: Rect, held: bool, part: impl Fn(usize, &mut Habits) -> Option<DrawingPart> + Sync) -> FrameParts {
         let frames = self.frames;
         let mut at_base = Habits::new();
         let first = part(frames.base, &mut at_base);
         let (ahead, back) = ways(frames);
         let outer = window.grown(AIR_MM);
         let outer = first.as_ref().map_or(outer, |p| outer.union(p.bounds));
-        let stays = |p: &Option<Part>| !held || p.as_ref().is_some_and(|p| outer.union(p.bounds) == outer);
-        let along = |way: Vec<usize>, mut habits: Habits| -> Vec<(usize, Option<Part>)> {
+        let stays = |p: &Option<DrawingPart>| !held || p.as_ref().is_some_and(|p| outer.union(p.bounds) == outer);
+        let along = |way: Vec<usize>, mut habits: Habits| -> Vec<(usize, Option<DrawingPart>)> {
             way.into_iter().map(|k| (k, part(k, &mut habits))).take_while(|(_, p)| stays(p)).collect()
         };
         let here = here();
         let (on, before) = rayon::join(|| here.enter(|| along(ahead, at_base.clone())), || here.enter(|| along(back, at_base.clone())));
-        let mut parts: Parts = frames.list.iter().map(|_| None).collect();
+        let mut parts: FrameParts = frames.list.iter().map(|_| None).collect();
         parts[frames.base] = first;
         on.into_iter().chain(before).for_each(|(k, part)| parts[k] = part);
         parts
     }
 
-    fn courses(&self, mu: f64) -> Vec<Course> {
+    fn courses(&self, mu: f64) -> Vec<SeriesFeatures> {
         if self.shows.on != DiagramKind::Plane {
             return Vec::new();
         }
@@ -311,7 +311,7 @@ impl<'a> Studio<'a> {
     }
 
     /// A frame's diagram before its labels are placed, and the box around its lines.
-    fn diagram(&self, k: usize, mu: f64, course: &Course) -> (Drawing, Rect) {
+    fn diagram(&self, k: usize, mu: f64, course: &SeriesFeatures) -> (Drawing, Rect) {
         let (frame, times) = (&self.frames.list[k], self.mu / mu);
         let worked = zoom::diagram(&frame.worked, times);
         let mut drawing = mechanism::drawing(&self.options.style, &frame.scene, &worked, self.notation, course);
@@ -320,7 +320,7 @@ impl<'a> Studio<'a> {
         (drawing, Rect::new(lines.min + by, lines.max + by))
     }
 
-    fn part(&self, k: usize, mu: f64, course: Option<&Course>, window: Rect, habits: &mut Habits) -> Option<Part> {
+    fn part(&self, k: usize, mu: f64, course: Option<&SeriesFeatures>, window: Rect, habits: &mut Habits) -> Option<DrawingPart> {
         let frame = &self.frames.list[k];
         match self.shows.on {
             DiagramKind::Plane => {
@@ -341,7 +341,7 @@ impl<'a> Studio<'a> {
     }
 
     /// A frame's polygon to a scale, before its labels are placed.
-    fn polygon_at(&self, frame: &Frame, mu: f64) -> Option<Drawing> {
+    fn polygon_at(&self, frame: &SolvedFrame, mu: f64) -> Option<Drawing> {
         if self.shows.on == DiagramKind::Force {
             let links = self.frames.groups.get(self.shows.part?)?;
             let of = frame.worked.equilibrium.as_ref().filter(|_| frame.shown.contains(&DiagramKind::Force))?;
@@ -357,17 +357,17 @@ impl<'a> Studio<'a> {
     }
 
     /// The finished drawing: its windows have one size, and the contents of each are centred.
-    fn told(&self, window: [f64; 2], views: Vec<View>) -> Result<Scenery, Faults> {
+    fn told(&self, window: [f64; 2], views: Vec<DrawingView>) -> Result<Scenery, Faults> {
         let frames = self.frames;
         let size_mm = window.map(|side| side + 2.0 * MARGIN_MM);
         let whole = views.iter().rfind(|v| v.group.is_none());
         let shown = whole.map_or_else(|| vec![false; frames.list.len()], |v| v.parts.iter().map(Option::is_some).collect());
         let (plans, force_plans) = (frames.plans(), frames.force_plans());
         let mut list = Vec::new();
-        for View { mu, seen, parts, group } in views {
+        for DrawingView { mu, seen, parts, group } in views {
             let middle = Point::new(0.5 * size_mm[0], 0.5 * size_mm[1]);
             let shift = middle - seen.centre();
-            let mut track = Track::new(size_mm[1], frames.base, frames.list.len());
+            let mut track = DrawingTrack::new(size_mm[1], frames.base, frames.list.len());
             let held = parts.iter().map(Option::is_some).collect();
             let mut back = vec![1.0; parts.len()];
             for (k, part) in parts.into_iter().enumerate() {
@@ -387,7 +387,7 @@ impl<'a> Studio<'a> {
                 }
                 track.add(k, &part.items, &drawn)?;
             }
-            list.push(Layout { mu, origin: Point::ORIGIN + shift, track, held, back, group });
+            list.push(WindowLayout { mu, origin: Point::ORIGIN + shift, track, held, back, group });
         }
         Ok(Scenery { shows: self.shows, size_mm, mu: self.mu, layouts: list, shown })
     }
@@ -422,9 +422,9 @@ fn about(centre: Point, [w, h]: [f64; 2]) -> Rect {
 
 /// A frame's polygon, if it is on the paper, and the writer of its letters (independent of the
 /// language).
-fn polygon_of<'a>(frame: &'a Frame, shows: Shows, notation: &'a Notation) -> Option<(Writer<'a>, &'a Polygon)> {
+fn polygon_of<'a>(frame: &'a SolvedFrame, shows: Shows, notation: &'a Notation) -> Option<(PlanWriter<'a>, &'a Polygon)> {
     let p = frame.worked.construction.polygon(shows.on).filter(|_| frame.shown.contains(&shows.on))?;
-    Some((Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En }, p))
+    Some((PlanWriter { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En }, p))
 }
 
 /// The part of a split polygon that a drawing shows.
@@ -434,7 +434,7 @@ fn share_of(frames: &Frames, shows: Shows) -> Option<Share<'_>> {
 
 /// Displacement (mm) that brings a frame's diagram over that of the scene's own pose: the origin of
 /// the diagram may be a moving point.
-pub fn stray(frames: &Frames, frame: &Frame) -> Vec2 {
+pub fn stray(frames: &Frames, frame: &SolvedFrame) -> Vec2 {
     let (here, first) = (&frame.worked.construction.diagram, &frames.list[frames.base].worked.construction.diagram);
     (here.origin - first.origin) * (1.0 / first.mu)
 }

@@ -7,18 +7,18 @@ use crate::figure::polygon::{Share, is_full, is_full_share, shares};
 use crate::geom::Point;
 use crate::notation::Notation;
 use crate::paper::style::Style;
-use crate::plan::text::Writer;
+use crate::plan::text::PlanWriter;
 use crate::scene::{DiagramKind, Lang, Scene};
 use crate::worked::Worked;
 
 /// The split of a polygon.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Split {
+pub struct PolygonSplit {
     of: Vec<usize>,
     parts: usize,
 }
 
-impl Split {
+impl PolygonSplit {
     /// The number of parts, at least two.
     pub fn parts(&self) -> usize {
         self.parts
@@ -44,10 +44,10 @@ impl Split {
 
 /// The split of a polygon over all poses, if it is split, and the type size of each of its drawings
 /// (mm): small where there are many vectors.
-pub fn split(poses: &[(&Scene, &Worked)], on: DiagramKind, style: &Style, notation: &Notation) -> (Option<Split>, Vec<f64>) {
+pub fn split(poses: &[(&Scene, &Worked)], on: DiagramKind, style: &Style, notation: &Notation) -> (Option<PolygonSplit>, Vec<f64>) {
     let drawn = || {
         poses.iter().filter_map(|(scene, worked)| {
-            let w = Writer { scene, plan: &worked.plan, notation, lang: Lang::En };
+            let w = PlanWriter { scene, plan: &worked.plan, notation, lang: Lang::En };
             Some((w, *worked, worked.construction.polygon(on)?))
         })
     };
@@ -61,7 +61,7 @@ pub fn split(poses: &[(&Scene, &Worked)], on: DiagramKind, style: &Style, notati
     if parts == 1 || !each.all(|other| other == of) {
         return (None, vec![size(true)]);
     }
-    let split = Split { of, parts };
+    let split = PolygonSplit { of, parts };
     let many = |part| drawn().any(|(w, _, p)| is_full_share(&w, p, split.share(part)));
     let sizes = (0..parts).map(|part| size(many(part))).collect();
     (Some(split), sizes)

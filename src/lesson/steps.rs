@@ -6,20 +6,20 @@ use serde_json::{Value, json};
 use rayon::prelude::*;
 
 use crate::certified::ladder::Certified;
-use crate::certified::{Steps, certify, steps as certified_steps};
+use crate::certified::{CertifiedSteps, certify, steps as certified_steps};
 use crate::equilibrium::GroupForces;
 use crate::figure::results::DIGITS;
 use crate::notation::Notation;
 use crate::paper::phrase::{Phrase, tr};
 use crate::paper::words::words;
-use crate::plan::text::Writer;
+use crate::plan::text::PlanWriter;
 use crate::report::amount::{amount, sense, symbol};
 use crate::report::construction::sentences;
 use crate::report::forces::ForceWriter;
 use crate::scene::{DiagramKind, Lang, LinkId, Swept, driver_position};
 
 use super::bank::{self, Formulas};
-use super::frames::{Frame, Frames};
+use super::frames::{Frames, SolvedFrame};
 use super::scenery::Shows;
 
 /// Both languages of the page.
@@ -30,15 +30,15 @@ pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
 pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let mut steps = Vec::new();
     let here = here();
-    let told: Vec<Steps> = frames.list.par_iter().map(|f| here.enter(|| certified_steps(&f.scene, &f.worked, None))).collect();
+    let told: Vec<CertifiedSteps> = frames.list.par_iter().map(|f| here.enter(|| certified_steps(&f.scene, &f.worked, None))).collect();
     for on in DiagramKind::POLYGONS {
-        let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| told_on(f, t, on, notation, lang)).collect::<Vec<_>>();
+        let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| polygon_sentences(f, t, on, notation, lang)).collect::<Vec<_>>();
         let split = frames.split.of(on.kind());
         let shows = |n: usize| Shows { on, part: split.map(|s| s.part_of(n.checked_sub(1))) };
         listed(LANGS.map(of), shows, formulas, &mut steps);
     }
     for (group, links) in frames.groups.iter().enumerate() {
-        let of = |lang| frames.list.iter().map(|f| told_of(f, links, notation, lang)).collect::<Vec<_>>();
+        let of = |lang| frames.list.iter().map(|f| group_sentences(f, links, notation, lang)).collect::<Vec<_>>();
         listed(LANGS.map(of), |_| Shows { on: DiagramKind::Force, part: Some(group) }, formulas, &mut steps);
     }
     steps
@@ -60,28 +60,28 @@ fn listed(mut said: [Vec<Vec<String>>; 2], shows: impl Fn(usize) -> Shows, formu
 
 /// Sentences in English and in Chinese; numbers that are the same in both are stored once.
 fn in_both(said: impl Fn(usize) -> Vec<Option<String>>, formulas: &mut Formulas) -> [Value; 2] {
-    let [en, mut zh] = [0, 1].map(|l| bank::told(&said(l), formulas));
+    let [en, mut zh] = [0, 1].map(|l| bank::packed_sentences(&said(l), formulas));
     if en[2] == zh[2] {
         zh[2] = json!(0);
     }
     [en, zh]
 }
 
-fn told_on(frame: &Frame, told: &Steps, on: DiagramKind, notation: &Notation, lang: Lang) -> Vec<String> {
+fn polygon_sentences(frame: &SolvedFrame, told: &CertifiedSteps, on: DiagramKind, notation: &Notation, lang: Lang) -> Vec<String> {
     let Some(p) = frame.worked.construction.polygon(on).filter(|_| !frame.end) else { return Vec::new() };
-    let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
+    let w = PlanWriter { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
     sentences(&w, &frame.worked.construction, p, told).iter().map(Phrase::source).collect()
 }
 
 /// The sentences of a group's equilibrium in a frame; none where the pose does not draw it.
-fn told_of(frame: &Frame, links: &[LinkId], notation: &Notation, lang: Lang) -> Vec<String> {
+fn group_sentences(frame: &SolvedFrame, links: &[LinkId], notation: &Notation, lang: Lang) -> Vec<String> {
     let Some((w, group)) = writer(frame, links, notation, lang) else { return Vec::new() };
     w.steps(group).iter().map(Phrase::source).collect()
 }
 
 /// The writer of a group's forces in a frame that shows them.
 pub(super) fn writer<'a>(
-    frame: &'a Frame,
+    frame: &'a SolvedFrame,
     links: &[LinkId],
     notation: &'a Notation,
     lang: Lang,
@@ -106,7 +106,7 @@ pub fn answers(frames: &Frames, swept: Swept, notation: &Notation, formulas: &mu
 
 /// The certified digits. Where a pose is given by coordinates, only the scene's own pose is written
 /// down; the others are not certified.
-pub(super) fn certified(frame: &Frame, swept: Swept) -> Vec<Certified> {
+pub(super) fn certified(frame: &SolvedFrame, swept: Swept) -> Vec<Certified> {
     if frame.end {
         return Vec::new();
     }
@@ -123,7 +123,7 @@ pub(super) fn certified(frame: &Frame, swept: Swept) -> Vec<Certified> {
     list
 }
 
-pub(super) fn answer(frame: &Frame, certified: &[Certified], i: usize, notation: &Notation, lang: Lang) -> Option<String> {
+pub(super) fn answer(frame: &SolvedFrame, certified: &[Certified], i: usize, notation: &Notation, lang: Lang) -> Option<String> {
     // At a dead centre some questions have no answer.
     let (r, c) = frame.worked.results.iter().zip(certified).find(|(r, _)| r.find == i)?;
     let find = &frame.scene.find[r.find];

@@ -9,8 +9,8 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
 use crate::diag::Faults;
-use crate::paper::arrow::{HEAD_PART_MAX, Head};
-use crate::paper::item::{Item, Shape};
+use crate::paper::arrow::{ArrowHead, HEAD_PART_MAX};
+use crate::paper::item::{FigureItem, Shape};
 use crate::paper::label::Label;
 use crate::render::svg::Elements;
 
@@ -24,7 +24,7 @@ const GEOMETRY: [&str; 9] = ["x1", "y1", "x2", "y2", "cx", "cy", "r", "d", "tran
 pub const UNIT: f64 = 200.0;
 
 /// An element.
-struct Element {
+struct TrackElement {
     /// Its markup in the scene's own pose, or where it is first seen.
     markup: String,
     /// True if it is seen in the scene's own pose.
@@ -32,7 +32,7 @@ struct Element {
     /// Its numbers in each frame; `None` where it is not seen.
     frames: Vec<Option<Vec<i64>>>,
     /// The head of a straight arrow: the page draws shaft and head anew between the ends.
-    head: Option<Head>,
+    head: Option<ArrowHead>,
 }
 
 /// The numbers of an arrow's markup: ends of the shaft (x, x, y, y), then the corners of the head, the tip first.
@@ -41,18 +41,18 @@ const ARROW: usize = 12;
 const ENDS: [usize; 4] = [0, 2, 4, 5];
 
 /// A drawing under construction.
-pub struct Track {
+pub struct DrawingTrack {
     /// The writer of the elements; it records the letters that they use.
     pub elements_of: Elements,
     base: usize,
     count: usize,
     order: Vec<usize>,
-    elements: Vec<Element>,
+    elements: Vec<TrackElement>,
     known: HashMap<(String, String, String, Vec<usize>), usize>,
 }
 
 /// A drawing as data for the page.
-pub struct Told {
+pub struct TrackOutput {
     /// The elements' markup, from back to front; those not seen in the scene's own pose are hidden.
     pub markup: String,
     /// For each element that changes: its index, the runs of frames in which it is seen (seen, not
@@ -60,11 +60,11 @@ pub struct Told {
     pub moving: Vec<serde_json::Value>,
 }
 
-impl Track {
+impl DrawingTrack {
     /// A drawing on a paper of this height, over this number of frames; `base` is the frame of the
     /// scene's own pose.
-    pub fn new(height_mm: f64, base: usize, count: usize) -> Track {
-        Track { elements_of: Elements::new(height_mm), base, count, order: Vec::new(), elements: Vec::new(), known: HashMap::new() }
+    pub fn new(height_mm: f64, base: usize, count: usize) -> DrawingTrack {
+        DrawingTrack { elements_of: Elements::new(height_mm), base, count, order: Vec::new(), elements: Vec::new(), known: HashMap::new() }
     }
 
     /// Adds the items of a frame, in any order of frames. `drawn` distinguishes drawings: a polygon
@@ -73,9 +73,9 @@ impl Track {
     ///
     /// # Errors
     /// Those of the SVG writer.
-    pub fn add(&mut self, frame: usize, items: &[Item], drawn: &[usize]) -> Result<(), Faults> {
+    pub fn add(&mut self, frame: usize, items: &[FigureItem], drawn: &[usize]) -> Result<(), Faults> {
         // Blank labels have the same places; the outlines of letters are not needed in every frame.
-        let blank: Vec<Item> = items.iter().map(blank).collect();
+        let blank: Vec<FigureItem> = items.iter().map(blank).collect();
         let mut after = None;
         for (item, text) in items.iter().zip(self.elements_of.of(&blank)?) {
             let (form, numbers) = taken_apart(&text);
@@ -93,7 +93,7 @@ impl Track {
                     {
                         head = Some(of);
                     }
-                    self.elements.push(Element { markup, at_base: false, frames: vec![None; self.count], head });
+                    self.elements.push(TrackElement { markup, at_base: false, frames: vec![None; self.count], head });
                     self.known.insert(key, index);
                     index
                 }
@@ -110,7 +110,7 @@ impl Track {
 
     /// The markup of an item; items of a link carry the link's number, so that a step can highlight
     /// it.
-    fn markup(&mut self, item: &Item) -> Result<String, Faults> {
+    fn markup(&mut self, item: &FigureItem) -> Result<String, Faults> {
         let text = self.elements_of.of(std::slice::from_ref(item))?.concat();
         Ok(match item.link {
             Some(link) if item.class.starts_with("mechanism") => with(&text, &format!("data-l=\"{link}\"")),
@@ -120,8 +120,8 @@ impl Track {
 
     /// The drawing for the page. `at_once`: true if it is seen before the script runs; otherwise
     /// the moving numbers are given once, with the moving elements, and not in the markup too.
-    pub fn told(&self, at_once: bool) -> Told {
-        let mut told = Told { markup: String::new(), moving: Vec::new() };
+    pub fn output(&self, at_once: bool) -> TrackOutput {
+        let mut told = TrackOutput { markup: String::new(), moving: Vec::new() };
         // Vectors share end points, and bars share joints: columns that move alike are stored once.
         let mut columns_told: HashMap<(Vec<usize>, Vec<i64>), usize> = HashMap::new();
         for (place, element) in self.order.iter().map(|e| &self.elements[*e]).enumerate() {
@@ -154,7 +154,7 @@ impl Track {
                 }
             }
             let parts = match arrow {
-                Some(Head { length_mm, width_mm, notch }) => vec![format!("0 arrow {length_mm} {width_mm} {notch} {HEAD_PART_MAX}")],
+                Some(ArrowHead { length_mm, width_mm, notch }) => vec![format!("0 arrow {length_mm} {width_mm} {notch} {HEAD_PART_MAX}")],
                 None => places(&element.markup, &changing),
             };
             told.moving.push(serde_json::json!([place, runs, parts, columns]));
@@ -177,11 +177,11 @@ pub fn runs(frames: impl IntoIterator<Item = bool>) -> Vec<usize> {
     if runs.len() == 1 { Vec::new() } else { runs }
 }
 
-fn source(item: &Item) -> &str {
+fn source(item: &FigureItem) -> &str {
     if let Shape::Label { label, .. } = &item.shape { label.source() } else { "" }
 }
 
-fn blank(item: &Item) -> Item {
+fn blank(item: &FigureItem) -> FigureItem {
     let mut item = item.clone();
     if let Shape::Label { label, anchor, at, size_mm, .. } = &mut item.shape {
         // The writer places a label by its left end.
@@ -322,7 +322,7 @@ fn places(markup: &str, changing: &[usize]) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::geom::Point;
-    use crate::paper::item::Stroke;
+    use crate::paper::item::LineStroke;
 
     #[test]
     fn markup_is_taken_apart() {
@@ -342,13 +342,13 @@ mod tests {
     #[test]
     fn an_element_that_comes_and_goes() {
         let line = |id: &str, x: f64| {
-            Item::new("link", Shape::Line { from: Point::ORIGIN, to: Point::new(x, 3.0), stroke: Stroke::new(0.5) }).with_id(id)
+            FigureItem::new("link", Shape::Line { from: Point::ORIGIN, to: Point::new(x, 3.0), stroke: LineStroke::new(0.5) }).with_id(id)
         };
-        let mut track = Track::new(10.0, 0, 3);
+        let mut track = DrawingTrack::new(10.0, 0, 3);
         track.add(0, &[line("a", 1.0), line("c", 1.0)], &[]).unwrap();
         track.add(1, &[line("a", 2.0), line("b", 5.0), line("c", 1.0)], &[]).unwrap();
         track.add(2, &[line("a", 3.0), line("c", 1.0)], &[]).unwrap();
-        let told = track.told(true);
+        let told = track.output(true);
         let ids: Vec<usize> = ["\"a\"", "\"b\"", "\"c\""].iter().map(|id| told.markup.find(id).unwrap()).collect();
         assert!(ids.is_sorted() && told.markup.contains("<line display=\"none\""), "{}", told.markup);
         assert_eq!(told.moving.len(), 2);

@@ -10,7 +10,7 @@
 
 use crate::construct::scale::{self, Boxes, extent};
 use crate::equilibrium::Equilibrium;
-use crate::figure::series::{Scales, ends, size};
+use crate::figure::series::{SeriesScales, ends, size};
 use crate::geom::{Point, Vec2};
 use crate::paper::extent::Rect;
 use crate::scene::{DiagramKind, Paper};
@@ -82,7 +82,7 @@ pub struct Windows {
 }
 
 /// The ends of the vectors in a part of a pose's polygon (SI).
-pub type Ends<'a> = &'a dyn Fn(&Worked, usize) -> Vec<Point>;
+pub type VectorEnds<'a> = &'a dyn Fn(&Worked, usize) -> Vec<Point>;
 
 /// A pose's polygon, or a part of it, as one drawing shows it.
 struct Sight {
@@ -103,10 +103,10 @@ impl Zoom {
     pub fn of(
         paper: &Paper,
         poses: &[(f64, &Worked)],
-        common: &Scales,
+        common: &SeriesScales,
         on: DiagramKind,
         boxes: Boxes,
-        parts: Option<Ends>,
+        parts: Option<VectorEnds>,
         label_mm: &[f64],
     ) -> Option<Zoom> {
         let one = common.mu.get(on.kind())?;

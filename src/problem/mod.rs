@@ -14,9 +14,9 @@ mod task;
 pub mod templates;
 mod wish;
 
-use crate::answer::Value;
+use crate::answer::AnswerValue;
 use crate::diag::{Diagnostic, Faults, Warned};
-use crate::figure::list::{Entry, Extras, Pages, USUAL};
+use crate::figure::list::{Extras, FigureEntry, Pages, USUAL};
 use crate::figure::sheet;
 use crate::notation::Notation;
 use crate::paper::style::Style;
@@ -25,7 +25,7 @@ use crate::report::statement;
 use crate::scene::{Lang, Scene, Swept};
 use crate::synthesis;
 use crate::worked::{Worked, instant};
-use crate::worksheet::{Document, Sides};
+use crate::worksheet::{Document, WorksheetSides};
 use serde_json::{Value as Json, json};
 
 pub use scene::whole_motion;
@@ -41,7 +41,7 @@ pub enum Problem {
     /// A task of design.
     Task(Box<synthesis::Task>),
     /// Motions of points without a mechanism.
-    Motion(Box<particle::Problem>),
+    Motion(Box<particle::ParticleProblem>),
 }
 
 /// The part of a scene that must be given.
@@ -225,8 +225,8 @@ impl Look {
         (lang, self.notation.clone().or_else(named).unwrap_or_else(|| Notation::of_language(lang)))
     }
 
-    fn sheet(&self, lang: Lang, notation: &Notation) -> sheet::Options {
-        sheet::Options { lang, notation: self.style.marks.over(notation), digits: self.digits, style: self.style.clone() }
+    fn sheet(&self, lang: Lang, notation: &Notation) -> sheet::SheetOptions {
+        sheet::SheetOptions { lang, notation: self.style.marks.over(notation), digits: self.digits, style: self.style.clone() }
     }
 }
 
@@ -234,7 +234,7 @@ impl Look {
 #[derive(Clone, Debug)]
 pub struct Pictures<'a> {
     /// The figures by name, for scenes only.
-    pub figures: &'a [&'static Entry],
+    pub figures: &'a [&'static FigureEntry],
     /// Vectors, dimensions, positions and paths drawn with the mechanism.
     pub extras: Extras,
     /// True for one picture per step of the construction instead.
@@ -297,12 +297,12 @@ pub struct Answer {
     /// The SI unit.
     pub unit: &'static str,
     /// The value (SI); `None` if the question has no answer.
-    pub value: Option<Value>,
+    pub value: Option<AnswerValue>,
     /// Text of the value with its certified digits, in the unit of the file, with sense or
     /// direction.
     pub text: String,
     /// The value read off the drawing (SI), if it was drawn.
-    pub drawn: Option<Value>,
+    pub drawn: Option<AnswerValue>,
     /// Relative difference between drawing and analysis.
     pub difference: Option<f64>,
 }
@@ -349,7 +349,7 @@ impl Solved {
     ///
     /// # Errors
     /// `attempt` for a mistake that cannot be made in this scene; those of the drawings.
-    pub fn worksheet(&self, sides: Sides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults> {
+    pub fn worksheet(&self, sides: WorksheetSides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults> {
         self.answered.worksheet(sides, mistake, look)
     }
 
@@ -384,7 +384,7 @@ trait Answered: std::fmt::Debug + Send + Sync {
     fn kind(&self) -> Kind;
     fn json(&self, look: &Look, steps: bool, notes: &[Diagnostic]) -> Json;
     fn figures(&self, pictures: &Pictures, look: &Look) -> Result<Warned<Pages>, Faults>;
-    fn worksheet(&self, sides: Sides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults>;
+    fn worksheet(&self, sides: WorksheetSides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults>;
     fn lesson(&self, lesson: &Lesson, look: &Look) -> Result<Warned<String>, Faults>;
 
     fn verdict(&self) -> Verdict {

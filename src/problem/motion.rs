@@ -1,36 +1,36 @@
 //! Motions of points without a mechanism.
 
 use super::{Answer, Answered, Kind, Lesson, Look, Pictures, Solved, Verdict};
-use crate::answer::Value as Told;
+use crate::answer::AnswerValue as Told;
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::list::Pages;
 use crate::figure::{fit, particle as figure, sheet};
 use crate::lesson::motion as lesson;
 use crate::notation::Notation;
 use crate::paper::style::{Marks, Style};
-use crate::particle::board::{self, Drawn};
-use crate::particle::{self, Problem, Value};
+use crate::particle::board::{self, MotionDrawing};
+use crate::particle::{self, ParticleProblem, ParticleValue};
 use crate::report::particle as report;
 use crate::scene::{Lang, Swept};
-use crate::worksheet::{self, Document, Sides};
+use crate::worksheet::{self, Document, WorksheetSides};
 use serde_json::Value as Json;
 
 /// Motions with their solution.
 #[derive(Debug)]
-struct Moved {
-    problem: Problem,
-    solved: particle::Solved,
-    board: Vec<Drawn>,
+struct MotionSolution {
+    problem: ParticleProblem,
+    solved: particle::ParticleSolution,
+    board: Vec<MotionDrawing>,
 }
 
-pub(super) fn solve(problem: &Problem) -> Result<Solved, Faults> {
+pub(super) fn solve(problem: &ParticleProblem) -> Result<Solved, Faults> {
     let solved = particle::solve(problem)?;
     let board = board::draw(problem)?;
     let notes = board.iter().filter_map(|d| d.unread.clone()).collect();
-    Ok(Solved { notes, answered: Box::new(Moved { problem: problem.clone(), solved, board }) })
+    Ok(Solved { notes, answered: Box::new(MotionSolution { problem: problem.clone(), solved, board }) })
 }
 
-impl Moved {
+impl MotionSolution {
     fn lang(&self, look: &Look) -> Lang {
         look.lang.or(self.problem.language).unwrap_or_default()
     }
@@ -42,7 +42,7 @@ impl Moved {
     }
 
     /// Relative difference between drawing and analysis.
-    fn apart(&self, answer: &particle::Answer) -> Option<f64> {
+    fn apart(&self, answer: &particle::ParticleAnswer) -> Option<f64> {
         let what = self.problem.find[answer.find].what;
         let drawn = report::drawn(&self.board, what)?;
         report::apart(&answer.value, drawn, report::largest(&self.problem, &self.solved, what))
@@ -61,10 +61,10 @@ fn in_plane(parts: &[f64]) -> Option<Told> {
     }
 }
 
-impl Answered for Moved {
+impl Answered for MotionSolution {
     fn answers(&self, look: &Look) -> Vec<Answer> {
         let lang = self.lang(look);
-        let answer = |a: &particle::Answer| {
+        let answer = |a: &particle::ParticleAnswer| {
             let find = &self.problem.find[a.find];
             let size = report::largest(&self.problem, &self.solved, find.what);
             let parts = a.value.vector().or_else(|| a.value.scalar().map(|s| vec![s]));
@@ -113,9 +113,10 @@ impl Answered for Moved {
         Ok(Warned { value: pages, notes: Vec::new() })
     }
 
-    fn worksheet(&self, sides: Sides, _: Option<&str>, look: &Look) -> Result<Document, Faults> {
-        let sheet = sheet::Options { style: self.style(look), digits: look.digits, ..sheet::Options::of_language(self.lang(look)) };
-        Ok(worksheet::particle(&self.problem, &self.solved, &self.board, &worksheet::Options { sheet, sides })?)
+    fn worksheet(&self, sides: WorksheetSides, _: Option<&str>, look: &Look) -> Result<Document, Faults> {
+        let sheet =
+            sheet::SheetOptions { style: self.style(look), digits: look.digits, ..sheet::SheetOptions::of_language(self.lang(look)) };
+        Ok(worksheet::particle(&self.problem, &self.solved, &self.board, &worksheet::WorksheetOptions { sheet, sides })?)
     }
 
     fn lesson(&self, wanted: &Lesson, look: &Look) -> Result<Warned<String>, Faults> {
@@ -123,7 +124,7 @@ impl Answered for Moved {
             Swept::Driver(k) => k,
             Swept::Time => 0,
         };
-        let options = lesson::Options { lang: self.lang(look), style: self.style(look), positions: wanted.positions, motion };
+        let options = lesson::MotionOptions { lang: self.lang(look), style: self.style(look), positions: wanted.positions, motion };
         let value = lesson::lesson(&self.problem, &options)?;
         Ok(Warned { value, notes: Vec::new() })
     }
@@ -132,7 +133,7 @@ impl Answered for Moved {
         if self.solved.answers.iter().filter_map(|a| self.apart(a)).any(|off| off > AGREES) {
             return Verdict::Disagree;
         }
-        let none = self.solved.answers.iter().any(|a| matches!(a.value, Value::None(_)));
+        let none = self.solved.answers.iter().any(|a| matches!(a.value, ParticleValue::None(_)));
         if none { Verdict::Unanswered } else { Verdict::Answered }
     }
 }

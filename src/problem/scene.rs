@@ -6,22 +6,22 @@ use crate::certified::{Certified, certify, steps};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::fit;
 use crate::figure::forces::zhukovsky;
-use crate::figure::list::{self, Entry, Pages, Wanted};
+use crate::figure::list::{self, FigureEntry, FigureInput, Pages};
 use crate::lesson;
 use crate::notation::Notation;
-use crate::plan::text::Writer;
-use crate::report::answers::{self, Line};
+use crate::plan::text::PlanWriter;
+use crate::report::answers::{self, AnswerLine};
 use crate::report::forces::ForceWriter;
 use crate::report::{construction, drafting, trains};
 use crate::scene::{DiagramKind, Lang, Scene};
 use crate::sweep::follow::course;
 use crate::worked::{NoAnswer, Scope, Unanswered, Worked, work};
-use crate::worksheet::{self, Document, Sides};
+use crate::worksheet::{self, Document, WorksheetSides};
 use serde_json::Value as Json;
 
 /// A scene with its solution.
 #[derive(Debug)]
-struct Mechanism {
+struct SceneSolution {
     scene: Scene,
     worked: Worked,
 }
@@ -38,7 +38,7 @@ pub(super) fn solve(given: &Scene, options: &Options) -> Result<Solved, Faults> 
     if options.drafting {
         worked = worked.with_drafting(&scene);
     }
-    Ok(Solved { notes, answered: Box::new(Mechanism { scene, worked }) })
+    Ok(Solved { notes, answered: Box::new(SceneSolution { scene, worked }) })
 }
 
 /// Returns a scene for its whole motion: cams with an equivalent linkage that holds only at the
@@ -65,7 +65,7 @@ pub fn whole_motion(scene: Scene) -> Warned<Scene> {
     Warned { value, notes }
 }
 
-impl Mechanism {
+impl SceneSolution {
     fn look(&self, look: &Look) -> (Lang, Notation) {
         look.of(self.scene.language, self.scene.notation.as_deref())
     }
@@ -75,16 +75,17 @@ impl Mechanism {
     }
 
     /// The requested figures, each once.
-    fn asked<'a>(&self, pictures: &Pictures<'a>) -> Vec<&'a Entry> {
+    fn asked<'a>(&self, pictures: &Pictures<'a>) -> Vec<&'a FigureEntry> {
         let there = pictures.figures.iter().any(|e| e.name == list::MECHANISM.name);
-        let alone: [&'static Entry; 1] = [list::MECHANISM];
-        let asked: Vec<&'a Entry> = if pictures.extras.of_mechanism_alone() && !there { alone.to_vec() } else { pictures.figures.to_vec() };
-        let first = |(k, entry): (usize, &&'a Entry)| (!asked[..k].iter().any(|e| e.name == entry.name)).then_some(*entry);
+        let alone: [&'static FigureEntry; 1] = [list::MECHANISM];
+        let asked: Vec<&'a FigureEntry> =
+            if pictures.extras.of_mechanism_alone() && !there { alone.to_vec() } else { pictures.figures.to_vec() };
+        let first = |(k, entry): (usize, &&'a FigureEntry)| (!asked[..k].iter().any(|e| e.name == entry.name)).then_some(*entry);
         asked.iter().enumerate().filter_map(first).collect()
     }
 }
 
-impl Answered for Mechanism {
+impl Answered for SceneSolution {
     fn answers(&self, look: &Look) -> Vec<Answer> {
         let (lang, _) = self.look(look);
         let certified = self.certified(look);
@@ -92,28 +93,28 @@ impl Answered for Mechanism {
             let find = &self.scene.find[find];
             Answer { find: find.text.clone(), unit: find.what.kind().si(), value: None, text, drawn: None, difference: None }
         };
-        let answer = |line: Line| match line {
-            Line::Answer(r, c) => Answer {
+        let answer = |line: AnswerLine| match line {
+            AnswerLine::Answer(r, c) => Answer {
                 value: Some(r.value()),
                 drawn: r.drawn.as_ref().map(|d| d.value),
                 difference: r.agreement.map(|a| a.difference),
                 ..without(r.find, answers::value_words(&self.scene.book, &self.scene.find[r.find], r.value(), c, look.digits, lang))
             },
-            Line::None(u) => without(u.find, format!("{} ({})", answers::verdict(u, lang), answers::reason(&self.scene, u, lang))),
-            Line::Far(far) => without(far.find, answers::at_infinity(far, lang)),
+            AnswerLine::None(u) => without(u.find, format!("{} ({})", answers::verdict(u, lang), answers::reason(&self.scene, u, lang))),
+            AnswerLine::InfiniteCentre(far) => without(far.find, answers::at_infinity(far, lang)),
         };
         answers::lines(&self.worked, &certified).into_iter().map(answer).collect()
     }
 
     fn text(&self, look: &Look, with_steps: bool) -> String {
-        let Mechanism { scene, worked } = self;
+        let SceneSolution { scene, worked } = self;
         let (lang, notation) = self.look(look);
         let mut out = answers::text(scene, worked, &self.certified(look), look.digits, lang);
         out += &trains::text(scene, worked, lang);
         if worked.drafting.is_none() && !with_steps {
             return out;
         }
-        let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
+        let w = PlanWriter { scene, plan: &worked.plan, notation: &notation, lang };
         let steps = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
         if worked.drafting.is_some() {
             out += &format!("\n{}", drafting::text(&w, worked, &steps));
@@ -141,8 +142,8 @@ impl Answered for Mechanism {
     fn figures(&self, pictures: &Pictures, look: &Look) -> Result<Warned<Pages>, Faults> {
         let (lang, notation) = self.look(look);
         let options = look.sheet(lang, &notation);
-        let Mechanism { scene, worked } = self;
-        let wanted = Wanted { scene, worked, options: &options, extras: &pictures.extras };
+        let SceneSolution { scene, worked } = self;
+        let wanted = FigureInput { scene, worked, options: &options, extras: &pictures.extras };
         if pictures.steps {
             let value = fit::steps(&wanted, pictures.width_mm)?;
             return if value.is_empty() { Err(no_steps().into()) } else { Ok(Warned { value, notes: Vec::new() }) };
@@ -159,10 +160,10 @@ impl Answered for Mechanism {
         if missing.has_errors() { Err(missing) } else { Ok(Warned { value: out, notes }) }
     }
 
-    fn worksheet(&self, sides: Sides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults> {
+    fn worksheet(&self, sides: WorksheetSides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults> {
         let (lang, notation) = self.look(look);
-        let options = worksheet::Options { sheet: look.sheet(lang, &notation), sides };
-        let Mechanism { scene, worked } = self;
+        let options = worksheet::WorksheetOptions { sheet: look.sheet(lang, &notation), sides };
+        let SceneSolution { scene, worked } = self;
         let Some(name) = mistake else { return Ok(worksheet::worksheet(scene, worked, &options)) };
         let all = attempts::wanted(scene, worked, false)?;
         match all.iter().find(|a| name.is_empty() || a.site.mistake().name() == name) {
@@ -182,7 +183,7 @@ impl Answered for Mechanism {
             };
         }
         let Lesson { positions, swept, .. } = *wanted;
-        let options = lesson::Options { lang, notation, positions, swept, style: look.style.clone() };
+        let options = lesson::LessonOptions { lang, notation, positions, swept, style: look.style.clone() };
         lesson::of_worked(&self.scene, &self.worked, &options)
     }
 

@@ -7,14 +7,14 @@ use crate::figure::{fit, sheet, synthesis as figure};
 use crate::lesson::design as lesson;
 use crate::report::synthesis as report;
 use crate::scene::Lang;
-use crate::synthesis::{self, Candidate, Design, Task};
-use crate::worksheet::{self, Document, Sides};
+use crate::synthesis::{self, Design, DesignCandidate, Task};
+use crate::worksheet::{self, Document, WorksheetSides};
 use hodograph_base::json;
 use serde_json::Value as Json;
 
 /// The construction of a candidate as text and for programs.
 #[derive(Debug)]
-struct Construction {
+struct CandidateSteps {
     steps: Both,
     json: Json,
 }
@@ -26,7 +26,7 @@ struct Designed {
     design: Design,
     picked: usize,
     /// The construction; `None` if it does not close on paper.
-    construction: Option<Construction>,
+    construction: Option<CandidateSteps>,
 }
 
 pub(super) fn solve(task: &Task, options: &Options) -> Result<Solved, Faults> {
@@ -39,7 +39,7 @@ pub(super) fn solve(task: &Task, options: &Options) -> Result<Solved, Faults> {
     let candidate = &design.candidates[picked];
     let construction = figure::to_scale(task, candidate)?.map(|board| {
         let [en, zh] = [Lang::En, Lang::Zh].map(|lang| report::steps(candidate, &board, lang));
-        Construction { steps: Both { en, zh }, json: report::construction(&board) }
+        CandidateSteps { steps: Both { en, zh }, json: report::construction(&board) }
     });
     let notes = design.notes.clone();
     Ok(Solved { notes, answered: Box::new(Designed { task: task.clone(), design, picked, construction }) })
@@ -55,9 +55,9 @@ pub fn included(source: Vec<u8>, mut file: impl FnMut(&str) -> Result<Vec<u8>, D
         return Ok(source);
     }
     let Ok((text, root)) = json::parse(&source, &mut Faults::default()) else { return Ok(source) };
-    let json::Kind::Object(members) = &root.kind else { return Ok(source) };
+    let json::NodeKind::Object(members) = &root.kind else { return Ok(source) };
     let named = members.iter().find_map(|(key, node)| match &node.kind {
-        json::Kind::Text(name) if key.text == "scene" && name.ends_with(".json") => Some((name, node.span)),
+        json::NodeKind::Text(name) if key.text == "scene" && name.ends_with(".json") => Some((name, node.span)),
         _ => None,
     });
     let Some((name, span)) = named else { return Ok(source) };
@@ -80,7 +80,7 @@ impl Designed {
         look.lang.or(self.task.language).unwrap_or_default()
     }
 
-    fn candidate(&self) -> &Candidate {
+    fn candidate(&self) -> &DesignCandidate {
         &self.design.candidates[self.picked]
     }
 }
@@ -129,13 +129,13 @@ impl Answered for Designed {
         Ok(Warned { value: pages, notes: Vec::new() })
     }
 
-    fn worksheet(&self, sides: Sides, _: Option<&str>, look: &Look) -> Result<Document, Faults> {
-        let sheet = sheet::Options { style: look.style.clone(), ..sheet::Options::of_language(self.lang(look)) };
-        worksheet::design(&self.task, &self.design, self.picked, &worksheet::Options { sheet, sides })
+    fn worksheet(&self, sides: WorksheetSides, _: Option<&str>, look: &Look) -> Result<Document, Faults> {
+        let sheet = sheet::SheetOptions { style: look.style.clone(), ..sheet::SheetOptions::of_language(self.lang(look)) };
+        worksheet::design(&self.task, &self.design, self.picked, &worksheet::WorksheetOptions { sheet, sides })
     }
 
     fn lesson(&self, _: &Lesson, look: &Look) -> Result<Warned<String>, Faults> {
-        let options = lesson::Options { lang: self.lang(look), style: look.style.clone() };
+        let options = lesson::DesignOptions { lang: self.lang(look), style: look.style.clone() };
         let value = lesson::lesson(&self.task, self.candidate(), &options)?;
         Ok(Warned { value, notes: Vec::new() })
     }

@@ -6,23 +6,23 @@
 //! ([`crate::synthesis::told`]), the numbers from its candidates.
 
 use super::speak::Speak;
-use super::{Block, Document, Options, Sides, Table, TableKind, one_line};
+use super::{Document, DocumentBlock, DocumentTable, TableKind, WorksheetOptions, WorksheetSides, one_line};
 use crate::diag::{Both, Faults};
 use crate::digits::{inked, shortest, significant};
 use crate::figure::synthesis::{self as figure, Set};
 use crate::paper::item::Figure;
 use crate::paper::label::Label;
-use crate::paper::phrase::{Phrase, Piece, tr};
+use crate::paper::phrase::{Phrase, PhrasePiece, tr};
 use crate::report::drafting::DIGITS;
 use crate::report::limits::grashof_words;
 use crate::report::math::Math;
 use crate::report::symbols::symbols;
 use crate::report::synthesis::{motion, taken, value};
 use crate::scene::{Kind, Lang};
-use crate::synthesis::board::{Board, Reading};
+use crate::synthesis::board::{PaperReading, SynthesisBoard};
 use crate::synthesis::by_hand::{pencil_mm, tolerances};
 use crate::synthesis::candidate::{letters, symbol};
-use crate::synthesis::{Candidate, Compared, Design, Proof, Task};
+use crate::synthesis::{Compared, Design, DesignCandidate, Proof, Task};
 
 /// Rows of a function's table, both ends included.
 const ROWS: usize = 25;
@@ -32,10 +32,10 @@ const LENGTHS: usize = 5;
 /// Makes the worksheet of a synthesis task, with the construction of one of its candidates, counted from 0.
 ///
 /// ```
-/// use hodograph::{scene::Lang, synthesis, worksheet::{self, Options}};
+/// use hodograph::{scene::Lang, synthesis, worksheet::{self, WorksheetOptions}};
 /// let task = synthesis::read(synthesis::templates::get("body").unwrap())?.value;
 /// let design = synthesis::solve(&task)?;
-/// let document = worksheet::design(&task, &design, 0, &Options::of_language(Lang::En))?;
+/// let document = worksheet::design(&task, &design, 0, &WorksheetOptions::of_language(Lang::En))?;
 /// assert!(worksheet::markdown::markdown(&document, "body")?.0.contains("## Construction"));
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
@@ -45,57 +45,57 @@ const LENGTHS: usize = 5;
 ///
 /// # Panics
 /// There is no such candidate.
-pub fn design(task: &Task, design: &Design, pick: usize, options: &Options) -> Result<Document, Faults> {
+pub fn design(task: &Task, design: &Design, pick: usize, options: &WorksheetOptions) -> Result<Document, Faults> {
     let candidate = &design.candidates[pick];
     let lang = options.sheet.lang;
     let board = figure::to_scale(task, candidate)?;
     let set = Set { style: &options.sheet.style, lang, whole: false };
-    let maker = Maker { task, design, pick, candidate, board, set };
+    let maker = DesignMaker { task, design, pick, candidate, board, set };
     let mut blocks = Vec::new();
-    if options.sides != Sides::Solution {
+    if options.sides != WorksheetSides::Solution {
         maker.problem(&mut blocks);
     }
-    if options.sides != Sides::Problem {
+    if options.sides != WorksheetSides::Problem {
         maker.solution(&mut blocks);
     }
     let title = one_line(lang.of(&task.heading.title));
     Ok(Document { title, lang, fonts: options.sheet.style.fonts.clone(), blocks })
 }
 
-struct Maker<'a> {
+struct DesignMaker<'a> {
     task: &'a Task,
     design: &'a Design,
     pick: usize,
-    candidate: &'a Candidate,
-    board: Option<Board>,
+    candidate: &'a DesignCandidate,
+    board: Option<SynthesisBoard>,
     set: Set<'a>,
 }
 
-impl Speak for Maker<'_> {
+impl Speak for DesignMaker<'_> {
     fn lang(&self) -> Lang {
         self.set.lang
     }
 }
 
-impl Maker<'_> {
+impl DesignMaker<'_> {
     fn said(&self, text: &Both) -> Phrase {
         Phrase::new(self.lang().of(text))
     }
 
-    fn problem(&self, blocks: &mut Vec<Block>) {
+    fn problem(&self, blocks: &mut Vec<DocumentBlock>) {
         let stated = self.task.statement();
         blocks.push(self.heading(1, "Problem", "题目"));
-        blocks.push(Block::Paragraph(self.said(&stated.task)));
+        blocks.push(DocumentBlock::Paragraph(self.said(&stated.task)));
         if let Some(board) = self.board.as_ref().filter(|_| stated.open_steps > 0) {
             let mut open = board.clone();
             open.steps.truncate(stated.open_steps);
             blocks.push(picture("given", figure::construction(self.task, self.candidate, &open, self.set)));
         }
-        let list = |all: &[Both]| Block::List { numbered: false, members: all.iter().map(|b| self.said(b)).collect() };
+        let list = |all: &[Both]| DocumentBlock::List { numbered: false, members: all.iter().map(|b| self.said(b)).collect() };
         blocks.extend([self.heading(2, "Given", "已知"), list(&stated.given), self.heading(2, "Wanted", "求"), list(&stated.wanted)]);
     }
 
-    fn solution(&self, blocks: &mut Vec<Block>) {
+    fn solution(&self, blocks: &mut Vec<DocumentBlock>) {
         blocks.push(self.heading(1, "Solution", "解"));
         if self.design.candidates.len() > 1 {
             let which = self.lang().of(&self.candidate.draft.which);
@@ -104,7 +104,7 @@ impl Maker<'_> {
                 Lang::En => format!("Carried out here: candidate {k} of {n}, {}.", symbols(which)),
                 Lang::Zh => format!("以下给出第 {k} 个方案（共 {n} 个）：{}。", symbols(which)),
             };
-            blocks.push(Block::Paragraph(Phrase::new(&text)));
+            blocks.push(DocumentBlock::Paragraph(Phrase::new(&text)));
         }
         if let Some(board) = &self.board {
             self.construction(board, blocks);
@@ -116,14 +116,14 @@ impl Maker<'_> {
     }
 
     /// The drawing, its steps, and the measured values.
-    fn construction(&self, board: &Board, blocks: &mut Vec<Block>) {
+    fn construction(&self, board: &SynthesisBoard, blocks: &mut Vec<DocumentBlock>) {
         blocks.push(self.heading(2, "Construction", "作图"));
         blocks.push(picture("construction", figure::construction(self.task, self.candidate, board, self.set)));
-        let sentence = |s: &crate::synthesis::board::Step| Phrase::new(&symbols(self.lang().of(&s.text)));
-        blocks.push(Block::List { numbered: true, members: board.steps.iter().map(sentence).collect() });
+        let sentence = |s: &crate::synthesis::board::BoardStep| Phrase::new(&symbols(self.lang().of(&s.text)));
+        blocks.push(DocumentBlock::List { numbered: true, members: board.steps.iter().map(sentence).collect() });
         let by_hand = tolerances(self.task, self.candidate, board);
         let numbered = board.readings.iter().zip(by_hand).filter_map(|(r, t)| Some((r, t, self.candidate.number(&r.name)?)));
-        let read: Vec<(&Reading, Option<f64>, f64)> = numbered.collect();
+        let read: Vec<(&PaperReading, Option<f64>, f64)> = numbered.collect();
         if read.is_empty() {
             return;
         }
@@ -154,7 +154,7 @@ impl Maker<'_> {
                 tolerance.map_or("—".to_owned(), |t| format!("± {}", if r.angle { degrees(t, DIGITS) } else { self.length(t, DIGITS) }));
             rows.push([format!("${}$", symbol(&r.name)), measured, drawn, exact, hand].iter().map(|c| Phrase::new(c)).collect());
         }
-        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+        blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
     }
 
     /// A length in the unit of the file.
@@ -166,16 +166,16 @@ impl Maker<'_> {
         }
     }
 
-    fn proof(&self, blocks: &mut Vec<Block>) {
+    fn proof(&self, blocks: &mut Vec<DocumentBlock>) {
         blocks.push(self.heading(2, "Closed formula", "公式计算"));
         for Proof { what, formulas } in self.task.proof(self.candidate) {
-            blocks.push(Block::Paragraph(self.said(&what)));
-            blocks.extend(formulas.iter().map(|f| Block::Formula(parts(f))));
+            blocks.push(DocumentBlock::Paragraph(self.said(&what)));
+            blocks.extend(formulas.iter().map(|f| DocumentBlock::Formula(parts(f))));
         }
     }
 
     /// The finished linkage, and the results of sweeping its scene.
-    fn linkage(&self, blocks: &mut Vec<Block>) {
+    fn linkage(&self, blocks: &mut Vec<DocumentBlock>) {
         blocks.push(self.heading(2, "The linkage in its positions", "机构的各位置"));
         blocks.push(picture("positions", figure::linkage(self.task, self.candidate, self.set)));
         let swept = match self.lang() {
@@ -184,15 +184,15 @@ impl Maker<'_> {
             }
             Lang::Zh => format!("由第一位置起考察其运动：{}。", motion(self.candidate, Lang::Zh).replace(" · ", "；")),
         };
-        blocks.push(Block::Paragraph(Phrase::new(&swept)));
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&swept)));
         let said: Vec<Phrase> = self.candidate.notes().map(|d| Phrase::new(&symbols(self.lang().of(&d.message)))).collect();
         if !said.is_empty() {
-            blocks.push(Block::List { numbered: false, members: said });
+            blocks.push(DocumentBlock::List { numbered: false, members: said });
         }
     }
 
     /// Wanted and actual values over the range of a function.
-    fn course(&self, blocks: &mut Vec<Block>) {
+    fn course(&self, blocks: &mut Vec<DocumentBlock>) {
         let Some(figure) = figure::deviation(self.task, self.candidate, self.set) else { return };
         let course = &self.candidate.draft.course;
         blocks.push(self.heading(2, "Structural error", "结构误差"));
@@ -214,10 +214,10 @@ impl Maker<'_> {
         };
         let steps = course.len().clamp(2, ROWS) - 1;
         rows.extend((0..=steps).filter_map(|k| course.get(k * course.len().saturating_sub(1) / steps)).map(row));
-        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+        blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
     }
 
-    fn candidates(&self, blocks: &mut Vec<Block>) {
+    fn candidates(&self, blocks: &mut Vec<DocumentBlock>) {
         blocks.push(self.heading(2, "All candidates", "全部方案"));
         let lengths: Vec<&str> = self
             .candidate
@@ -240,27 +240,31 @@ impl Maker<'_> {
             row.push(Phrase::new(&self.verdict(c)));
             rows.push(row);
         }
-        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
-        blocks.push(Block::Paragraph(Phrase::new(&taken(self.design, self.lang()))));
+        blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&taken(self.design, self.lang()))));
         let told: Vec<Phrase> = self
             .design
             .numbers
             .iter()
             .map(|n| {
                 let colon = tr(self.lang(), ": ", "：");
-                let words = |text: String| Piece::Words(text);
+                let words = |text: String| PhrasePiece::Words(text);
                 let what = words(format!("{}{colon}", self.lang().of(&n.what)));
-                Phrase::of_pieces(vec![what, Piece::Formula(printed(&n.name)), words(format!(" = {}", inked(&value(&self.task.book, n))))])
+                Phrase::of_pieces(vec![
+                    what,
+                    PhrasePiece::Formula(printed(&n.name)),
+                    words(format!(" = {}", inked(&value(&self.task.book, n)))),
+                ])
             })
             .collect();
         if !told.is_empty() {
             blocks.push(self.heading(2, "Numbers of the task", "其他数据"));
-            blocks.push(Block::List { numbered: false, members: told });
+            blocks.push(DocumentBlock::List { numbered: false, members: told });
         }
     }
 
     /// Grashof's type, and the defects.
-    fn verdict(&self, c: &Candidate) -> String {
+    fn verdict(&self, c: &DesignCandidate) -> String {
         let grashof = c.judged.grashof.map(|g| grashof_words(g, self.lang()).to_owned());
         let defects = c.judged.defects.iter().map(|d| self.lang().of(&d.message).to_owned());
         let all: Vec<String> = grashof.into_iter().chain(defects).collect();
@@ -268,8 +272,8 @@ impl Maker<'_> {
     }
 }
 
-fn picture(name: &'static str, figure: Figure) -> Block {
-    Block::Figure { name, figure: Box::new(figure) }
+fn picture(name: &'static str, figure: Figure) -> DocumentBlock {
+    DocumentBlock::Figure { name, figure: Box::new(figure) }
 }
 
 fn mm(value_m: f64, digits: usize) -> String {
@@ -339,15 +343,15 @@ fn printed(name: &str) -> String {
 mod tests {
     use super::*;
     use crate::synthesis::{self, KINDS, templates};
-    use crate::worksheet::Options;
+    use crate::worksheet::WorksheetOptions;
 
-    fn phrases(block: &Block) -> Vec<Phrase> {
+    fn phrases(block: &DocumentBlock) -> Vec<Phrase> {
         match block {
-            Block::Heading(_, text) => vec![Phrase::of_words(text)],
-            Block::Paragraph(p) => vec![p.clone()],
-            Block::List { members, .. } => members.clone(),
-            Block::Table(t) => t.rows.iter().flatten().cloned().collect(),
-            Block::Formula(_) | Block::Figure { .. } => Vec::new(),
+            DocumentBlock::Heading(_, text) => vec![Phrase::of_words(text)],
+            DocumentBlock::Paragraph(p) => vec![p.clone()],
+            DocumentBlock::List { members, .. } => members.clone(),
+            DocumentBlock::Table(t) => t.rows.iter().flatten().cloned().collect(),
+            DocumentBlock::Formula(_) | DocumentBlock::Figure { .. } => Vec::new(),
         }
     }
 
@@ -357,8 +361,8 @@ mod tests {
             let task = synthesis::read(templates::get(kind.name).unwrap()).unwrap().value;
             let solved = synthesis::solve(&task).unwrap();
             for lang in [Lang::En, Lang::Zh] {
-                let document = design(&task, &solved, 0, &Options::of_language(lang)).unwrap();
-                let formulas = document.blocks.iter().filter(|b| matches!(b, Block::Formula(_))).count();
+                let document = design(&task, &solved, 0, &WorksheetOptions::of_language(lang)).unwrap();
+                let formulas = document.blocks.iter().filter(|b| matches!(b, DocumentBlock::Formula(_))).count();
                 assert!(formulas > 1, "{}", kind.name);
                 for label in labels(&document) {
                     assert_eq!(label.faults(), [], "{}: {}", kind.name, label.source());
@@ -378,8 +382,8 @@ mod tests {
             Math::Row(l) | Math::Root(l) => vec![l.clone()],
             Math::Fraction(a, b) => vec![a.clone(), b.clone()],
         };
-        let of = |b: &Block| match b {
-            Block::Formula(parts) => parts.iter().flat_map(of_math).collect(),
+        let of = |b: &DocumentBlock| match b {
+            DocumentBlock::Formula(parts) => parts.iter().flat_map(of_math).collect(),
             other => phrases(other).iter().map(Phrase::label).collect::<Vec<_>>(),
         };
         document.blocks.iter().flat_map(of).collect()
@@ -390,7 +394,7 @@ mod tests {
         for kind in KINDS {
             let task = synthesis::read(templates::get(kind.name).unwrap()).unwrap().value;
             let solved = synthesis::solve(&task).unwrap();
-            let options = Options { sides: Sides::Problem, ..Options::of_language(Lang::En) };
+            let options = WorksheetOptions { sides: WorksheetSides::Problem, ..WorksheetOptions::of_language(Lang::En) };
             let document = design(&task, &solved, 0, &options).unwrap();
             let text: String = document.blocks.iter().flat_map(phrases).map(|p| p.plain() + "\n").collect();
             for answer in ["BC", "CD", "AB"].iter().filter_map(|n| solved.candidates[0].number(n)) {

@@ -3,7 +3,7 @@
 use crate::geom::Point;
 use crate::paper::extent::bounds;
 use crate::paper::font::own::Fonts;
-use crate::paper::item::{Anchor, Item, Shape, Stroke};
+use crate::paper::item::{Anchor, FigureItem, LineStroke, Shape};
 use crate::paper::label::Label;
 use crate::paper::text;
 use crate::report::math::Math;
@@ -19,7 +19,7 @@ const GAP_EM: f64 = 0.16;
 
 /// A display formula: items about its baseline, and the space above and below.
 pub(super) struct Built {
-    pub items: Vec<Item>,
+    pub items: Vec<FigureItem>,
     pub above: f64,
     pub below: f64,
 }
@@ -29,8 +29,8 @@ pub(super) fn built(parts: &[Math], em: f64, fonts: &Fonts) -> Built {
     let mut out = Built { items: Vec::new(), above: em, below: 0.3 * em };
     let mut x = 0.0;
     let rule = |from: f64, to: f64, y: f64| {
-        let shape = Shape::Line { from: Point::new(from, y), to: Point::new(to, y), stroke: Stroke::new(RULE_EM * em) };
-        Item::new("rule", shape)
+        let shape = Shape::Line { from: Point::new(from, y), to: Point::new(to, y), stroke: LineStroke::new(RULE_EM * em) };
+        FigureItem::new("rule", shape)
     };
     let set = |label: &Label| label.clone().in_fonts(fonts);
     for part in parts {

@@ -1,9 +1,9 @@
 //! A worksheet as one HTML file: formulas in MathML, drawings as SVG inside it, a style for screen
 //! and print. The file fetches nothing and is also well-formed XML.
 
-use super::{Block, Document, Table, TableKind};
+use super::{Document, DocumentBlock, DocumentTable, TableKind};
 use crate::diag::Faults;
-use crate::paper::item::{Figure, Item};
+use crate::paper::item::{Figure, FigureItem};
 use crate::paper::words::words;
 use crate::render::{escaped, number::mm, svg};
 use crate::report::html::sentence;
@@ -54,15 +54,15 @@ pub fn html(document: &Document) -> Result<String, Faults> {
     let mut sides = 0;
     for block in &document.blocks {
         match block {
-            Block::Heading(level, text) => {
+            DocumentBlock::Heading(level, text) => {
                 sides += usize::from(*level == 1);
                 // The title has the first level; the second side begins a new page.
                 let class = if *level == 1 && sides > 1 { " class=\"solution\"" } else { "" };
                 let h = level + 1;
                 out += &format!("<h{h}{class}>{}</h{h}>\n", escaped(text));
             }
-            Block::Paragraph(p) => out += &format!("<p>{}</p>\n", sentence(p)),
-            Block::List { numbered, members } => {
+            DocumentBlock::Paragraph(p) => out += &format!("<p>{}</p>\n", sentence(p)),
+            DocumentBlock::List { numbered, members } => {
                 let tag = if *numbered { "ol" } else { "ul" };
                 out += &format!("<{tag}>\n");
                 for m in members {
@@ -70,9 +70,9 @@ pub fn html(document: &Document) -> Result<String, Faults> {
                 }
                 out += &format!("</{tag}>\n");
             }
-            Block::Table(table) => out += &rows(table),
-            Block::Formula(parts) => out += &format!("<div class=\"scroll\">{}</div>\n", mathml_display(parts)),
-            Block::Figure { figure, .. } => out += &format!("<figure>\n{}</figure>\n", drawing(figure, &mut drawn)?),
+            DocumentBlock::Table(table) => out += &rows(table),
+            DocumentBlock::Formula(parts) => out += &format!("<div class=\"scroll\">{}</div>\n", mathml_display(parts)),
+            DocumentBlock::Figure { figure, .. } => out += &format!("<figure>\n{}</figure>\n", drawing(figure, &mut drawn)?),
         }
     }
     // The letters of all drawings, each once: ids must be unique in a page.
@@ -89,8 +89,8 @@ pub fn html(document: &Document) -> Result<String, Faults> {
 
 /// A drawing inside the page. Its parts have no ids, because several drawings must not share them.
 fn drawing(figure: &Figure, drawn: &mut Vec<svg::Elements>) -> Result<String, Faults> {
-    let nameless = |item: &Item| Item { id: String::new(), class: String::new(), ..item.clone() };
-    let items: Vec<Item> = figure.items.iter().map(nameless).collect();
+    let nameless = |item: &FigureItem| FigureItem { id: String::new(), class: String::new(), ..item.clone() };
+    let items: Vec<FigureItem> = figure.items.iter().map(nameless).collect();
     let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
     let (title, desc) = (escaped(&figure.title), escaped(&figure.desc));
     let mut elements = svg::Elements::new(figure.height_mm);
@@ -102,7 +102,7 @@ fn drawing(figure: &Figure, drawn: &mut Vec<svg::Elements>) -> Result<String, Fa
     ))
 }
 
-fn rows(table: &Table) -> String {
+fn rows(table: &DocumentTable) -> String {
     let class = match table.kind {
         TableKind::Equation => "equation",
         TableKind::Values => "values",

@@ -1,10 +1,10 @@
 //! A worksheet as Markdown: formulas in TeX between dollar signs, tables with pipes, drawings as
 //! SVG files in the same folder (programs that show Markdown seldom show embedded drawings).
 
-use super::{Beside, Block, Document, Table, backslashed, guarded, one_line, picture_names};
+use super::{CompanionFile, Document, DocumentBlock, DocumentTable, backslashed, guarded, one_line, picture_names};
 use crate::diag::Faults;
 use crate::paper::label::Label;
-use crate::paper::phrase::{Phrase, Piece};
+use crate::paper::phrase::{Phrase, PhrasePiece};
 use crate::render::svg;
 use crate::report::math::{tex, tex_display};
 
@@ -12,7 +12,7 @@ use crate::report::math::{tex, tex_display};
 ///
 /// # Errors
 /// Those of [`svg::write`] for a drawing.
-pub fn markdown(document: &Document, stem: &str) -> Result<(String, Vec<Beside>), Faults> {
+pub fn markdown(document: &Document, stem: &str) -> Result<(String, Vec<CompanionFile>), Faults> {
     let mut out = format!("# {}\n", escaped(&document.title));
     let pictures = picture_names(document, stem);
     let mut files = Vec::new();
@@ -20,27 +20,27 @@ pub fn markdown(document: &Document, stem: &str) -> Result<(String, Vec<Beside>)
     for block in &document.blocks {
         out.push('\n');
         match block {
-            Block::Heading(level, text) => out += &format!("{} {}\n", "#".repeat(usize::from(*level) + 1), escaped(text)),
-            Block::Paragraph(p) => out += &format!("{}\n", guarded(inline(p))),
-            Block::List { numbered, members } => {
+            DocumentBlock::Heading(level, text) => out += &format!("{} {}\n", "#".repeat(usize::from(*level) + 1), escaped(text)),
+            DocumentBlock::Paragraph(p) => out += &format!("{}\n", guarded(inline(p))),
+            DocumentBlock::List { numbered, members } => {
                 for (k, m) in members.iter().enumerate() {
                     let mark = if *numbered { format!("{}.", k + 1) } else { "-".into() };
                     out += &format!("{mark} {}\n", inline(m));
                 }
             }
-            Block::Table(table) => out += &rows(table),
-            Block::Formula(parts) => out += &format!("$${}$$\n", tex_display(parts)),
-            Block::Figure { .. } => {
+            DocumentBlock::Table(table) => out += &rows(table),
+            DocumentBlock::Formula(parts) => out += &format!("$${}$$\n", tex_display(parts)),
+            DocumentBlock::Figure { .. } => {
                 let (name, figure) = next.next().expect("every figure has its name");
                 out += &format!("![{}](<{}>)\n", escaped(&one_line(&figure.title)), target(name));
-                files.push(Beside { name: name.clone(), text: svg::write(figure)?.value });
+                files.push(CompanionFile { name: name.clone(), text: svg::write(figure)?.value });
             }
         }
     }
     Ok((out, files))
 }
 
-fn rows(table: &Table) -> String {
+fn rows(table: &DocumentTable) -> String {
     let mut out = String::new();
     for (r, row) in table.rows.iter().enumerate() {
         let cells: Vec<String> = row.iter().map(|c| inline(c).replace('|', "\\|")).collect();
@@ -53,9 +53,9 @@ fn rows(table: &Table) -> String {
 }
 
 fn inline(phrase: &Phrase) -> String {
-    let piece = |p: &Piece| match p {
-        Piece::Words(w) => escaped(w),
-        Piece::Formula(f) => format!("${}$", tex(&Label::math(f.as_str()))),
+    let piece = |p: &PhrasePiece| match p {
+        PhrasePiece::Words(w) => escaped(w),
+        PhrasePiece::Formula(f) => format!("${}$", tex(&Label::math(f.as_str()))),
     };
     phrase.pieces().iter().map(piece).collect()
 }

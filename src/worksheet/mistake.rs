@@ -5,40 +5,40 @@
 //! the right solution as in any worksheet.
 
 use super::speak::Speak;
-use super::{Block, Document, Maker, Options, Sides, document};
+use super::{Document, DocumentBlock, SheetMaker, WorksheetOptions, WorksheetSides, document};
 use crate::attempts::Attempt;
 use crate::certified::{certify, steps};
 use crate::figure::attempts::{as_printed, page_of};
 use crate::paper::phrase::Phrase;
-use crate::report::attempts::Words;
+use crate::report::attempts::AttemptWords;
 use crate::scene::Scene;
 use crate::worked::Worked;
 
 /// Makes the worksheet.
-pub fn find_the_mistake(scene: &Scene, worked: &Worked, attempt: &Attempt, options: &Options) -> Document {
+pub fn find_the_mistake(scene: &Scene, worked: &Worked, attempt: &Attempt, options: &WorksheetOptions) -> Document {
     let certified = certify(scene, worked, options.sheet.digits);
     let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
-    let maker = Maker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
-    let wrong = Maker { scene: &attempt.wrong.scene, worked: &attempt.wrong.worked, ..maker };
+    let maker = SheetMaker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
+    let wrong = SheetMaker { scene: &attempt.wrong.scene, worked: &attempt.wrong.worked, ..maker };
     let (lang, notation, digits) = (options.sheet.lang, &options.sheet.notation, options.sheet.digits);
-    let words = Words { scene, worked, certified: &certified, notation, lang, digits };
+    let words = AttemptWords { scene, worked, certified: &certified, notation, lang, digits };
     let mut blocks = Vec::new();
-    if options.sides != Sides::Solution {
+    if options.sides != WorksheetSides::Solution {
         maker.problem(&mut blocks);
         wrong.examined(&mut blocks, attempt, &words);
     }
-    if options.sides != Sides::Problem {
+    if options.sides != WorksheetSides::Problem {
         blocks.push(maker.heading(1, "The mistake", "错误所在"));
-        blocks.push(Block::Paragraph(words.heading_set(attempt)));
-        blocks.push(Block::Figure { name: "mistake", figure: Box::new(page_of(scene, worked, &options.sheet, attempt)) });
-        maker.solution(&mut blocks, options.sides == Sides::Solution);
+        blocks.push(DocumentBlock::Paragraph(words.heading_set(attempt)));
+        blocks.push(DocumentBlock::Figure { name: "mistake", figure: Box::new(page_of(scene, worked, &options.sheet, attempt)) });
+        maker.solution(&mut blocks, options.sides == WorksheetSides::Solution);
     }
     document(scene, options, blocks)
 }
 
-impl Maker<'_> {
+impl SheetMaker<'_> {
     /// The wrong solution, without any sign that it is wrong.
-    fn examined(&self, blocks: &mut Vec<Block>, attempt: &Attempt, words: &Words) {
+    fn examined(&self, blocks: &mut Vec<DocumentBlock>, attempt: &Attempt, words: &AttemptWords) {
         blocks.push(self.heading(2, "A solution to be examined", "待检查的解法"));
         blocks.push(self.paragraph(
             "The solution below contains one mistake. Find it, say why it is one, and give the right values.",
@@ -52,11 +52,11 @@ impl Maker<'_> {
             }
         }
         let figure = as_printed(attempt, self.options);
-        blocks.extend(figure.map(|f| Block::Figure { name: "examined", figure: Box::new(f) }));
+        blocks.extend(figure.map(|f| DocumentBlock::Figure { name: "examined", figure: Box::new(f) }));
         let members: Vec<Phrase> = attempt.rows.iter().filter_map(|r| words.claimed(r)).collect();
         if !members.is_empty() {
             blocks.push(self.paragraph("Its results:", "其结果："));
-            blocks.push(Block::List { numbered: false, members });
+            blocks.push(DocumentBlock::List { numbered: false, members });
         }
     }
 }

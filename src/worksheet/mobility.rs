@@ -6,7 +6,7 @@
 //! groups apart. For a scene with links and pairs only, these are listed and nothing is drawn.
 
 use super::speak::Speak;
-use super::{Block, Document, Maker, Options, Sides, Table, TableKind, document, pairs};
+use super::{Document, DocumentBlock, DocumentTable, SheetMaker, TableKind, WorksheetOptions, WorksheetSides, document, pairs};
 use crate::certified::steps;
 use crate::figure::groups;
 use crate::figure::sheet;
@@ -20,10 +20,10 @@ use crate::scene::{Driver, Guide, Lang, LinkId, PointId, Scene};
 use crate::worked::Worked;
 
 /// Makes the worksheet of a scene that is solved for [`crate::worked::Scope::Figure`].
-pub fn mobility(scene: &Scene, worked: &Worked, options: &Options) -> Document {
+pub fn mobility(scene: &Scene, worked: &Worked, options: &WorksheetOptions) -> Document {
     let told = steps(scene, worked, None);
-    let drawn = Maker { scene, worked, options: &options.sheet, certified: &[], told: &told };
-    Sheet { scene, options: &options.sheet, drawn: Some(drawn) }.document(options)
+    let drawn = SheetMaker { scene, worked, options: &options.sheet, certified: &[], told: &told };
+    MobilitySheet { scene, options: &options.sheet, drawn: Some(drawn) }.document(options)
 }
 
 /// Makes the worksheet of links and pairs ([`crate::scene::read_topology`]), which are listed, not
@@ -33,35 +33,35 @@ pub fn mobility(scene: &Scene, worked: &Worked, options: &Options) -> Document {
 /// use hodograph::{scene, worksheet};
 /// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1"}"#;
 /// let scene = scene::read_topology(text).unwrap().value;
-/// let document = worksheet::mobility_of_pairs(&scene, &worksheet::Options::of_language(scene::Lang::En));
-/// assert_eq!(document.blocks[0], worksheet::Block::Heading(1, "Problem".into()));
+/// let document = worksheet::mobility_of_pairs(&scene, &worksheet::WorksheetOptions::of_language(scene::Lang::En));
+/// assert_eq!(document.blocks[0], worksheet::DocumentBlock::Heading(1, "Problem".into()));
 /// ```
-pub fn mobility_of_pairs(scene: &Scene, options: &Options) -> Document {
-    Sheet { scene, options: &options.sheet, drawn: None }.document(options)
+pub fn mobility_of_pairs(scene: &Scene, options: &WorksheetOptions) -> Document {
+    MobilitySheet { scene, options: &options.sheet, drawn: None }.document(options)
 }
 
 /// The input of the sheet.
-struct Sheet<'a> {
+struct MobilitySheet<'a> {
     scene: &'a Scene,
-    options: &'a sheet::Options,
+    options: &'a sheet::SheetOptions,
     /// The maker of drawings, if the pose is given.
-    drawn: Option<Maker<'a>>,
+    drawn: Option<SheetMaker<'a>>,
 }
 
-impl Speak for Sheet<'_> {
+impl Speak for MobilitySheet<'_> {
     fn lang(&self) -> Lang {
         self.options.lang
     }
 }
 
-impl Sheet<'_> {
-    fn document(&self, options: &Options) -> Document {
+impl MobilitySheet<'_> {
+    fn document(&self, options: &WorksheetOptions) -> Document {
         let counted = Counted::of(self.scene);
         let mut blocks = Vec::new();
-        if options.sides != Sides::Solution {
+        if options.sides != WorksheetSides::Solution {
             self.asked_to_count(&mut blocks);
         }
-        if options.sides != Sides::Problem {
+        if options.sides != WorksheetSides::Problem {
             self.count(&mut blocks, &counted);
             self.split(&mut blocks, &counted);
         }
@@ -72,7 +72,7 @@ impl Sheet<'_> {
         self.scene.link_name(l)
     }
 
-    fn asked_to_count(&self, blocks: &mut Vec<Block>) {
+    fn asked_to_count(&self, blocks: &mut Vec<DocumentBlock>) {
         blocks.push(self.heading(1, "Problem", "题目"));
         match &self.drawn {
             Some(maker) => {
@@ -82,11 +82,11 @@ impl Sheet<'_> {
                 ));
                 blocks.push(whole(maker));
                 blocks.push(self.heading(2, "Given", "已知"));
-                blocks.push(Block::List { numbered: false, members: maker.givens().list() });
+                blocks.push(DocumentBlock::List { numbered: false, members: maker.givens().list() });
             }
             None => {
                 blocks.push(self.paragraph("A planar mechanism consists of these links and pairs:", "某平面机构由下列构件和运动副组成："));
-                blocks.push(Block::List { numbered: false, members: pairs::listed(self.scene, self.lang()) });
+                blocks.push(DocumentBlock::List { numbered: false, members: pairs::listed(self.scene, self.lang()) });
             }
         }
         blocks.push(self.heading(2, "Wanted", "求"));
@@ -113,14 +113,14 @@ impl Sheet<'_> {
             )
             .to_owned(),
         ];
-        blocks.push(Block::List { numbered: true, members: members.map(|m| Phrase::new(&m)).to_vec() });
+        blocks.push(DocumentBlock::List { numbered: true, members: members.map(|m| Phrase::new(&m)).to_vec() });
     }
 
     fn said(&self, both: &crate::diag::Both) -> Phrase {
         Phrase::of_words(if self.lang() == Lang::En { &both.en } else { &both.zh })
     }
 
-    fn count(&self, blocks: &mut Vec<Block>, counted: &Counted) {
+    fn count(&self, blocks: &mut Vec<DocumentBlock>, counted: &Counted) {
         blocks.push(self.heading(1, "Solution", "解"));
         blocks.push(self.heading(2, "Degree of freedom", "自由度"));
         let Counts { moving, lower, higher } = counted.survey.counts;
@@ -140,18 +140,18 @@ impl Sheet<'_> {
         let local: Vec<Phrase> = counted.local().iter().map(|b| self.said(b)).collect();
         row(self.tr("local freedoms $F'$", "局部自由度 $F'$"), local.len(), local.clone());
         row(self.tr("virtual constraints $p'$", "虚约束 $p'$"), counted.sure, counted.repeats().iter().map(|b| self.said(b)).collect());
-        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+        blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
         let f = counted.survey.counts.freedom(counted.sure, local.len());
         let formula = format!(
             "F = 3n - (2p_l + p_h - p') - F' = 3 \\times {moving} - (2 \\times {lower} + {higher} - {}) - {} = {f}",
             counted.sure,
             local.len()
         );
-        blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
+        blocks.push(DocumentBlock::Formula(vec![Math::Row(Label::math(formula))]));
         self.substituted(blocks, counted);
         let drivers = self.scene.own_drivers() as i64;
         let verdict = if drivers == 0 { self.needed(f) } else { self.determined(f, drivers) };
-        blocks.push(Block::Paragraph(Phrase::new(&verdict)));
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&verdict)));
     }
 
     /// Sentence: the number of drivers that a mechanism without drivers needs.
@@ -175,7 +175,7 @@ impl Sheet<'_> {
         }
     }
 
-    fn substituted(&self, blocks: &mut Vec<Block>, counted: &Counted) {
+    fn substituted(&self, blocks: &mut Vec<DocumentBlock>, counted: &Counted) {
         let s = counted.substituted();
         if s == counted.survey.counts {
             return;
@@ -186,26 +186,26 @@ impl Sheet<'_> {
         ));
         let (n, p) = (s.moving, s.lower);
         let formula = format!("n = {n} ,\\quad p_l = {p} ,\\quad F = 3 \\times {n} - 2 \\times {p} = {}", s.freedom(0, 0));
-        blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
+        blocks.push(DocumentBlock::Formula(vec![Math::Row(Label::math(formula))]));
     }
 
-    fn split(&self, blocks: &mut Vec<Block>, counted: &Counted) {
+    fn split(&self, blocks: &mut Vec<DocumentBlock>, counted: &Counted) {
         let given = counted.survey.choices.iter().find(|c| c.given);
         let Some(given) = given.or(counted.survey.choices.first()) else { return };
         blocks.push(self.heading(2, "Groups", "杆组"));
         let (driven, highest) = (self.driven(given), class(given, self.lang()));
-        blocks.push(Block::Paragraph(Phrase::of_words(&match self.lang() {
+        blocks.push(DocumentBlock::Paragraph(Phrase::of_words(&match self.lang() {
             Lang::En => format!("Driven: {driven}. Taken off from the far end, where they leave the rest moving as before:"),
             Lang::Zh => format!("原动件为{driven}。由远离原动件处开始，依次拆下："),
         })));
         let members = given.from_the_far_end().into_iter().map(|g| group_set(&given.scene, &given.mechanism, &g, self.lang()));
-        blocks.push(Block::List { numbered: true, members: members.collect() });
+        blocks.push(DocumentBlock::List { numbered: true, members: members.collect() });
         if let Some(maker) = &self.drawn {
             let (style, notation) = (&self.options.style, &self.options.notation);
             let figure = groups::figure(self.scene, maker.worked, style, notation, self.lang());
-            blocks.push(Block::Figure { name: "groups", figure: Box::new(figure) });
+            blocks.push(DocumentBlock::Figure { name: "groups", figure: Box::new(figure) });
         }
-        blocks.push(Block::Paragraph(Phrase::of_words(&match self.lang() {
+        blocks.push(DocumentBlock::Paragraph(Phrase::of_words(&match self.lang() {
             Lang::En => {
                 format!("What is left is driven with the ground. The highest class of a group is that of the mechanism: class {highest}.")
             }
@@ -222,7 +222,7 @@ impl Sheet<'_> {
             let cells = [self.driven(c), class(c, self.lang()).to_owned(), kinds(c, self.lang())];
             rows.push(cells.iter().map(|c| Phrase::of_words(c)).collect());
         }
-        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+        blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
     }
 
     /// The driven part: `link 2`, `the slider at C`.
@@ -251,8 +251,8 @@ impl Sheet<'_> {
 }
 
 /// The mechanism with redundant parts drawn like all others.
-fn whole(maker: &Maker) -> Block {
+fn whole(maker: &SheetMaker) -> DocumentBlock {
     let mut bare = maker.worked.clone();
     bare.mechanism.redundant.clear();
-    Maker { worked: &bare, ..*maker }.given_mechanism()
+    SheetMaker { worked: &bare, ..*maker }.given_mechanism()
 }

@@ -24,14 +24,14 @@ mod solution;
 mod speak;
 pub mod typst;
 
-use crate::certified::{Certified, Steps, certify, steps};
+use crate::certified::{Certified, CertifiedSteps, certify, steps};
 use crate::diag::Diagnostic;
 use crate::figure::sheet;
 use crate::notation::Notation;
 use crate::paper::font::own::Fonts;
 use crate::paper::item::Figure;
 use crate::paper::phrase::{Phrase, tr};
-use crate::plan::text::Writer;
+use crate::plan::text::PlanWriter;
 use crate::report::math::Math;
 use crate::scene::{Lang, LinkId, Scene};
 use crate::worked::Worked;
@@ -44,7 +44,7 @@ pub use particle::particle;
 
 /// The sides of a worksheet that are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Sides {
+pub enum WorksheetSides {
     /// The problem, then the solution.
     #[default]
     Both,
@@ -56,17 +56,17 @@ pub enum Sides {
 
 /// Options of a worksheet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Options {
+pub struct WorksheetOptions {
     /// Language, notation, digits, and the style of figures.
-    pub sheet: sheet::Options,
+    pub sheet: sheet::SheetOptions,
     /// The sides that are written.
-    pub sides: Sides,
+    pub sides: WorksheetSides,
 }
 
-impl Options {
+impl WorksheetOptions {
     /// Both sides in the default style of a language.
-    pub fn of_language(lang: Lang) -> Options {
-        Options { sheet: sheet::Options::of_language(lang), sides: Sides::Both }
+    pub fn of_language(lang: Lang) -> WorksheetOptions {
+        WorksheetOptions { sheet: sheet::SheetOptions::of_language(lang), sides: WorksheetSides::Both }
     }
 }
 
@@ -80,7 +80,7 @@ pub struct Document {
     /// The author's fonts for its pages; the other formats leave the choice to their readers.
     pub fonts: Fonts,
     /// Its contents.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<DocumentBlock>,
 }
 
 impl Document {
@@ -88,8 +88,12 @@ impl Document {
     /// labels.
     pub fn remarks(&self) -> Vec<Diagnostic> {
         let figures = self.blocks.iter().filter_map(|block| match block {
-            Block::Figure { figure, .. } => Some(figure),
-            Block::Heading(..) | Block::Paragraph(_) | Block::List { .. } | Block::Table(_) | Block::Formula(_) => None,
+            DocumentBlock::Figure { figure, .. } => Some(figure),
+            DocumentBlock::Heading(..)
+            | DocumentBlock::Paragraph(_)
+            | DocumentBlock::List { .. }
+            | DocumentBlock::Table(_)
+            | DocumentBlock::Formula(_) => None,
         });
         figures.max_by_key(|f| f.remarks().len() * f.labels_placed()).map_or_else(Vec::new, |f| f.remarks())
     }
@@ -97,7 +101,7 @@ impl Document {
 
 /// A block of a document.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Block {
+pub enum DocumentBlock {
     /// A heading: 1 for the sides, 2 within them, 3 within those.
     Heading(u8, String),
     /// A paragraph.
@@ -110,7 +114,7 @@ pub enum Block {
         members: Vec<Phrase>,
     },
     /// A table.
-    Table(Table),
+    Table(DocumentTable),
     /// A formula on a line of its own.
     Formula(Vec<Math>),
     /// A drawing, in true millimetres, with its caption in it.
@@ -124,7 +128,7 @@ pub enum Block {
 
 /// A table.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Table {
+pub struct DocumentTable {
     /// Its kind.
     pub kind: TableKind,
     /// Its rows, equally long; the first one heads the columns.
@@ -143,7 +147,7 @@ pub enum TableKind {
 
 /// A file that belongs to a document, such as a picture.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Beside {
+pub struct CompanionFile {
     /// Its name, in the folder of the document.
     pub name: String,
     /// Its contents.
@@ -156,25 +160,25 @@ pub struct Beside {
 /// use hodograph::{scene, worksheet, worked::{work, Scope}};
 /// let scene = scene::read(scene::templates::get("crank-rocker").unwrap()).unwrap().value;
 /// let worked = work(&scene, Scope::Figure).unwrap().value;
-/// let document = worksheet::worksheet(&scene, &worked, &worksheet::Options::of_language(scene::Lang::En));
-/// assert_eq!(document.blocks[0], worksheet::Block::Heading(1, "Problem".into()));
+/// let document = worksheet::worksheet(&scene, &worked, &worksheet::WorksheetOptions::of_language(scene::Lang::En));
+/// assert_eq!(document.blocks[0], worksheet::DocumentBlock::Heading(1, "Problem".into()));
 /// ```
-pub fn worksheet(scene: &Scene, worked: &Worked, options: &Options) -> Document {
+pub fn worksheet(scene: &Scene, worked: &Worked, options: &WorksheetOptions) -> Document {
     let certified = certify(scene, worked, options.sheet.digits);
     let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
-    let maker = Maker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
+    let maker = SheetMaker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
     let mut blocks = Vec::new();
-    if options.sides != Sides::Solution {
+    if options.sides != WorksheetSides::Solution {
         maker.problem(&mut blocks);
     }
-    if options.sides != Sides::Problem {
-        maker.solution(&mut blocks, options.sides == Sides::Solution);
+    if options.sides != WorksheetSides::Problem {
+        maker.solution(&mut blocks, options.sides == WorksheetSides::Solution);
     }
     document(scene, options, blocks)
 }
 
 /// Makes the document from the blocks under the scene's title.
-fn document(scene: &Scene, options: &Options, blocks: Vec<Block>) -> Document {
+fn document(scene: &Scene, options: &WorksheetOptions, blocks: Vec<DocumentBlock>) -> Document {
     let lang = options.sheet.lang;
     let title = scene.title.get(lang);
     let title = if title.is_empty() { tr(lang, "Planar mechanism", "平面机构") } else { title };
@@ -183,28 +187,28 @@ fn document(scene: &Scene, options: &Options, blocks: Vec<Block>) -> Document {
 
 /// Shared input of all parts of a worksheet.
 #[derive(Clone, Copy)]
-struct Maker<'a> {
+struct SheetMaker<'a> {
     scene: &'a Scene,
     worked: &'a Worked,
-    options: &'a sheet::Options,
+    options: &'a sheet::SheetOptions,
     certified: &'a [Certified],
     /// The certified numbers of the construction's steps.
-    told: &'a Steps,
+    told: &'a CertifiedSteps,
 }
 
-impl Speak for Maker<'_> {
+impl Speak for SheetMaker<'_> {
     fn lang(&self) -> Lang {
         self.options.lang
     }
 }
 
-impl Maker<'_> {
+impl SheetMaker<'_> {
     fn notation(&self) -> &Notation {
         &self.options.notation
     }
 
-    fn writer(&self) -> Writer<'_> {
-        Writer { scene: self.scene, plan: &self.worked.plan, notation: self.notation(), lang: self.lang() }
+    fn writer(&self) -> PlanWriter<'_> {
+        PlanWriter { scene: self.scene, plan: &self.worked.plan, notation: self.notation(), lang: self.lang() }
     }
 
     fn link(&self, l: LinkId) -> &str {
@@ -247,7 +251,7 @@ fn backslashed(text: &str, means: impl Fn(Option<char>, char, Option<char>) -> b
 fn picture_names<'a>(document: &'a Document, stem: &str) -> Vec<(String, &'a Figure)> {
     let mut all: Vec<(String, &Figure)> = Vec::new();
     for block in &document.blocks {
-        if let Block::Figure { name, figure } = block {
+        if let DocumentBlock::Figure { name, figure } = block {
             let plain = format!("{stem}-{name}.svg");
             let counted = (2..).map(|k| format!("{stem}-{name}-{k}.svg"));
             let free = std::iter::once(plain).chain(counted).find(|n| all.iter().all(|(m, _)| m != n));

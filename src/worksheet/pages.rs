@@ -10,11 +10,11 @@ mod blocks;
 
 use std::collections::VecDeque;
 
-use super::{Block, Document};
+use super::{Document, DocumentBlock};
 use crate::geom::{Point, Vec2};
 use crate::paper::extent::translate;
 use crate::paper::font::own::Fonts;
-use crate::paper::item::{Anchor, Colour, Item, Shape};
+use crate::paper::item::{Anchor, Colour, FigureItem, Shape};
 use crate::paper::label::Label;
 use crate::render::pages::{Kind, Page, Part};
 
@@ -76,7 +76,7 @@ const LONG: usize = 8;
 /// A side of one page and a few lines gets its short lists in columns, or else its drawing beside
 /// the text.
 pub fn pages(document: &Document) -> Vec<Page> {
-    let begins = |b: &Block| matches!(b, Block::Heading(1, _));
+    let begins = |b: &DocumentBlock| matches!(b, DocumentBlock::Heading(1, _));
     let mut pages = Vec::new();
     for (k, side) in document.blocks.chunk_by(|_, next| !begins(next)).enumerate() {
         let title = (k == 0).then_some(document.title.as_str());
@@ -101,19 +101,19 @@ pub fn pages(document: &Document) -> Vec<Page> {
     pages
 }
 
-fn set(document: &Document, title: Option<&str>, blocks: &[Block], setting: Setting) -> Vec<Page> {
-    let mut setter = Setter::new(setting, document.fonts.clone());
+fn set(document: &Document, title: Option<&str>, blocks: &[DocumentBlock], setting: Setting) -> Vec<Page> {
+    let mut setter = PageSetter::new(setting, document.fonts.clone());
     if let Some(title) = title {
         setter.heading(0, title);
     }
     for block in blocks {
         match block {
-            Block::Heading(level, text) => setter.heading(usize::from(*level), text),
-            Block::Paragraph(p) => setter.paragraph(p),
-            Block::List { numbered, members } => setter.list(*numbered, members),
-            Block::Table(t) => setter.table(t),
-            Block::Formula(parts) => setter.formula(parts),
-            Block::Figure { figure, .. } => setter.figure(figure),
+            DocumentBlock::Heading(level, text) => setter.heading(usize::from(*level), text),
+            DocumentBlock::Paragraph(p) => setter.paragraph(p),
+            DocumentBlock::List { numbered, members } => setter.list(*numbered, members),
+            DocumentBlock::Table(t) => setter.table(t),
+            DocumentBlock::Formula(parts) => setter.formula(parts),
+            DocumentBlock::Figure { figure, .. } => setter.figure(figure),
         }
     }
     setter.finish_page();
@@ -123,13 +123,13 @@ fn set(document: &Document, title: Option<&str>, blocks: &[Block], setting: Sett
 /// A box that is placed on a page as a whole; its items hang below the origin.
 struct Chunk {
     kind: Kind,
-    items: Vec<Item>,
+    items: Vec<FigureItem>,
     height_mm: f64,
     /// Space above, except at the top of a page.
     air_mm: f64,
 }
 
-struct Setter {
+struct PageSetter {
     setting: Setting,
     fonts: Fonts,
     pages: Vec<Page>,
@@ -149,9 +149,9 @@ struct Setter {
     table: Option<[f64; 3]>,
 }
 
-impl Setter {
-    fn new(setting: Setting, fonts: Fonts) -> Setter {
-        Setter {
+impl PageSetter {
+    fn new(setting: Setting, fonts: Fonts) -> PageSetter {
+        PageSetter {
             setting,
             fonts,
             pages: Vec::new(),
@@ -261,6 +261,6 @@ impl Setter {
 }
 
 /// A line of text.
-pub(super) fn line(label: &Label, at: Point, size_mm: f64, anchor: Anchor) -> Item {
-    Item::new("text", Shape::Label { at, label: label.clone(), size_mm, anchor, colour: Colour::BLACK })
+pub(super) fn line(label: &Label, at: Point, size_mm: f64, anchor: Anchor) -> FigureItem {
+    FigureItem::new("text", Shape::Label { at, label: label.clone(), size_mm, anchor, colour: Colour::BLACK })
 }

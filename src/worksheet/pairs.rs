@@ -2,29 +2,29 @@
 //! degree of freedom needs.
 
 use crate::diag::{Both, both};
-use crate::mechanism::told_words;
+use crate::mechanism::rolling_pair_words;
 use crate::paper::phrase::Phrase;
 use crate::plan::text::point_label;
 use crate::scene::{DriverKind, Follows, Guide, GuideId, Lang, LinkId, PointId, RollingId, Scene};
 
 /// One line for the links, one for each pair and each driver.
 pub(super) fn listed(scene: &Scene, lang: Lang) -> Vec<Phrase> {
-    let w = Words { scene };
+    let w = PairWords { scene };
     let mut all = vec![w.links()];
     all.extend((0..scene.points.len()).map(PointId).filter_map(|p| w.pin(p)));
     let cam = |g: usize| scene.cams.iter().any(|c| c.contact == Some(GuideId(g)));
     all.extend(scene.guides.iter().enumerate().filter(|(i, g)| g.rolling.is_none() && !cam(*i)).map(|(_, g)| w.guide(g)));
     all.extend(scene.cams.iter().map(|c| w.cam(c.cam, c.follower, &c.follows)));
-    all.extend((0..scene.rolling.len()).map(|r| told_words(scene, RollingId(r))));
+    all.extend((0..scene.rolling.len()).map(|r| rolling_pair_words(scene, RollingId(r))));
     all.extend((0..scene.drivers.len()).filter(|d| !scene.is_led(*d)).map(|d| w.driver(&scene.drivers[d].kind)));
     all.iter().map(|b| Phrase::new(if lang == Lang::En { &b.en } else { &b.zh })).collect()
 }
 
-struct Words<'a> {
+struct PairWords<'a> {
     scene: &'a Scene,
 }
 
-impl Words<'_> {
+impl PairWords<'_> {
     fn point(&self, p: PointId) -> String {
         format!("${}$", point_label(self.scene.point_name(p)))
     }

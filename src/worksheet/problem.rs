@@ -1,7 +1,7 @@
 //! The problem side: statement, given, wanted, the mechanism to scale.
 
 use super::speak::Speak;
-use super::{Block, Maker};
+use super::{DocumentBlock, SheetMaker};
 use crate::figure::fit::to_part;
 use crate::figure::mechanism::Overlay;
 use crate::figure::sheet::problem_diagram;
@@ -9,7 +9,7 @@ use crate::paper::item::Figure;
 use crate::paper::phrase::Phrase;
 use crate::plan::text::point_label;
 use crate::report::amount::symbol;
-use crate::report::given::Givens;
+use crate::report::given::GivenSentences;
 use crate::report::statement::paragraphs;
 use crate::scene::quantity::combined::Operation;
 use crate::scene::quantity::{Frame, Meaning, Of};
@@ -23,12 +23,12 @@ const HIGH_MM: f64 = 150.0;
 /// Such a drawing is reduced to at most this part of its size.
 const SMALLER: f64 = 0.85;
 
-impl Maker<'_> {
-    pub(super) fn problem(&self, blocks: &mut Vec<Block>) {
+impl SheetMaker<'_> {
+    pub(super) fn problem(&self, blocks: &mut Vec<DocumentBlock>) {
         blocks.push(self.heading(1, "Problem", "题目"));
         let stated = paragraphs(self.scene, self.lang());
         match stated.is_empty() {
-            false => blocks.extend(stated.into_iter().map(Block::Paragraph)),
+            false => blocks.extend(stated.into_iter().map(DocumentBlock::Paragraph)),
             true => blocks.push(self.paragraph(
                 "The figure shows a planar mechanism to scale. Solve it by vector polygons.",
                 "图示平面机构已按比例画出，试用矢量多边形图解法求解。",
@@ -36,9 +36,9 @@ impl Maker<'_> {
         }
         blocks.push(self.given_mechanism());
         blocks.push(self.heading(2, "Given", "已知"));
-        blocks.push(Block::List { numbered: false, members: self.givens().list() });
+        blocks.push(DocumentBlock::List { numbered: false, members: self.givens().list() });
         blocks.push(self.heading(2, "Wanted", "求"));
-        blocks.push(Block::List { numbered: false, members: self.wanted() });
+        blocks.push(DocumentBlock::List { numbered: false, members: self.wanted() });
     }
 
     /// The wanted quantities, in the order of the scene; quantities of one kind share a line.
@@ -73,10 +73,10 @@ impl Maker<'_> {
 
     /// The given mechanism with its given lengths as dimensions, without points that the solution
     /// constructs, and with a description that gives no answers.
-    pub(super) fn given_mechanism(&self) -> Block {
+    pub(super) fn given_mechanism(&self) -> DocumentBlock {
         let mut figure = self.given_drawing().0;
         figure.desc = DiagramKind::Plane.caption(self.lang()).into();
-        Block::Figure { name: "mechanism", figure: Box::new(figure) }
+        DocumentBlock::Figure { name: "mechanism", figure: Box::new(figure) }
     }
 
     /// Its drawing, and its μ_l (m/mm).
@@ -97,8 +97,8 @@ impl Maker<'_> {
         }
     }
 
-    pub(super) fn givens(&self) -> Givens<'_> {
-        Givens { scene: self.scene, lang: self.lang() }
+    pub(super) fn givens(&self) -> GivenSentences<'_> {
+        GivenSentences { scene: self.scene, lang: self.lang() }
     }
 
     /// A point as a formula.

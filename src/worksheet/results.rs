@@ -1,17 +1,17 @@
 //! The results with their senses, and the comparison of the drawing with the loop equations.
 
 use super::speak::Speak;
-use super::{Block, Maker, Table, TableKind};
-use crate::answer::Value;
-use crate::centres::Task;
-use crate::certified::ladder::Why;
+use super::{DocumentBlock, DocumentTable, SheetMaker, TableKind};
+use crate::answer::AnswerValue;
+use crate::centres::CentreTask;
+use crate::certified::ladder::MissingDigits;
 use crate::digits::shortest;
 use crate::figure::remarks::remarks;
-use crate::figure::results::{Answers, by_lines, measured, named};
+use crate::figure::results::{ResultsContent, by_lines, measured, named};
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, fill};
 use crate::report::amount::{amount, number, sense, symbol};
-use crate::report::answers::{Line, at_infinity, lines, reason, verdict};
+use crate::report::answers::{AnswerLine, at_infinity, lines, reason, verdict};
 use crate::report::drafting;
 use crate::report::math::Math;
 use crate::scene::{Find, Lang};
@@ -20,11 +20,11 @@ use crate::worked::Outcome;
 /// Digits at which drawing and analysis are compared: more than are printed as results.
 pub(super) const COMPARED: usize = 8;
 
-impl Maker<'_> {
+impl SheetMaker<'_> {
     /// Writes the results; `task` is one that asks for centres.
-    pub(super) fn results(&self, blocks: &mut Vec<Block>, task: Option<&Task>) {
+    pub(super) fn results(&self, blocks: &mut Vec<DocumentBlock>, task: Option<&CentreTask>) {
         let (scene, words, digits) = (self.scene, self.words(), self.options.digits);
-        blocks.push(Block::Heading(2, words.results.into()));
+        blocks.push(DocumentBlock::Heading(2, words.results.into()));
         let head =
             [self.tr("quantity", "量"), self.tr("measured", "量取"), self.tr("value", "值"), self.tr("sense or direction", "转向或方向")];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
@@ -33,13 +33,13 @@ impl Maker<'_> {
         let alone = task.is_some_and(|t| t.alone);
         for line in lines(self.worked, self.certified) {
             let (r, c) = match line {
-                Line::Answer(r, c) => (r, c),
-                Line::Far(far) => {
+                AnswerLine::Answer(r, c) => (r, c),
+                AnswerLine::InfiniteCentre(far) => {
                     let name = math(&symbol(&scene.find[far.find], self.notation()));
                     rows.push(vec![name, Phrase::default(), Phrase::of_words(&at_infinity(far, self.lang())), Phrase::default()]);
                     continue;
                 }
-                Line::None(u) => {
+                AnswerLine::None(u) => {
                     let name = math(&symbol(&scene.find[u.find], self.notation()));
                     let none = Phrase::new(verdict(u, self.lang()));
                     said.push(Phrase::new(&reason(scene, u, self.lang())));
@@ -51,7 +51,7 @@ impl Maker<'_> {
             let value = r.value();
             let name = symbol(find, self.notation());
             // A singular pose is reported once for all, among the remarks.
-            if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
+            if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, MissingDigits::NextOrder(_))) {
                 said.push(Phrase::new(&fill(words.uncertain, &[("", &format!("${name}$")), ("why", &why.words(self.lang()))])));
             }
             let by_ruler = centres.and_then(|found| by_lines(found, find, words));
@@ -63,14 +63,14 @@ impl Maker<'_> {
                 of_label(&sense(find, value, c, words, digits)),
             ]);
         }
-        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
-        let answers = Answers { scene, worked: self.worked, certified: self.certified, notation: self.notation(), words, digits };
+        blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
+        let answers = ResultsContent { scene, worked: self.worked, certified: self.certified, notation: self.notation(), words, digits };
         if !alone {
             said.extend(remarks(&answers));
         }
         said.dedup();
         if !said.is_empty() {
-            blocks.push(Block::List { numbered: false, members: said });
+            blocks.push(DocumentBlock::List { numbered: false, members: said });
         }
         match task.filter(|t| t.alone) {
             Some(task) => {
@@ -82,10 +82,10 @@ impl Maker<'_> {
     }
 
     /// Describes the loop equations.
-    fn loop_equations(&self, blocks: &mut Vec<Block>) {
+    fn loop_equations(&self, blocks: &mut Vec<DocumentBlock>) {
         blocks.push(self.heading(2, "Comparison with the loop equations", "与解析法比较"));
         let [v, a] = self.worked.solution.size;
-        blocks.push(Block::Paragraph(Phrase::new(&match (self.lang(), a) {
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&match (self.lang(), a) {
             (Lang::En, 0) => format!("All constraints of the mechanism, differentiated with respect to time, give {v} linear equations in the {v} unknown velocities, which are solved simultaneously, without any polygon."),
             (Lang::En, _) => format!("All constraints of the mechanism, differentiated once and twice with respect to time, give {v} linear equations in the unknown velocities and {a} in the unknown accelerations, which are solved simultaneously, without any polygon."),
             (Lang::Zh, 0) => format!("将机构全部约束方程对时间求导，得到关于 {v} 个未知速度的线性方程组，不作矢量多边形，直接联立求解。"),
@@ -93,7 +93,7 @@ impl Maker<'_> {
         })));
     }
 
-    fn comparison(&self, blocks: &mut Vec<Block>) {
+    fn comparison(&self, blocks: &mut Vec<DocumentBlock>) {
         if !self.worked.results.iter().any(|r| r.agreement.is_some()) {
             return;
         }
@@ -107,7 +107,8 @@ impl Maker<'_> {
         for r in &self.worked.results {
             let (Some(drawn), Some(_)) = (&r.drawn, r.agreement) else { continue };
             let find = &self.scene.find[r.find];
-            let shown = |v: Value| if v.magnitude() <= r.noise { "$0$".into() } else { format!("${}$", self.size(find, v, trusted(r))) };
+            let shown =
+                |v: AnswerValue| if v.magnitude() <= r.noise { "$0$".into() } else { format!("${}$", self.size(find, v, trusted(r))) };
             rows.push(vec![
                 math(&symbol(find, self.notation())),
                 Phrase::new(&shown(drawn.value)),
@@ -115,27 +116,27 @@ impl Maker<'_> {
                 Phrase::new(&drafting::words(&self.scene.book, find, by_hand.tolerances[r.find].as_ref())),
             ]);
         }
-        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+        blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
     }
 
     /// A vector by its magnitude, a number as it is, a place by its coordinates, with the printed
     /// unit.
-    pub(super) fn size(&self, find: &Find, value: Value, digits: usize) -> String {
+    pub(super) fn size(&self, find: &Find, value: AnswerValue, digits: usize) -> String {
         let (book, kind) = (&self.scene.book, find.what.kind());
         let told = |si: f64| number(book.value(kind, si), digits);
         let plain = match value {
-            Value::Vector(v) => told(v.norm()),
-            Value::Scalar(s) => told(s),
-            Value::Point(p) => format!("({},\\,{})", told(p.x), told(p.y)),
+            AnswerValue::Vector(v) => told(v.norm()),
+            AnswerValue::Scalar(s) => told(s),
+            AnswerValue::Point(p) => format!("({},\\,{})", told(p.x), told(p.y)),
         };
         book.label(kind, &plain)
     }
 
     /// Derives the magnitude of the first vector from the components that the equations give.
-    fn components(&self, blocks: &mut Vec<Block>) {
+    fn components(&self, blocks: &mut Vec<DocumentBlock>) {
         let first = self.worked.results.iter().find_map(|r| match r.computed {
-            Value::Vector(v) if r.agreement.is_some() && v.norm() > r.noise => Some((r, v)),
-            Value::Vector(_) | Value::Scalar(_) | Value::Point(_) => None,
+            AnswerValue::Vector(v) if r.agreement.is_some() && v.norm() > r.noise => Some((r, v)),
+            AnswerValue::Vector(_) | AnswerValue::Scalar(_) | AnswerValue::Point(_) => None,
         });
         let Some((r, v)) = first else { return };
         let find = &self.scene.find[r.find];
@@ -149,7 +150,7 @@ impl Maker<'_> {
             text => format!("{text}^2"),
         };
         let squares = format!("{} + {}", squared(v.x), squared(v.y));
-        blocks.push(Block::Formula(vec![
+        blocks.push(DocumentBlock::Formula(vec![
             Math::Row(Label::math(format!("{name} ="))),
             Math::Root(Label::math(squares)),
             Math::Row(Label::math(format!("= {}", self.scene.book.label(find.what.kind(), &number(printed(v.norm()), digits))))),

@@ -2,8 +2,8 @@
 //! angular velocities or accelerations, polygon and steps.
 
 use super::speak::Speak;
-use super::{Block, Maker, Table, TableKind};
-use crate::centres::Task;
+use super::{DocumentBlock, DocumentTable, SheetMaker, TableKind};
+use crate::centres::CentreTask;
 use crate::construct::Polygon;
 use crate::figure::forces;
 use crate::figure::sheet::drawing;
@@ -12,12 +12,12 @@ use crate::mechanism::compound;
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
 use crate::plan::names::name_label;
-use crate::plan::text::Column;
-use crate::plan::{Body, GroupSteps, Method, Rate, Spot, Step};
+use crate::plan::text::EquationColumn;
+use crate::plan::{GroupSteps, Method, PlanStep, Rate, TurningBody, VertexPlace};
 use crate::report::amount::number;
 use crate::report::amount::scale_formula;
 use crate::report::construction::sentences;
-use crate::report::equation::{Written, mate, written};
+use crate::report::equation::{WrittenStep, mate, written};
 use crate::report::forces::ForceWriter;
 use crate::report::math::Math;
 use crate::report::mobility::lower_set;
@@ -32,12 +32,12 @@ const RATES_IN_A_LINE: usize = 4;
 /// Words for the files of groups' forces; further groups are described in words only.
 const FORCES: [&str; 9] = ["forces-1", "forces-2", "forces-3", "forces-4", "forces-5", "forces-6", "forces-7", "forces-8", "forces-9"];
 
-impl Maker<'_> {
+impl SheetMaker<'_> {
     /// Writes the solution. `alone`: true if no problem side precedes it, so that the mechanism is
     /// shown here.
-    pub(super) fn solution(&self, blocks: &mut Vec<Block>, alone: bool) {
+    pub(super) fn solution(&self, blocks: &mut Vec<DocumentBlock>, alone: bool) {
         blocks.push(self.heading(1, "Solution", "解"));
-        let task = Task::of(self.scene);
+        let task = CentreTask::of(self.scene);
         if let Some(task) = &task {
             self.laws(blocks);
             self.counted(blocks, self.tr("Degree of freedom", "自由度"));
@@ -52,7 +52,7 @@ impl Maker<'_> {
             .vertices
             .iter()
             .enumerate()
-            .any(|(v, vertex)| matches!(vertex.spot, Spot::Special(_)) && self.worked.construction.diagram.spots[v].is_some());
+            .any(|(v, vertex)| matches!(vertex.spot, VertexPlace::Special(_)) && self.worked.construction.diagram.spots[v].is_some());
         if task.is_none() {
             self.laws(blocks);
             self.counted(blocks, self.tr("Degree of freedom and groups", "自由度与杆组"));
@@ -70,58 +70,58 @@ impl Maker<'_> {
         self.results(blocks, task.as_ref());
     }
 
-    fn figure(&self, name: &'static str, on: DiagramKind) -> Option<Block> {
-        drawing(self.scene, self.worked, self.options, on).map(|f| Block::Figure { name, figure: Box::new(f) })
+    fn figure(&self, name: &'static str, on: DiagramKind) -> Option<DocumentBlock> {
+        drawing(self.scene, self.worked, self.options, on).map(|f| DocumentBlock::Figure { name, figure: Box::new(f) })
     }
 
     /// Each group's moments, force polygon and reactions, the last group first; then the checks.
-    fn forces(&self, blocks: &mut Vec<Block>) {
+    fn forces(&self, blocks: &mut Vec<DocumentBlock>) {
         let Some(of) = self.worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty()) else { return };
         let w = ForceWriter { scene: self.scene, notation: &self.options.notation, lang: self.lang(), of };
         blocks.push(self.heading(2, "Forces", "力分析"));
         for (k, group) in of.groups.iter().enumerate() {
-            blocks.push(Block::Heading(3, w.heading(group)));
+            blocks.push(DocumentBlock::Heading(3, w.heading(group)));
             if let (Some(name), Some(figure)) = (FORCES.get(k), forces::group(self.scene, self.worked, self.options, k)) {
-                blocks.push(Block::Figure { name, figure: Box::new(figure) });
+                blocks.push(DocumentBlock::Figure { name, figure: Box::new(figure) });
             }
-            blocks.push(Block::List { numbered: true, members: w.sentences(group) });
+            blocks.push(DocumentBlock::List { numbered: true, members: w.sentences(group) });
         }
         let (lever, pole) = (forces::zhukovsky(self.scene, self.worked), self.writer().pole(DiagramKind::Velocity));
         if let Some((heading, members)) = w.checks(&self.worked.configuration, lever.as_ref().map(|lever| (lever, pole.as_str()))) {
-            blocks.push(Block::Heading(3, heading.into()));
-            blocks.push(Block::List { numbered: true, members });
+            blocks.push(DocumentBlock::Heading(3, heading.into()));
+            blocks.push(DocumentBlock::List { numbered: true, members });
         }
     }
 
     /// The angular velocities and accelerations that laws of time give at the instant.
-    fn laws(&self, blocks: &mut Vec<Block>) {
+    fn laws(&self, blocks: &mut Vec<DocumentBlock>) {
         let members = self.givens().laws();
         if !members.is_empty() {
             blocks.push(self.heading(2, "Laws of time at the instant", "该瞬时的运动规律"));
-            blocks.push(Block::List { numbered: false, members });
+            blocks.push(DocumentBlock::List { numbered: false, members });
         }
     }
 
     /// The degree of freedom, under a heading.
-    fn counted(&self, blocks: &mut Vec<Block>, heading: &str) {
+    fn counted(&self, blocks: &mut Vec<DocumentBlock>, heading: &str) {
         let f = &self.worked.mechanism.mobility;
-        blocks.push(Block::Heading(2, heading.into()));
+        blocks.push(DocumentBlock::Heading(2, heading.into()));
         let (n, low, high) = (f.moving, f.lower, f.higher);
         let known = match self.lang() {
             Lang::En => format!("Moving links $n = {n}$, lower pairs $p_l = {low}$, higher pairs $p_h = {high}$:"),
             Lang::Zh => format!("活动构件数 $n = {n}$，低副数 $p_l = {low}$，高副数 $p_h = {high}$："),
         };
-        blocks.push(Block::Paragraph(Phrase::new(&known)));
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&known)));
         let why = lower_set(self.scene, &compound(self.scene), self.lang());
         if !why.is_empty() {
-            blocks.push(Block::List { numbered: false, members: why });
+            blocks.push(DocumentBlock::List { numbered: false, members: why });
         }
         let formula = format!("F = 3n - 2p_l - p_h = 3 \\times {n} - 2 \\times {low} - {high} = {}", f.freedom);
-        blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
+        blocks.push(DocumentBlock::Formula(vec![Math::Row(Label::math(formula))]));
     }
 
     /// The groups in the order of their polygons.
-    fn groups(&self, blocks: &mut Vec<Block>) {
+    fn groups(&self, blocks: &mut Vec<DocumentBlock>) {
         let m = &self.worked.mechanism;
         let drivers = self.scene.own_drivers();
         let verdict = match self.lang() {
@@ -129,15 +129,15 @@ impl Maker<'_> {
             Lang::En => format!("With {drivers} drivers its motion is determined. Groups in the order of solving:"),
             Lang::Zh => format!("原动件数为 {drivers}，机构具有确定的运动。杆组按求解顺序为："),
         };
-        blocks.push(Block::Paragraph(Phrase::new(&verdict)));
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&verdict)));
         let groups = m.assur(self.scene).into_iter().filter(|g| !g.is_carried());
         let members = groups.map(|g| group_set(self.scene, m, &g, self.lang())).collect();
-        blocks.push(Block::List { numbered: true, members });
+        blocks.push(DocumentBlock::List { numbered: true, members });
     }
 
     /// The scales, and the first length on paper: on the solution's own drawing of the mechanism if
     /// that is `shown`, else on the problem's.
-    fn scales(&self, blocks: &mut Vec<Block>, shown: bool) {
+    fn scales(&self, blocks: &mut Vec<DocumentBlock>, shown: bool) {
         let paper = &self.worked.construction;
         let mu_of_figure = if shown { paper.diagram.mu } else { self.given_drawing().1 };
         let mut members = Vec::new();
@@ -163,12 +163,12 @@ impl Maker<'_> {
              allows. A length measured on paper, multiplied by its scale, is the quantity.",
             "比例尺取自 1、2、2.5、5 乘以 10 的幂的系列，使图形在图纸允许的范围内尽量大。图上量得的长度乘以相应的比例尺，即为该量的大小。",
         ));
-        blocks.push(Block::List { numbered: false, members: members.iter().map(|s| Phrase::new(s)).collect() });
+        blocks.push(DocumentBlock::List { numbered: false, members: members.iter().map(|s| Phrase::new(s)).collect() });
     }
 
-    fn level(&self, blocks: &mut Vec<Block>, on: DiagramKind) {
+    fn level(&self, blocks: &mut Vec<DocumentBlock>, on: DiagramKind) {
         let Some(polygon) = self.worked.construction.polygon(on) else { return };
-        blocks.push(Block::Heading(2, self.words().equations(on).into()));
+        blocks.push(DocumentBlock::Heading(2, self.words().equations(on).into()));
         for group in self.worked.plan.steps(on) {
             let chosen = group.drawn(self.worked.construction.acts.chosen[group.group]);
             for step in group.steps(chosen).take(group.alternatives.get(chosen).map_or(0, Vec::len)) {
@@ -182,35 +182,35 @@ impl Maker<'_> {
         self.polygon(blocks, on, polygon);
     }
 
-    fn polygon(&self, blocks: &mut Vec<Block>, on: DiagramKind, polygon: &Polygon) {
+    fn polygon(&self, blocks: &mut Vec<DocumentBlock>, on: DiagramKind, polygon: &Polygon) {
         let name = on.name(self.lang());
         blocks.push(self.heading(3, &format!("Construction of the {name}"), &format!("作{name}")));
         blocks.extend(self.figure(on.word(), on));
         let members = sentences(&self.writer(), &self.worked.construction, polygon, self.told);
-        blocks.push(Block::List { numbered: true, members });
+        blocks.push(DocumentBlock::List { numbered: true, members });
     }
 
-    pub(super) fn step(&self, blocks: &mut Vec<Block>, on: DiagramKind, step: &Step) {
+    pub(super) fn step(&self, blocks: &mut Vec<DocumentBlock>, on: DiagramKind, step: &PlanStep) {
         let w = self.writer();
-        if let Step::Equation { target, .. } = step
+        if let PlanStep::Equation { target, .. } = step
             && let Some(special) = w.plan.introduced(step)
         {
             let text = special_words(&w, self.words(), *target, special);
-            blocks.push(Block::Paragraph(Phrase::new(&text)));
+            blocks.push(DocumentBlock::Paragraph(Phrase::new(&text)));
         }
         if let Some(text) = mate(&w, step) {
-            blocks.push(Block::Paragraph(Phrase::new(&text)));
+            blocks.push(DocumentBlock::Paragraph(Phrase::new(&text)));
         }
         match (written(&w, &self.worked.construction, on, step), step) {
-            (Some(Written::Line(line)), _) => blocks.push(Block::Paragraph(line)),
-            (Some(Written::Table(columns)), Step::Equation { target, method, .. }) => {
+            (Some(WrittenStep::Line(line)), _) => blocks.push(DocumentBlock::Paragraph(line)),
+            (Some(WrittenStep::Table(columns)), PlanStep::Equation { target, method, .. }) => {
                 self.table(blocks, &w.vector(on, *target), *method, columns);
             }
             _ => {}
         }
     }
 
-    fn table(&self, blocks: &mut Vec<Block>, vector: &str, method: Method, columns: Vec<Column>) {
+    fn table(&self, blocks: &mut Vec<DocumentBlock>, vector: &str, method: Method, columns: Vec<EquationColumn>) {
         let why = match (method, self.lang()) {
             (Method::SameLink, Lang::En) => "two points of one link",
             (Method::SameLink, Lang::Zh) => "基点法",
@@ -227,7 +227,7 @@ impl Maker<'_> {
             (Method::Driven, Lang::En) => "everything is known",
             (Method::Driven, Lang::Zh) => "各项均已知",
         };
-        blocks.push(Block::Paragraph(Phrase::new(&match self.lang() {
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&match self.lang() {
             Lang::En => format!("For ${vector}$ ({why}):"),
             Lang::Zh => format!("求 ${vector}$（{why}）："),
         })));
@@ -245,18 +245,18 @@ impl Maker<'_> {
             directions.push(cell(&c.direction));
         }
         let [second, third] = if self.notation().first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
-        blocks.push(Block::Table(Table { kind: TableKind::Equation, rows: vec![symbols, second, third] }));
+        blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Equation, rows: vec![symbols, second, third] }));
     }
 
     /// Derives the angular velocity or acceleration of each link of the group from the vectors:
     /// `ω₃ = v_C / l_CD`.
-    fn rates(&self, blocks: &mut Vec<Block>, on: DiagramKind, group: &GroupSteps) {
+    fn rates(&self, blocks: &mut Vec<DocumentBlock>, on: DiagramKind, group: &GroupSteps) {
         let w = self.writer();
-        let formula = |(body, rate): &(Body, Rate)| {
+        let formula = |(body, rate): &(TurningBody, Rate)| {
             let symbol = w.turning(on, *body);
             match rate {
                 Rate::Measured { of, to } => Some((format!("{symbol} ="), Some((w.measured(on, *body, *of, *to), w.length(*of, *to))))),
-                Rate::Same(l) => Some((format!("{symbol} = {}", w.turning(on, Body::Link(*l))), None)),
+                Rate::Same(l) => Some((format!("{symbol} = {}", w.turning(on, TurningBody::Link(*l))), None)),
                 Rate::Given { .. } | Rate::Zero => None,
             }
         };
@@ -269,7 +269,7 @@ impl Maker<'_> {
                 parts
                     .extend(fraction.as_ref().map(|(over, under)| Math::Fraction(Label::math(over.as_str()), Label::math(under.as_str()))));
             }
-            blocks.push(Block::Formula(parts));
+            blocks.push(DocumentBlock::Formula(parts));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Text in the reader's language.
 
-use super::Block;
+use super::DocumentBlock;
 use crate::paper::phrase::{Phrase, tr};
 use crate::paper::words::{Words, words};
 use crate::scene::Lang;
@@ -17,11 +17,11 @@ pub(super) trait Speak {
         words(self.lang())
     }
 
-    fn heading(&self, level: u8, en: &str, zh: &str) -> Block {
-        Block::Heading(level, if self.lang() == Lang::En { en } else { zh }.into())
+    fn heading(&self, level: u8, en: &str, zh: &str) -> DocumentBlock {
+        DocumentBlock::Heading(level, if self.lang() == Lang::En { en } else { zh }.into())
     }
 
-    fn paragraph(&self, en: &str, zh: &str) -> Block {
-        Block::Paragraph(Phrase::new(if self.lang() == Lang::En { en } else { zh }))
+    fn paragraph(&self, en: &str, zh: &str) -> DocumentBlock {
+        DocumentBlock::Paragraph(Phrase::new(if self.lang() == Lang::En { en } else { zh }))
     }
 }

@@ -1,10 +1,10 @@
 //! A worksheet as Typst source: native formulas and tables, drawings as SVG files in the same
 //! folder.
 
-use super::{Beside, Block, Document, Table, TableKind, backslashed, guarded, picture_names};
+use super::{CompanionFile, Document, DocumentBlock, DocumentTable, TableKind, backslashed, guarded, picture_names};
 use crate::diag::Faults;
 use crate::paper::label::Label;
-use crate::paper::phrase::{Phrase, Piece};
+use crate::paper::phrase::{Phrase, PhrasePiece};
 use crate::paper::words::words;
 use crate::render::{number::mm, svg};
 use crate::report::math::{typst as formula, typst_display};
@@ -17,7 +17,7 @@ const WIDEST_MM: f64 = 174.0;
 ///
 /// # Errors
 /// Those of [`svg::write`] for a drawing.
-pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<Beside>), Faults> {
+pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<CompanionFile>), Faults> {
     let lang = words(document.lang).tag;
     let mut out = format!(
         "#set document(title: {})\n#set page(paper: \"a4\", margin: 18mm, numbering: \"1 / 1\")\n\
@@ -33,35 +33,35 @@ pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<Beside>), F
     for block in &document.blocks {
         out.push('\n');
         match block {
-            Block::Heading(level, text) => {
+            DocumentBlock::Heading(level, text) => {
                 sides += usize::from(*level == 1);
                 if *level == 1 && sides > 1 {
                     out += "#pagebreak()\n";
                 }
                 out += &format!("{} {}\n", "=".repeat(usize::from(*level)), escaped(text));
             }
-            Block::Paragraph(p) => out += &format!("{}\n", guarded(inline(p))),
-            Block::List { numbered, members } => {
+            DocumentBlock::Paragraph(p) => out += &format!("{}\n", guarded(inline(p))),
+            DocumentBlock::List { numbered, members } => {
                 let mark = if *numbered { '+' } else { '-' };
                 for m in members {
                     out += &format!("{mark} {}\n", inline(m));
                 }
             }
-            Block::Table(table) => out += &rows(table),
-            Block::Formula(parts) => out += &format!("$ {} $\n", typst_display(parts)),
-            Block::Figure { .. } => {
+            DocumentBlock::Table(table) => out += &rows(table),
+            DocumentBlock::Formula(parts) => out += &format!("$ {} $\n", typst_display(parts)),
+            DocumentBlock::Figure { .. } => {
                 let (name, figure) = next.next().expect("every figure has its name");
                 let (name_text, alt) = (string(name), string(&figure.desc));
                 let width = mm(figure.width_mm.min(WIDEST_MM));
                 out += &format!("#align(center, image({name_text}, width: {width}mm, alt: {alt}))\n");
-                files.push(Beside { name: name.clone(), text: svg::write(figure)?.value });
+                files.push(CompanionFile { name: name.clone(), text: svg::write(figure)?.value });
             }
         }
     }
     Ok((out, files))
 }
 
-fn rows(table: &Table) -> String {
+fn rows(table: &DocumentTable) -> String {
     let columns = table.rows.first().map_or(0, Vec::len);
     let (align, line) = match table.kind {
         TableKind::Equation => ("center", ""),
@@ -76,9 +76,9 @@ fn rows(table: &Table) -> String {
 }
 
 fn inline(phrase: &Phrase) -> String {
-    let piece = |p: &Piece| match p {
-        Piece::Words(w) => escaped(w),
-        Piece::Formula(f) => format!("${}$", formula(&Label::math(f.as_str()))),
+    let piece = |p: &PhrasePiece| match p {
+        PhrasePiece::Words(w) => escaped(w),
+        PhrasePiece::Formula(f) => format!("${}$", formula(&Label::math(f.as_str()))),
     };
     phrase.pieces().iter().map(piece).collect()
 }

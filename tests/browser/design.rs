@@ -4,7 +4,7 @@
 use super::*;
 use hodograph::figure::synthesis::to_scale;
 use hodograph::lesson::design;
-use hodograph::synthesis::{self, Candidate, KINDS, Task};
+use hodograph::synthesis::{self, DesignCandidate, KINDS, Task};
 use serde_json::json;
 
 const SMALL_PROJECTOR: [u32; 2] = [1280, 720];
@@ -41,11 +41,11 @@ pub const WORDS: &str = r##"(() => {
 /// Parts of the construction that the page shows in this step.
 pub const SEEN: &str = "[...document.querySelectorAll('[data-step]')].filter((g) => !g.classList.contains('later')).length";
 
-fn of_kind(name: &str) -> (Task, Candidate, usize, PathBuf) {
+fn of_kind(name: &str) -> (Task, DesignCandidate, usize, PathBuf) {
     let task = synthesis::read(synthesis::templates::get(name).unwrap()).unwrap().value;
     let candidate = synthesis::solve(&task).unwrap().candidates.remove(0);
     let steps = to_scale(&task, &candidate).unwrap().map_or(0, |b| b.steps.len());
-    let page = design::lesson(&task, &candidate, &design::Options { lang: Lang::En, style: Style::default() }).unwrap();
+    let page = design::lesson(&task, &candidate, &design::DesignOptions { lang: Lang::En, style: Style::default() }).unwrap();
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-design-{name}.html"));
     std::fs::write(&path, page).unwrap();
     (task, candidate, steps, path)
@@ -96,7 +96,7 @@ fn stepped(b: &mut Browser, told: &str, steps: usize) {
 }
 
 /// Checks the button for each prescribed position, at which the driver has the library's value.
-fn stopped(b: &mut Browser, told: &str, candidate: &Candidate) {
+fn stopped(b: &mut Browser, told: &str, candidate: &DesignCandidate) {
     let stops = b.eval("document.querySelectorAll('#stops button').length").as_f64().unwrap() as usize;
     assert!(stops > 0 && stops <= candidate.draft.wanted.len(), "{told}: {stops} stops");
     let wanted: Vec<f64> = candidate.draft.wanted.iter().map(|w| w.driver.to_degrees()).collect();

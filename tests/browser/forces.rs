@@ -4,12 +4,12 @@
 use super::*;
 use hodograph::equilibrium::{Act, GroupForces};
 use hodograph::figure::{forces, sheet};
-use hodograph::paper::item::Item;
+use hodograph::paper::item::FigureItem;
 use hodograph::report::forces::ForceWriter;
 
 /// The items of a group's force polygon at the scale of the page, with their ids in the page.
-fn items(b: &mut Browser, (scene, worked): (&Scene, &Worked), k: usize) -> Vec<Item> {
-    let options = sheet::Options::of_language(Lang::En);
+fn items(b: &mut Browser, (scene, worked): (&Scene, &Worked), k: usize) -> Vec<FigureItem> {
+    let options = sheet::SheetOptions::of_language(Lang::En);
     let key = format!("force-{}", k + 1);
     let mu = b.eval(&format!("document.querySelector('#{key} svg').dataset.mu")).as_str().unwrap().parse().unwrap();
     let of = worked.equilibrium.as_ref().unwrap().to_scale(mu);
@@ -114,7 +114,7 @@ fn every_step_of_forces_reveals_what_it_names() {
             .map((e) => e.id || e.dataset.id).filter((id) => !id.includes("label"))"##,
             k + 1
         );
-        let items: Vec<Item> = items(&mut b, (&scene, &worked), k).into_iter().filter(|i| !i.id.contains("label")).collect();
+        let items: Vec<FigureItem> = items(&mut b, (&scene, &worked), k).into_iter().filter(|i| !i.id.contains("label")).collect();
         for (n, phrase) in w.steps(group).iter().enumerate() {
             b.key("ArrowRight");
             let said = b.eval("document.getElementById('sentence').textContent");

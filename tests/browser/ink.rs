@@ -6,7 +6,7 @@ mod read;
 
 use crate::chromium::Browser;
 use crate::{browser, template};
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::paper::style::Style;
 use hodograph::render::svg;
 use hodograph::scene::{Lang, Scene, with_driver_at};
@@ -87,7 +87,7 @@ fn letters_and_lines_stand_where_the_checks_take_them_to_be() {
     let Some(mut b) = browser() else { return };
     for (name, scene, lang, style) in sheets() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(lang) };
+        let options = SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(lang) };
         let markup = svg::write(&sheet(&scene, &worked, &options).unwrap()).unwrap().value;
         let (shown, read) = (in_browser(&mut b, &name, &markup), by_usvg(&markup));
         let both: Vec<(&String, [f64; 4], [f64; 4])> = shown.iter().filter_map(|(id, s)| Some((id, *s, *read.get(id)?))).collect();

@@ -21,11 +21,11 @@ mod wide;
 use chromium::Browser;
 use grip::let_go;
 use hodograph::figure::{mechanism, polygon};
-use hodograph::lesson::{Options, lesson};
+use hodograph::lesson::{LessonOptions, lesson};
 use hodograph::notation::Notation;
 use hodograph::paper::item::Shape;
 use hodograph::paper::style::Style;
-use hodograph::plan::text::Writer;
+use hodograph::plan::text::PlanWriter;
 use hodograph::report::construction::sentences;
 use hodograph::scene::{self, DiagramKind, DriverKind, Kind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::sweep::extreme::ends;
@@ -51,7 +51,7 @@ fn template(name: &str) -> Scene {
 
 /// Writes the lesson of a scene to a file.
 fn page(name: &str, scene: &Scene) -> PathBuf {
-    let page = lesson(scene, &Options::of_language(Lang::En)).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+    let page = lesson(scene, &LessonOptions::of_language(Lang::En)).unwrap_or_else(|f| panic!("{name}: {f}")).value;
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-{name}.html"));
     std::fs::write(&path, page).unwrap();
     path
@@ -111,7 +111,7 @@ fn shown(b: &mut Browser) -> Ends {
 /// Every arrow and pin in the library's own drawings.
 fn drawn(scene: &Scene, worked: &Worked) -> Ends {
     let notation = Notation::of_language(Lang::En);
-    let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+    let w = PlanWriter { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
     let mut items = mechanism::mechanism(&Style::default(), scene, worked, &notation).items;
     for on in DiagramKind::POLYGONS {
         items.extend(
@@ -241,11 +241,11 @@ fn every_step_reveals_what_it_names() {
         let levels = [(DiagramKind::Velocity, "velocity"), (DiagramKind::Acceleration, "acceleration")];
         for (on, key) in levels {
             let Some(p) = worked.construction.polygon(on) else { continue };
-            let w = Writer { scene: &there, plan: &worked.plan, notation: &notation, lang: Lang::En };
+            let w = PlanWriter { scene: &there, plan: &worked.plan, notation: &notation, lang: Lang::En };
             let items = polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items;
             // The lengths in the sentences are those of the figure.
             let own = work(&scene, Scope::Figure).unwrap().value;
-            let writer = Writer { scene: &scene, plan: &own.plan, notation: &notation, lang: Lang::En };
+            let writer = PlanWriter { scene: &scene, plan: &own.plan, notation: &notation, lang: Lang::En };
             let told = hodograph::certified::steps(&scene, &own, None);
             let said = sentences(&writer, &own.construction, own.construction.polygon(on).unwrap(), &told);
             let step =

@@ -15,7 +15,7 @@ fn motions_go_through_their_steps_and_their_instants() {
     let Some(mut b) = browser() else { return };
     for name in particle::templates::names() {
         let problem = particle::read(particle::templates::get(name).unwrap()).unwrap().value;
-        let options = motion::Options { lang: Lang::En, style: Style::default(), positions: 8, motion: 0 };
+        let options = motion::MotionOptions { lang: Lang::En, style: Style::default(), positions: 8, motion: 0 };
         let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-motion-{name}.html"));
         std::fs::write(&path, motion::lesson(&problem, &options).unwrap()).unwrap();
         for (window, least) in [(SMALL_PROJECTOR, 10.5), (PHONE, 6.5)] {
@@ -55,7 +55,7 @@ fn stepped(b: &mut Browser, told: &str) {
 }
 
 /// At another instant the page shows the library's answers; then it returns to the given one.
-fn moved(b: &mut Browser, name: &str, problem: &particle::Problem) {
+fn moved(b: &mut Browser, name: &str, problem: &particle::ParticleProblem) {
     b.key("0");
     let home = b.eval("document.getElementById('travel').textContent");
     let drawn = b.eval("document.querySelector('.moving').innerHTML");

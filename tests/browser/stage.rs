@@ -130,7 +130,7 @@ fn what_is_drawn_over_the_drawings_is_true() {
     let ends: Vec<[f64; 4]> = serde_json::from_value(b.eval(ends)).unwrap();
     let own = ends.iter().find(|e| (e[0] - place[0]).hypot(e[1] - place[1]) < 0.5).unwrap_or_else(|| panic!("{ends:?} {place:?}"));
     let p = worked.construction.polygon(DiagramKind::Velocity).unwrap();
-    let of_c = worked.plan.vertices.iter().position(|v| matches!(v.spot, hodograph::plan::Spot::Point(q) if q.0 == c)).unwrap();
+    let of_c = worked.plan.vertices.iter().position(|v| matches!(v.spot, hodograph::plan::VertexPlace::Point(q) if q.0 == c)).unwrap();
     let v = p.images[of_c].unwrap();
     let off = ((own[3] - own[1]) * v.x + (own[2] - own[0]) * v.y).abs() / v.to_vec2().norm() / (own[2] - own[0]).hypot(own[3] - own[1]);
     assert!(off < 1e-2 && (own[2] - own[0]) * v.x > 0.0, "{own:?} {v:?}");
@@ -184,7 +184,7 @@ fn one_scale_and_at_most_one_larger_window() {
 #[test]
 fn names_keep_their_size() {
     for name in ["double-butterfly", "jansen-leg"] {
-        let page = lesson(&template(name), &Options::of_language(Lang::En)).unwrap().value;
+        let page = lesson(&template(name), &LessonOptions::of_language(Lang::En)).unwrap().value;
         let figures: Vec<&str> =
             page.split("<figure id=\"acceleration").skip(1).filter_map(|rest| rest.split("</figure>").next()).collect();
         assert!(!figures.is_empty());

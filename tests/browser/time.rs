@@ -2,7 +2,7 @@
 //! restarts at its end.
 
 use super::{PROJECTOR, assert_quiet, browser, drawn, shown, travel};
-use hodograph::lesson::{Options, lesson};
+use hodograph::lesson::{LessonOptions, lesson};
 use hodograph::scene::{Kind, Lang, Swept, read, templates};
 use hodograph::worked::{Scope, work};
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ fn a_lesson_through_time_shows_what_holds_at_each_time() {
     let Some(mut b) = browser() else { return };
     let name = "plate-by-law";
     let scene = read(templates::get(name).unwrap()).unwrap().value;
-    let options = Options { swept: Swept::usual(&scene), ..Options::of_language(Lang::En) };
+    let options = LessonOptions { swept: Swept::usual(&scene), ..Options::of_language(Lang::En) };
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("lesson-time.html");
     std::fs::write(&path, lesson(&scene, &options).unwrap().value).unwrap();
     b.open(&path, PROJECTOR);

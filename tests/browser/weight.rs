@@ -9,7 +9,7 @@ fn every_template_has_a_lesson_of_some_size() {
     let mut sizes = Vec::new();
     for t in templates::list().iter().step_by(every(8)) {
         let scene = template(t.name);
-        let page = lesson(&scene, &Options::of_language(Lang::Zh)).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
+        let page = lesson(&scene, &LessonOptions::of_language(Lang::Zh)).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
         let (bytes, split) = (page.len(), page.contains("<figure id=\"acceleration-2\""));
         let groups = page.matches("<figure id=\"force-").count();
         assert!(bytes < (if split { 380 } else { 280 } + 40 * groups) * 1024, "{}: {bytes} bytes for {} links", t.name, scene.links.len());

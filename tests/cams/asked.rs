@@ -2,13 +2,13 @@
 //! an inflection, at a reversal, on a straight flank, at rest.
 
 use crate::OMEGA;
-use hodograph::certified::ladder::{Part, certify};
+use hodograph::certified::ladder::{AnswerPart, certify};
 use hodograph::report::answers;
 use hodograph::scene::{Angle, Lang, Scene, read};
-use hodograph::sweep::long::Long;
+use hodograph::sweep::long::LongSweep;
 use hodograph::sweep::pieces::gather;
-use hodograph::sweep::station::Way;
-use hodograph::sweep::{Placed, Steps};
+use hodograph::sweep::station::DriverSpan;
+use hodograph::sweep::{PlacedScene, StationSteps};
 use hodograph::worked::{NoAnswer, Scope, Worked, work};
 use serde_json::Value as Json;
 
@@ -50,9 +50,13 @@ fn worked(scene: &Scene) -> (Worked, Vec<String>) {
 fn digits_are_true_where_double_precision_has_none() {
     let asked = law("30", "20", "120", "60", "120");
     for (scene, part, exact) in [
-        (translating("10 mm", ROLLER, &asked, "0.12 deg", "s_3"), Part::Scalar, "1.997001200e-10"),
-        (translating("10 mm", ROLLER, &asked, "29.84035450934882243 deg", "pressure_3"), Part::Degrees, "7.561534953e-11"),
-        (translating("15 mm", r#""roller": {"pin": "B", "radius": "5 mm"}"#, TANGENT, "60 deg", "Phi_3"), Part::Degrees, "80.03283637"),
+        (translating("10 mm", ROLLER, &asked, "0.12 deg", "s_3"), AnswerPart::Scalar, "1.997001200e-10"),
+        (translating("10 mm", ROLLER, &asked, "29.84035450934882243 deg", "pressure_3"), AnswerPart::Degrees, "7.561534953e-11"),
+        (
+            translating("15 mm", r#""roller": {"pin": "B", "radius": "5 mm"}"#, TANGENT, "60 deg", "Phi_3"),
+            AnswerPart::Degrees,
+            "80.03283637",
+        ),
     ] {
         let (worked, _) = worked(&scene);
         let certified = certify(&scene, &worked, 10);
@@ -82,9 +86,9 @@ fn a_sweep_has_rows_on_a_straight_flank() {
         |angle: f64, find| translating("6 mm", r#""roller": {"pin": "B", "radius": "5 mm"}"#, TANGENT, &format!("{angle:?} deg"), find);
     let swept = at(0.0, "rho_2/3").over_a_turn();
     let mechanism = hodograph::sweep::mechanism(&swept).unwrap();
-    let placed = Placed::new(&swept, &mechanism).unwrap();
-    let steps = Steps { way: Way::Turn(Angle::Deg(0.5), Angle::Deg(360.5)), steps: 60 };
-    let table = gather(&mut Long::new(&placed, 0, steps).unwrap());
+    let placed = PlacedScene::new(&swept, &mechanism).unwrap();
+    let steps = StationSteps { way: DriverSpan::Turn(Angle::Deg(0.5), Angle::Deg(360.5)), steps: 60 };
+    let table = gather(&mut LongSweep::new(&placed, 0, steps).unwrap());
     let rho = &table.column("rho_2/3").unwrap().values;
     assert_eq!(rho.len(), 61, "{:?}", table.notes);
     let mut straight = 0;
@@ -111,7 +115,7 @@ fn an_undercut_profile_is_said_to_be_one() {
         let scene = translating("0 mm", r#""face": {}"#, &law(base, "25", "100", "80", "100"), "40 deg", "rho_min_2");
         let (worked, notes) = worked(&scene);
         let certified = certify(&scene, &worked, 8);
-        let text = certified[0].part(Part::Scalar).and_then(|n| n.text(8)).unwrap().0;
+        let text = certified[0].part(AnswerPart::Scalar).and_then(|n| n.text(8)).unwrap().0;
         // r + s + s″ is least where s′ + s‴ is zero, at φ = 77.497 928°.
         assert_eq!(text, if undercut { "-0.0041993171" } else { "0.0058006829" });
         let said = notes.iter().any(|n| n.starts_with("undercut") && n.contains("φ = 77.4979°"));

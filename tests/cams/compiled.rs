@@ -3,17 +3,17 @@
 
 use crate::{PROFILES, scene};
 use hodograph::analytic;
-use hodograph::answer::Value;
-use hodograph::cam::{Law, Motion};
+use hodograph::answer::AnswerValue;
+use hodograph::cam::{CamMotion, MotionLaw};
 use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position;
 use hodograph::scene::{Scene, with_driver_at};
-use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::sweep::{self, PlacedScene, Stations, Width};
 use std::f64::consts::TAU;
 
 /// Every follower of every face, by arcs and lines and by all laws.
 fn kinds() -> Vec<String> {
-    let laws = Law::ALL.into_iter().flat_map(|l| ["law", "swing"].map(|of| format!("{of} {}", l.name())));
+    let laws = MotionLaw::ALL.into_iter().flat_map(|l| ["law", "swing"].map(|of| format!("{of} {}", l.name())));
     PROFILES.into_iter().map(str::to_owned).chain(laws).collect()
 }
 
@@ -28,7 +28,7 @@ fn reversed(scene: &Scene) -> Scene {
 fn angles(scene: &Scene) -> Vec<f64> {
     let t = scene.cams[0].disc.as_ref().unwrap();
     let mut joints = t.disc.corners();
-    if matches!(t.disc.motion, Motion::Profile(_)) {
+    if matches!(t.disc.motion, CamMotion::Profile(_)) {
         assert_eq!(joints, t.disc.stretches().iter().map(|s| s.0).collect::<Vec<_>>());
     }
     joints.push(joints[0] + TAU);
@@ -37,21 +37,21 @@ fn angles(scene: &Scene) -> Vec<f64> {
 }
 
 /// One position by closed forms and loop equations.
-fn alone(scene: &Scene, m: &Mechanism, placed: &Placed, at: f64) -> Vec<f64> {
+fn alone(scene: &Scene, m: &Mechanism, placed: &PlacedScene, at: f64) -> Vec<f64> {
     let moved = with_driver_at(scene, 0, at);
     let pose = position::recompute::<f64>(&moved, m, &placed.demand, &placed.at).unwrap();
     let solution = analytic::solve(&moved, m, &pose, &Demand::of(scene, m)).unwrap();
-    let numbers = |v: Value| match v {
-        Value::Scalar(s) => vec![s],
-        Value::Vector(v) => vec![v.x, v.y, v.norm()],
-        Value::Point(p) => vec![p.x, p.y],
+    let numbers = |v: AnswerValue| match v {
+        AnswerValue::Scalar(s) => vec![s],
+        AnswerValue::Vector(v) => vec![v.x, v.y, v.norm()],
+        AnswerValue::Point(p) => vec![p.x, p.y],
     };
     scene.find.iter().flat_map(|f| numbers(solution.answer(&moved, &pose, &f.what).unwrap())).collect()
 }
 
 fn compare(name: &str, scene: &Scene) {
     let m = Mechanism::new(scene).unwrap().value;
-    let placed = Placed::new(scene, &m).unwrap();
+    let placed = PlacedScene::new(scene, &m).unwrap();
     assert!(sweep::compile(scene, &m, &placed.at, Some(0), &scene.find).is_ok(), "{name} is not compiled");
     let once = angles(scene);
     let values: Vec<f64> = once.iter().flat_map(|a| [*a, a + TAU]).collect();

@@ -4,7 +4,7 @@
 use crate::{ALPHA, OMEGA, PROFILES, component, text};
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{self, Angle, Scene};
-use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::sweep::{self, PlacedScene, Stations, Width};
 use hodograph::worked::{Scope, work};
 use serde_json::{Value as Json, json};
 
@@ -112,7 +112,7 @@ fn sweeps_take_a_cam_behind_wheels_through_all_turns() {
             let what = format!("{kind}, {name}");
             let swept = geared(kind, &train, 13.7).over_a_turn();
             let mechanism = Mechanism::new(&swept).unwrap().value;
-            let placed = Placed::new(&swept, &mechanism).unwrap();
+            let placed = PlacedScene::new(&swept, &mechanism).unwrap();
             assert!(sweep::compile(&swept, &mechanism, &placed.at, Some(0), &swept.find).is_ok(), "{what} is not compiled");
             let stations = Stations::turned(Angle::Deg(-500.0), Angle::Deg(1500.0), 25);
             let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();

@@ -1,9 +1,9 @@
 //! Poses of a motion: the cam moves its follower in each of them, and the answers are those of the motion.
 
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::scene::{self, Scene, Swept, templates};
 use hodograph::sweep;
-use hodograph::sweep::follow::{Follower, course::over_a_turn};
+use hodograph::sweep::follow::{PoseFollower, course::over_a_turn};
 use hodograph::sweep::pieces::gather;
 use hodograph::sweep::vary::{Variation, Varied};
 use hodograph::worked::{self, Scope, Worked, work, work_placed, work_pose};
@@ -21,7 +21,7 @@ fn scenes() -> Vec<(String, Scene)> {
     templates.chain(kinds).filter(|(_, scene)| scene.has_momentary_cams()).collect()
 }
 
-fn answers(scene: &Scene, worked: &Worked) -> Vec<(String, Value)> {
+fn answers(scene: &Scene, worked: &Worked) -> Vec<(String, AnswerValue)> {
     worked.results.iter().map(|r| (scene.find[r.find].text.clone(), r.value())).collect()
 }
 
@@ -31,7 +31,7 @@ fn a_pose_of_a_motion_is_moved_by_its_cam() {
     for (name, scene) in scenes() {
         let motion = over_a_turn(&scene);
         let base = work(&motion, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
-        let follower = Follower::new(&motion, &base.mechanism, &base.demand, &base.configuration, Swept::Driver(0));
+        let follower = PoseFollower::new(&motion, &base.mechanism, &base.demand, &base.configuration, Swept::Driver(0));
         let (mut poses, mut moved) = (0, 0);
         for pose in follower.sweep(POSES).poses {
             let there = follower.scene_at(&motion, pose.travel);

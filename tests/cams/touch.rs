@@ -2,10 +2,10 @@
 //! compared with the motion of the mechanism there.
 
 use crate::{PROFILES, scene as of_kind};
-use hodograph::composite::{Place, Staged};
+use hodograph::composite::{ChoicePlace, ContactScene};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Level;
-use hodograph::scene::quantity::composite::Part;
+use hodograph::scene::quantity::composite::CompositePart;
 use hodograph::scene::{self, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
@@ -53,13 +53,13 @@ fn both_faces_of_a_yoke_touch_where_they_are() {
             check(&format!("upper face at {angle}, {turned}"), &scene, 1, Vec2::new(0.0, 1.0));
             // A point of the yoke seen from the cam has the curvature given by the contours, on
             // either face.
-            let staged = Staged::new(&scene);
+            let staged = ContactScene::new(&scene);
             assert_eq!(staged.contacts.len(), 2);
-            let choices: Vec<_> = staged.choices(&scene).into_iter().filter(|c| matches!(c.place, Place::Cam(_))).collect();
+            let choices: Vec<_> = staged.choices(&scene).into_iter().filter(|c| matches!(c.place, ChoicePlace::Cam(_))).collect();
             let (_, solved) = staged.solved(&choices, Level::Acceleration).unwrap().value;
             for s in &solved {
                 let slip = s.slip.expect("it is a contact");
-                let bent = s.acceleration.iter().find(|(p, _)| *p == Some(Part::RelativeNormal)).unwrap().1.dot(slip.normal);
+                let bent = s.acceleration.iter().find(|(p, _)| *p == Some(CompositePart::RelativeNormal)).unwrap().1.dot(slip.normal);
                 assert!((bent - slip.acceleration()).abs() < 1e-9, "{angle}, {turned}, {:?}: {bent} {slip:?}", s.choice);
             }
             assert_eq!(solved.len(), 6);

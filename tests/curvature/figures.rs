@@ -1,11 +1,11 @@
 //! The figures of curvature: their descriptions, their lines, their labels.
 
 use super::template;
-use hodograph::figure::list::{Extras, Wanted, named};
-use hodograph::figure::sheet::Options;
+use hodograph::figure::list::{Extras, FigureInput, named};
+use hodograph::figure::sheet::SheetOptions;
 use hodograph::geom::Point;
 use hodograph::paper::extent::bounds;
-use hodograph::paper::item::{Figure, Item, Piece, Shape};
+use hodograph::paper::item::{Figure, FigureItem, PathPiece, Shape};
 use hodograph::paper::shown::escaped;
 use hodograph::scene::Lang;
 use hodograph::worked::{Scope, work};
@@ -13,14 +13,14 @@ use hodograph::worked::{Scope, work};
 /// The curvature figures of a template with its crank at an angle, in a language.
 fn figures(name: &str, angle: f64, lang: Lang) -> Vec<Figure> {
     let scene = template(name, &[("phi_1", &format!("{angle} deg"))]);
-    let (worked, options) = (work(&scene, Scope::Figure).unwrap().value, Options::of_language(lang));
-    let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+    let (worked, options) = (work(&scene, Scope::Figure).unwrap().value, SheetOptions::of_language(lang));
+    let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
     (named("curvature").unwrap().draw)(&wanted).unwrap().value.into_iter().map(|(_, page)| page).collect()
 }
 
 /// The words of a page.
 fn said(page: &Figure) -> Vec<String> {
-    let text = |i: &Item| if let Shape::Label { label, .. } = &i.shape { label.plain() } else { String::new() };
+    let text = |i: &FigureItem| if let Shape::Label { label, .. } = &i.shape { label.plain() } else { String::new() };
     page.items.iter().map(text).collect()
 }
 
@@ -62,7 +62,7 @@ fn the_lines_to_the_point_of_ball_are_drawn() {
         let ends = |shape: &Shape| match shape {
             Shape::Line { from, to, .. } => [*from, *to],
             Shape::Path { start, pieces, .. } => match pieces.last() {
-                Some(Piece::Line(to)) => [*start, *to],
+                Some(PathPiece::Line(to)) => [*start, *to],
                 other => panic!("{other:?}"),
             },
             other => panic!("{other:?}"),
@@ -87,8 +87,8 @@ fn labels_do_not_overlap() {
             let scene = template(name, &[("phi_1", &format!("{} deg", 23 + 120 * k))]);
             let Ok(worked) = work(&scene, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
-                let options = Options::of_language(lang);
-                let wanted = Wanted { scene: &scene, worked: &worked.value, options: &options, extras: &Extras::default() };
+                let options = SheetOptions::of_language(lang);
+                let wanted = FigureInput { scene: &scene, worked: &worked.value, options: &options, extras: &Extras::default() };
                 for figure in ["curvature", "centrodes"] {
                     for (word, page) in (named(figure).unwrap().draw)(&wanted).unwrap().value {
                         let labels: Vec<_> = page.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).collect();

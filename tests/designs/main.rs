@@ -7,7 +7,7 @@ mod places;
 mod timed;
 mod wishes;
 
-use hodograph::synthesis::{Candidate, Design, construct, read, solve};
+use hodograph::synthesis::{Design, DesignCandidate, construct, read, solve};
 use serde_json::{Value as Json, json};
 use std::f64::consts::PI;
 
@@ -34,7 +34,7 @@ fn mm(v: f64) -> Json {
 }
 
 /// True if a candidate has these numbers (mm).
-fn is(c: &Candidate, wanted: &[(&str, f64)]) -> bool {
+fn is(c: &DesignCandidate, wanted: &[(&str, f64)]) -> bool {
     wanted.iter().all(|(n, v)| c.number(n).is_some_and(|found| (found * 1e3 - v).abs() < 1e-7 * v.abs()))
 }
 

@@ -99,7 +99,7 @@ fn linkages_are_found_from_four_and_five_places_with_crank_and_be() {
             }
             let design = design(&task);
             let lengths = [("AB", l[0]), ("BC", l[1]), ("CD", l[2]), ("AD", l[3])];
-            let near = |n: &str, v: f64, c: &hodograph::synthesis::Candidate| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v;
+            let near = |n: &str, v: f64, c: &hodograph::synthesis::DesignCandidate| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v;
             assert!(design.candidates.iter().any(|c| lengths.iter().all(|(n, v)| near(n, *v, c))), "{task}: {l:?}");
         }
     }
@@ -228,7 +228,8 @@ fn crank_rockers_are_found_from_their_least_transmission_angle() {
             task[key] = mm(length);
             let design = design(&task);
             let lengths = [("AB", a), ("BC", b), ("CD", c), ("AD", d)];
-            let same = |c: &hodograph::synthesis::Candidate| lengths.iter().all(|(n, v)| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v);
+            let same =
+                |c: &hodograph::synthesis::DesignCandidate| lengths.iter().all(|(n, v)| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v);
             assert!(design.candidates.iter().any(same), "{task}: {lengths:?}");
             for c in &design.candidates {
                 assert!((c.judged.transmission.unwrap().0 - gamma).abs() < 1e-9, "{task}: {:?}", c.judged.transmission);

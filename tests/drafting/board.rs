@@ -4,8 +4,8 @@
 use hodograph::construct::pencil::Blunt;
 use hodograph::construct::{Layout, by_hand};
 use hodograph::notation::Notation;
-use hodograph::plan::text::Writer;
-use hodograph::plan::{Body, By, Spot, Step, Term, TermKind};
+use hodograph::plan::text::PlanWriter;
+use hodograph::plan::{PlanStep, Term, TermConnection, TermKind, TurningBody, VertexPlace};
 use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 
@@ -50,7 +50,7 @@ fn all() -> Vec<(String, Scene, Worked)> {
         .collect()
 }
 
-fn steps(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = &Step> {
+fn steps(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = &PlanStep> {
     worked.plan.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further))
 }
 
@@ -73,23 +73,23 @@ fn magnitudes_name_what_they_are_made_of() {
     let mut seen = std::collections::BTreeSet::new();
     for (name, scene, w) in all() {
         let notation = Notation::of_language(Lang::En);
-        let writer = Writer { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
+        let writer = PlanWriter { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
         for on in DiagramKind::POLYGONS {
             for t in w.plan.terms(on).filter(|t| t.known && !w.plan.vanishes(&scene, on, t)) {
                 let said = writer.magnitude(on, &t);
                 let (begins, holds): (&str, &[&str]) = match (t.kind, t.by) {
                     (TermKind::Coriolis, by) => {
                         seen.insert(match by {
-                            By::Guide { .. } => "guide",
-                            By::Frame { .. } => "frame",
-                            By::Cylinder(_) => "cylinder",
-                            By::Turning(_) | By::Contact(_) | By::Apart => "another",
+                            TermConnection::Guide { .. } => "guide",
+                            TermConnection::Frame { .. } => "frame",
+                            TermConnection::Cylinder(_) => "cylinder",
+                            TermConnection::Turning(_) | TermConnection::Contact(_) | TermConnection::Apart => "another",
                         });
                         ("2\\omega_", &[" v"])
                     }
-                    (TermKind::Relative, By::Turning(_)) => ("\\omega_", &[" l_"]),
-                    (TermKind::Normal, By::Turning(_)) => ("\\omega^2_", &[" l_"]),
-                    (TermKind::Tangential, By::Turning(_)) => ("\\alpha_", &[" l_"]),
+                    (TermKind::Relative, TermConnection::Turning(_)) => ("\\omega_", &[" l_"]),
+                    (TermKind::Normal, TermConnection::Turning(_)) => ("\\omega^2_", &[" l_"]),
+                    (TermKind::Tangential, TermConnection::Turning(_)) => ("\\alpha_", &[" l_"]),
                     _ => continue,
                 };
                 assert!(said.starts_with(begins) && holds.iter().all(|h| said.contains(h)), "{name}: {t:?} is {said}");
@@ -106,7 +106,7 @@ fn rolling_is_marked_where_it_is_a_part() {
     let mut counts = [0; 2];
     for (name, scene, w) in all() {
         let notation = Notation::of_language(Lang::En);
-        let writer = Writer { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
+        let writer = PlanWriter { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
         for t in w.plan.terms(DiagramKind::Acceleration).filter(|t| t.kind == TermKind::Roll) {
             let symbol = writer.symbol(DiagramKind::Acceleration, &t);
             let on_ground = w.plan.vertex(t.to).fixed;
@@ -124,10 +124,10 @@ fn equations_name_their_vector() {
     let (mut sums, mut single) = (0, 0);
     for (name, scene, w) in all() {
         let notation = Notation::of_language(Lang::En);
-        let writer = Writer { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
+        let writer = PlanWriter { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
         for on in DiagramKind::POLYGONS {
             for step in steps(&w, on) {
-                let Step::Equation { target, chains, .. } = step else { continue };
+                let PlanStep::Equation { target, chains, .. } = step else { continue };
                 let columns = writer.columns(on, *target, chains);
                 let terms = chains[0].known.len();
                 assert!(chains.len() > 1 || chains[0].unknown.is_empty(), "{name}: {step:?}");
@@ -195,7 +195,7 @@ fn no_vector_is_drawn_twice_and_each_that_is_asked_is_drawn() {
                     let wanted = b.terms();
                     let earlier =
                         groups[..g].iter().flat_map(|g| &g.between).chain(&group.between[..k]).any(|o| shows(&o.terms(), &wanted));
-                    let row = |s: &Step| {
+                    let row = |s: &PlanStep| {
                         s.chains().iter().any(|c| {
                             let alone = if c.unknown.len() == 1 { &c.unknown[..] } else { &[] };
                             shows(&c.known.iter().chain(alone).copied().collect::<Vec<_>>(), &wanted)
@@ -227,10 +227,10 @@ fn arms_are_as_long_as_their_bodies() {
             for rate in &drawn.rates {
                 let Some(m) = &rate.measured else { continue };
                 let spots = [m.line.0, m.line.1].map(|v| w.plan.vertex(v).spot);
-                let [Spot::Point(p), Spot::Point(q)] = spots else { continue };
+                let [VertexPlace::Point(p), VertexPlace::Point(q)] = spots else { continue };
                 let on_body = match rate.body {
-                    Body::Link(l) => [p, q].iter().all(|x| scene.links[l.0].points.contains(x)),
-                    Body::Cylinder(_) => true,
+                    TurningBody::Link(l) => [p, q].iter().all(|x| scene.links[l.0].points.contains(x)),
+                    TurningBody::Cylinder(_) => true,
                 };
                 if on_body {
                     let given = w.configuration.point(p).distance(w.configuration.point(q));

@@ -1,6 +1,6 @@
 //! Drawn groups, compared with the rows.
 
-use hodograph::figure::sheet::Options;
+use hodograph::figure::sheet::SheetOptions;
 use hodograph::lesson::reveal;
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
@@ -204,7 +204,7 @@ fn blocks_in_curved_guides_are_drawn() {
 fn fragments_reveal_forces() {
     let scene = scene::read(templates::get("press-forces").unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let svg = reveal(&scene, &worked, &Options::of_language(Lang::En)).unwrap().value;
+    let svg = reveal(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap().value;
     let fragments: Vec<(usize, &str)> = svg
         .split("data-fragment-index=\"")
         .skip(1)

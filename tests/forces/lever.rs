@@ -2,7 +2,7 @@
 //! mechanism.
 
 use hodograph::figure::forces::zhukovsky;
-use hodograph::figure::sheet::{Options, drawing};
+use hodograph::figure::sheet::{SheetOptions, drawing};
 use hodograph::scene::{self, DiagramKind, Lang, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value as Json, json};
@@ -55,7 +55,7 @@ fn the_mechanism_shows_the_given_loads() {
     json["springs"] = json!([{"from": "X", "to": "S3", "k": "40 N/m", "free": "0.1 m"}]);
     let scene = scene::read(json.to_string()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let figure = drawing(&scene, &worked, &Options::of_language(Lang::En), DiagramKind::Plane).unwrap();
+    let figure = drawing(&scene, &worked, &SheetOptions::of_language(Lang::En), DiagramKind::Plane).unwrap();
     let ids: Vec<&str> = figure.items.iter().map(|i| i.id.as_str()).collect();
     for wanted in ["force-G-1", "force-G-2", "force-G-3", "couple-of-M-3", "spring-1", "spring-1-ground"] {
         assert!(ids.iter().any(|id| id.ends_with(wanted)), "{wanted} is missing among {ids:?}");

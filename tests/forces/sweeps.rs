@@ -1,12 +1,12 @@
 //! Forces over a turn and over parameters.
 
 use super::{answer, loaded, near};
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::quantity::contacts;
 use hodograph::scene::{self, LinkId, templates};
 use hodograph::sweep::vary::Variation;
-use hodograph::sweep::{self, Placed, station};
+use hodograph::sweep::{self, PlacedScene, station};
 use hodograph::worked::{Scope, work};
 use serde_json::{Value as Json, json};
 
@@ -24,13 +24,13 @@ fn sweeps_over_parameters_of_loads_are_their_scenes() {
         let text = templates::instantiate(name, &[(parameter, value)]).unwrap();
         let scene = scene::read(&text).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
-        let Some(Value::Scalar(expected)) = answer(&scene, &worked, "M_b") else { panic!("{name}: no moment") };
+        let Some(AnswerValue::Scalar(expected)) = answer(&scene, &worked, "M_b") else { panic!("{name}: no moment") };
         let own = scene::read(templates::get(name).unwrap()).unwrap().value;
         let variation = Variation::new(&own, &[parameter]).unwrap();
         let mut varied = own.clone();
         variation.set(&mut varied, &[variation.value(&own, parameter, value).unwrap()]).unwrap();
         let worked = work(&varied, Scope::Questions).unwrap().value;
-        let Some(Value::Scalar(found)) = answer(&varied, &worked, "M_b") else { panic!("{name}: no moment") };
+        let Some(AnswerValue::Scalar(found)) = answer(&varied, &worked, "M_b") else { panic!("{name}: no moment") };
         near(found, expected);
     }
 }
@@ -68,7 +68,7 @@ fn compiled_balancing_moments_are_those_of_each_position() {
             json["find"] = find;
             let scene = scene::read(json.to_string()).unwrap_or_else(|f| panic!("{name}: {f}")).value;
             let mechanism = Mechanism::new(&scene).unwrap().value;
-            let placed = Placed::new(&scene, &mechanism).unwrap_or_else(|f| panic!("{name}: {f}"));
+            let placed = PlacedScene::new(&scene, &mechanism).unwrap_or_else(|f| panic!("{name}: {f}"));
             let now = station::position_now(&scene, &placed.at, 0);
             let step = if driver.kind.turns() { 0.37 } else { 0.01 * placed.at.extent() };
             let values = (-4..=4).map(|k| now + step * f64::from(k)).collect();

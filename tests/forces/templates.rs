@@ -1,7 +1,7 @@
 //! The reactions of all templates are drawn and equal those of the rows.
 
 use super::loaded;
-use hodograph::equilibrium::Whole;
+use hodograph::equilibrium::ForceTotals;
 use hodograph::scene::quantity::{Contact, contacts, parties};
 use hodograph::scene::{self, PointId, Scene, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, work};
@@ -64,7 +64,7 @@ fn reactions_of_templates_are_drawn() {
                     break;
                 }
             }
-            match Whole::of(&there, &worked.configuration, of) {
+            match ForceTotals::of(&there, &worked.configuration, of) {
                 Some(all) if (all.loads + all.ground).norm() > 1e-9 * of.forces.largest => {
                     failures.push(format!("{name} at {turned}: the ground bears {:?}, the loads are {:?}", all.ground, all.loads));
                 }

@@ -2,7 +2,7 @@
 
 use super::answer;
 use super::template_reactions::asked;
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::force::pressure_angle;
 use hodograph::scene::{RollingId, Scene, driver_position, with_driver_at};
 use hodograph::worked::{Scope, Worked, work};
@@ -16,7 +16,7 @@ fn off_the_line_of_action(scene: &Scene, worked: &Worked, r: RollingId) -> Optio
     }
     let [a, b] = pair.links;
     let names = [(a, b), (b, a)].map(|(a, b)| format!("F_{},{}", scene.link_name(a), scene.link_name(b)));
-    let Value::Vector(force) = names.iter().find_map(|find| answer(scene, worked, find))? else { return None };
+    let AnswerValue::Vector(force) = names.iter().find_map(|find| answer(scene, worked, find))? else { return None };
     let n = worked.configuration.normal(scene, r)?;
     let along = force.dot(n.perp()).abs();
     (along > 1e-6).then(|| force.dot(n).abs() / along - pressure_angle(pair).tan())

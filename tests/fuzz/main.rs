@@ -12,14 +12,14 @@ mod mutate;
 mod tasks;
 
 use hodograph::certified::certify;
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::paper::style;
 use hodograph::render::svg;
 use hodograph::report::answers;
 use hodograph::report::diagnostics::render;
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
-use hodograph::worksheet::{Options as Sheets, html, markdown, typst, worksheet};
+use hodograph::worksheet::{WorksheetOptions as Sheets, html, markdown, typst, worksheet};
 use mutate::{Mutator, Rng};
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -115,7 +115,7 @@ fn scene_target(input: &[u8], k: u64) -> bool {
     let certified = certify(&scene, &worked, answers::DIGITS);
     let text = answers::text(&scene, &worked, &certified, answers::DIGITS, lang);
     finite(&text);
-    let drawn = sheet(&scene, &worked, &Options::of_language(lang)).and_then(|f| svg::write(&f));
+    let drawn = sheet(&scene, &worked, &SheetOptions::of_language(lang)).and_then(|f| svg::write(&f));
     match drawn {
         Ok(svg) => well_formed(&svg.value),
         Err(faults) => told(&faults, input),
@@ -155,8 +155,8 @@ fn fuzz_styles() {
         }
         Ok(style) => {
             if k.is_multiple_of(8) {
-                let usual = Options::of_language(Lang::En);
-                let options = Options { notation: style.marks.over(&usual.notation), style, ..usual };
+                let usual = SheetOptions::of_language(Lang::En);
+                let options = SheetOptions { notation: style.marks.over(&usual.notation), style, ..usual };
                 match sheet(&scene, &worked, &options).and_then(|f| svg::write(&f)) {
                     Ok(svg) => well_formed(&svg.value),
                     Err(faults) => told(&faults, input),

@@ -11,7 +11,7 @@ use hodograph::render::svg;
 use hodograph::report::{particle as motion_report, synthesis as design_report};
 use hodograph::scene::Lang;
 use hodograph::synthesis;
-use hodograph::worksheet::{self, Options as Sheets};
+use hodograph::worksheet::{self, WorksheetOptions as Sheets};
 use serde_json::Value as Json;
 
 /// The tasks with known designs.
@@ -56,7 +56,7 @@ fn design_target(input: &[u8], k: u64) -> bool {
             Ok(document) => drop(worksheet::html::html(&document).map(|page| well_formed(page.trim_start_matches("<!DOCTYPE html>")))),
             Err(faults) => told(&faults, input),
         }
-        if let Err(faults) = design_lesson::lesson(&task, candidate, &design_lesson::Options { lang, style: Style::default() }) {
+        if let Err(faults) = design_lesson::lesson(&task, candidate, &design_lesson::DesignOptions { lang, style: Style::default() }) {
             told(&faults, input);
         }
     }

@@ -3,14 +3,14 @@
 
 use super::files::{LANGS, MOBILITY, check_text, finish, golden};
 use super::worksheet::{faults_of, told, without, worked};
-use hodograph::mechanism::Survey;
-use hodograph::paper::item::{Dash, Item, Shape};
+use hodograph::mechanism::MobilitySurvey;
+use hodograph::paper::item::{Dash, FigureItem, Shape};
 use hodograph::scene::{Lang, Scene, templates};
 use hodograph::worked::Worked;
-use hodograph::worksheet::{Block, Document, Options, Sides, html, markdown, mobility, pages, typst};
+use hodograph::worksheet::{Document, DocumentBlock, WorksheetOptions, WorksheetSides, html, markdown, mobility, pages, typst};
 
-fn document(scene: &Scene, worked: &Worked, lang: Lang, sides: Sides) -> Document {
-    mobility(scene, worked, &Options { sides, ..Options::of_language(lang) })
+fn document(scene: &Scene, worked: &Worked, lang: Lang, sides: WorksheetSides) -> Document {
+    mobility(scene, worked, &WorksheetOptions { sides, ..WorksheetOptions::of_language(lang) })
 }
 
 #[test]
@@ -19,7 +19,7 @@ fn worksheets_on_mobility_read_as_accepted() {
     for name in MOBILITY {
         let (scene, worked) = worked(name);
         for (lang, suffix) in LANGS {
-            let d = document(&scene, &worked, lang, Sides::Both);
+            let d = document(&scene, &worked, lang, WorksheetSides::Both);
             let file = |ending: &str| golden(name, &format!("mobility.{suffix}.{ending}"));
             check_text(&file("md"), &markdown::markdown(&d, name).unwrap().0, &mut failures);
             check_text(&file("typ"), &without(&typst::typst(&d, name).unwrap().0, ", width: ", "mm"), &mut failures);
@@ -29,8 +29,8 @@ fn worksheets_on_mobility_read_as_accepted() {
     finish(&failures);
 }
 
-fn figures(d: &Document) -> Vec<&[Item]> {
-    d.blocks.iter().filter_map(|b| if let Block::Figure { figure, .. } = b { Some(&figure.items[..]) } else { None }).collect()
+fn figures(d: &Document) -> Vec<&[FigureItem]> {
+    d.blocks.iter().filter_map(|b| if let DocumentBlock::Figure { figure, .. } = b { Some(&figure.items[..]) } else { None }).collect()
 }
 
 #[test]
@@ -38,13 +38,13 @@ fn every_template_is_counted_and_split_on_clean_pages() {
     let mut faults = Vec::new();
     for t in templates::list() {
         let (scene, worked) = worked(t.name);
-        let f = Survey::of(&scene).counts;
+        let f = MobilitySurvey::of(&scene).counts;
         for (lang, suffix) in LANGS {
-            let problem = document(&scene, &worked, lang, Sides::Problem);
+            let problem = document(&scene, &worked, lang, WorksheetSides::Problem);
             let text = told(&problem);
             assert_eq!(figures(&problem).len(), 1, "{} {suffix}", t.name);
             assert!(!text.contains("F=3n-(2p_{l}+p_{h}-p')-F'="), "{} {suffix}: the count is told", t.name);
-            let both = document(&scene, &worked, lang, Sides::Both);
+            let both = document(&scene, &worked, lang, WorksheetSides::Both);
             let (text, beside) = markdown::markdown(&both, t.name).unwrap();
             assert_eq!(beside.len(), 2, "{} {suffix}", t.name);
             let begins = format!("F=3n-(2p_{{l}}+p_{{h}}-p')-F'=3\\times{}-(2\\times{}+{}", f.moving, f.lower, f.higher);
@@ -61,9 +61,10 @@ fn every_template_is_counted_and_split_on_clean_pages() {
 #[test]
 fn the_problem_does_not_show_what_repeats() {
     let (scene, worked) = worked("third-crank");
-    let dashed =
-        |items: &[Item]| items.iter().filter(|i| matches!(&i.shape, Shape::Line { stroke, .. } if stroke.dash == Dash::Dashed)).count();
-    let both = document(&scene, &worked, Lang::En, Sides::Both);
+    let dashed = |items: &[FigureItem]| {
+        items.iter().filter(|i| matches!(&i.shape, Shape::Line { stroke, .. } if stroke.dash == Dash::Dashed)).count()
+    };
+    let both = document(&scene, &worked, Lang::En, WorksheetSides::Both);
     let [problem, groups] = figures(&both)[..] else { panic!() };
     assert_eq!(dashed(problem), 0);
     assert!(dashed(groups) > 0);

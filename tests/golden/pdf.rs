@@ -9,13 +9,13 @@ use hayro_interpret::{
     BlendMode, ClipPath, Context, Device, GlyphDrawMode, Image, InterpreterCache, InterpreterSettings, Paint, PathDrawMode, SoftMask,
     StrokeProps, TransformExt, interpret_page,
 };
-use hodograph::paper::item::{Figure, Item, Shape};
+use hodograph::paper::item::{Figure, FigureItem, Shape};
 use hodograph::paper::text;
 use hodograph::paper::words::words;
 use hodograph::render::{pdf, png as raster, svg};
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
-use hodograph::worksheet::{self, Block, Table, TableKind};
+use hodograph::worksheet::{self, DocumentBlock, DocumentTable, TableKind};
 use kurbo::{Affine, BezPath, Cap, Join, PathEl, Rect};
 use resvg::tiny_skia;
 
@@ -122,7 +122,7 @@ impl<'a> Device<'a> for Reader {
 }
 
 /// The characters of all labels, in the order of drawing.
-pub fn letters<'i>(items: impl IntoIterator<Item = &'i Item>) -> String {
+pub fn letters<'i>(items: impl IntoIterator<Item = &'i FigureItem>) -> String {
     let mut out = String::new();
     for item in items {
         if let Shape::Label { label, .. } | Shape::Turned { label, .. } = &item.shape {
@@ -148,7 +148,7 @@ fn greys_of_png(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
 fn sheet(name: &str, lang: Lang) -> Figure {
     let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    hodograph::figure::sheet::sheet(&scene, &worked, &hodograph::figure::sheet::Options::of_language(lang)).unwrap()
+    hodograph::figure::sheet::sheet(&scene, &worked, &hodograph::figure::sheet::SheetOptions::of_language(lang)).unwrap()
 }
 
 /// Resolution at which pages and pictures are compared.
@@ -206,7 +206,7 @@ fn count(file: &[u8], key: &str) -> usize {
 }
 
 /// Cells of a table of values, including empty ones.
-fn places(table: &Table) -> usize {
+fn places(table: &DocumentTable) -> usize {
     if table.kind == TableKind::Values { table.rows.len() * table.rows[0].len() } else { 0 }
 }
 
@@ -217,7 +217,7 @@ fn documents_meet_pdf_ua() {
     for (name, lang) in [("shaper", Lang::Zh), ("planetary-gear", Lang::En)] {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let document = worksheet::worksheet(&scene, &worked, &worksheet::Options::of_language(lang));
+        let document = worksheet::worksheet(&scene, &worked, &worksheet::WorksheetOptions::of_language(lang));
         let file = pdf::document(&worksheet::pages::pages(&document), &document.title, words(lang).tag).unwrap();
         assert!(file.notes.is_empty(), "{name}: {:?}", file.notes);
         let file = file.value;
@@ -227,7 +227,7 @@ fn documents_meet_pdf_ua() {
         assert_eq!(count(&file, "/Suspects"), 0, "{name}: Poppler warns of it");
         assert_eq!(count(&file, "/S/TH/"), count(&file, "/Scope/"), "{name}: heads without scope");
         assert_eq!(count(&file, "/S/LI/"), count(&file, "/S/LBody/"), "{name}");
-        let cells: usize = document.blocks.iter().map(|b| if let Block::Table(t) = b { places(t) } else { 0 }).sum();
+        let cells: usize = document.blocks.iter().map(|b| if let DocumentBlock::Table(t) = b { places(t) } else { 0 }).sum();
         let found = count(&file, "/S/TH/") + count(&file, "/S/TD/");
         assert!(cells > 0 && found >= cells, "{name}: {found} cells of {cells}");
     }

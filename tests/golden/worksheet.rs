@@ -4,17 +4,17 @@
 use super::files::{LANGS, WORKSHEETS, check_text, finish, golden};
 use super::pdf::{letters, read};
 use super::wide::every;
-use hodograph::centres::Task;
+use hodograph::centres::CentreTask;
 use hodograph::certified::certify;
 use hodograph::digits::significant;
 use hodograph::mechanism::Core;
 use hodograph::paper::extent::{Rect, bounds};
-use hodograph::paper::item::{Item, Shape};
+use hodograph::paper::item::{FigureItem, Shape};
 use hodograph::render::pages::{Kind, Page};
 use hodograph::render::pdf;
-use hodograph::scene::{self, DiagramKind, Direction, GuidePath, Lang, Scene, templates};
+use hodograph::scene::{self, DiagramKind, GuideDirection, GuidePath, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
-use hodograph::worksheet::{Block, Document, Options, Sides, html, markdown, pages, typst, worksheet};
+use hodograph::worksheet::{Document, DocumentBlock, WorksheetOptions, WorksheetSides, html, markdown, pages, typst, worksheet};
 
 pub fn worked(name: &str) -> (Scene, Worked) {
     let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
@@ -22,8 +22,8 @@ pub fn worked(name: &str) -> (Scene, Worked) {
     (scene, worked)
 }
 
-fn document(scene: &Scene, worked: &Worked, lang: Lang, sides: Sides) -> Document {
-    worksheet(scene, worked, &Options { sides, ..Options::of_language(lang) })
+fn document(scene: &Scene, worked: &Worked, lang: Lang, sides: WorksheetSides) -> Document {
+    worksheet(scene, worked, &WorksheetOptions { sides, ..WorksheetOptions::of_language(lang) })
 }
 
 /// A text without the parts between two marks: drawings have golden files of their own, and a label
@@ -44,7 +44,7 @@ fn worksheets_read_as_accepted() {
     for name in WORKSHEETS {
         let (scene, worked) = worked(name);
         for (lang, suffix) in LANGS {
-            let d = document(&scene, &worked, lang, Sides::Both);
+            let d = document(&scene, &worked, lang, WorksheetSides::Both);
             let file = |ending: &str| golden(name, &format!("worksheet.{suffix}.{ending}"));
             check_text(&file("md"), &markdown::markdown(&d, name).unwrap().0, &mut failures);
             check_text(&file("typ"), &without(&typst::typst(&d, name).unwrap().0, ", width: ", "mm"), &mut failures);
@@ -58,7 +58,7 @@ fn worksheets_read_as_accepted() {
 pub fn told(d: &Document) -> String {
     let mut out = markdown::markdown(d, "x").unwrap().0;
     for block in &d.blocks {
-        if let Block::Figure { figure, .. } = block {
+        if let DocumentBlock::Figure { figure, .. } = block {
             out += &format!("\n{}\n{}\n", figure.title, figure.desc);
             for item in &figure.items {
                 if let Shape::Label { label, .. } = &item.shape {
@@ -83,12 +83,12 @@ fn the_problem_side_tells_no_answer() {
         }
         // So is the angle of a guide that the file computes from a parameter.
         for guide in &scene.guides {
-            if let GuidePath::Line { direction: Direction::Instant(angle), .. } = &guide.path {
+            if let GuidePath::Line { direction: GuideDirection::Instant(angle), .. } = &guide.path {
                 given += &format!(" {}", significant(angle.value.radians().to_degrees(), 4));
             }
         }
         for (lang, suffix) in LANGS {
-            let d = document(&scene, &worked, lang, Sides::Problem);
+            let d = document(&scene, &worked, lang, WorksheetSides::Problem);
             let text = told(&d);
             for (c, r) in certify(&scene, &worked, 4).iter().zip(&worked.results) {
                 for (part, number) in &c.parts {
@@ -107,7 +107,7 @@ fn the_problem_side_tells_no_answer() {
                 }
             }
             let figures: Vec<_> =
-                d.blocks.iter().filter_map(|b| if let Block::Figure { figure, .. } = b { Some(figure) } else { None }).collect();
+                d.blocks.iter().filter_map(|b| if let DocumentBlock::Figure { figure, .. } = b { Some(figure) } else { None }).collect();
             assert_eq!(figures.len(), 1, "{}", t.name);
             assert!(figures[0].items.iter().all(|i| !i.class.contains("special")), "{}: the special point is found by the solver", t.name);
             assert!(text.contains(if lang == Lang::En { "## Wanted" } else { "## 求" }));
@@ -121,9 +121,9 @@ fn the_solution_has_every_answer_and_both_polygons() {
     for t in templates::list() {
         let (scene, worked) = worked(t.name);
         // A task that asks for centres alone is solved by them.
-        let by_centres = Task::of(&scene).is_some_and(|task| task.alone);
+        let by_centres = CentreTask::of(&scene).is_some_and(|task| task.alone);
         for (lang, suffix) in LANGS {
-            let d = document(&scene, &worked, lang, Sides::Both);
+            let d = document(&scene, &worked, lang, WorksheetSides::Both);
             let (text, beside) = markdown::markdown(&d, t.name).unwrap();
             assert!(!text.contains("NaN") && !text.contains("inf "), "{} {suffix}", t.name);
             for (polygon, word) in [
@@ -142,7 +142,7 @@ fn the_solution_has_every_answer_and_both_polygons() {
     }
 }
 
-fn label_boxes(page: &Page) -> Vec<(&Item, Rect)> {
+fn label_boxes(page: &Page) -> Vec<(&FigureItem, Rect)> {
     let text = |k: &Kind| !matches!(k, Kind::Figure(_));
     let items = page.parts.iter().filter(|p| text(&p.kind)).flat_map(|p| &p.items);
     items.filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect()
@@ -162,7 +162,7 @@ pub fn faults_of(page: &Page, at: &str) -> Vec<String> {
         w > 0.05 && h > 0.05
     };
     // The sign of a root encloses its row.
-    let root = |i: &Item| matches!(&i.shape, Shape::Label { label, .. } if label.plain() == "√");
+    let root = |i: &FigureItem| matches!(&i.shape, Shape::Label { label, .. } if label.plain() == "√");
     let labels = label_boxes(page);
     for (k, (a, r)) in labels.iter().enumerate() {
         for (b, s) in &labels[k + 1..] {
@@ -188,7 +188,7 @@ pub fn faults_of(page: &Page, at: &str) -> Vec<String> {
 fn nothing_overlaps_and_nothing_is_cut_on_any_page() {
     let mut faults = Vec::new();
     let mut check = |name: &str, scene: &Scene, worked: &Worked, lang: Lang| {
-        for (n, page) in pages::pages(&document(scene, worked, lang, Sides::Both)).iter().enumerate() {
+        for (n, page) in pages::pages(&document(scene, worked, lang, WorksheetSides::Both)).iter().enumerate() {
             faults.extend(faults_of(page, &format!("{name} {lang:?} page {}", n + 1)));
         }
     };
@@ -224,7 +224,8 @@ fn no_page_is_wasted() {
     for t in templates::list().iter().step_by(every(8)) {
         let (scene, worked) = worked(t.name);
         for (lang, suffix) in LANGS {
-            let [problem, both] = [Sides::Problem, Sides::Both].map(|sides| pages::pages(&document(&scene, &worked, lang, sides)).len());
+            let [problem, both] =
+                [WorksheetSides::Problem, WorksheetSides::Both].map(|sides| pages::pages(&document(&scene, &worked, lang, sides)).len());
             println!("{} {suffix}: {problem} of {both} pages", t.name);
             // Twelve links take one more page, a group of class IV with its trial and its forces
             // two.
@@ -243,7 +244,7 @@ fn no_page_is_wasted() {
 #[test]
 fn formulas_stand_beside_their_tables() {
     let (scene, worked) = worked("radial-engine");
-    let sheets = pages::pages(&document(&scene, &worked, Lang::En, Sides::Both));
+    let sheets = pages::pages(&document(&scene, &worked, Lang::En, WorksheetSides::Both));
     let mut beside = 0;
     for page in &sheets {
         let formulas: Vec<Rect> =
@@ -261,7 +262,7 @@ fn formulas_stand_beside_their_tables() {
 fn places_are_told_in_words() {
     let told = |name: &str, lang| {
         let (scene, worked) = worked(name);
-        markdown::markdown(&document(&scene, &worked, lang, Sides::Problem), "x").unwrap().0
+        markdown::markdown(&document(&scene, &worked, lang, WorksheetSides::Problem), "x").unwrap().0
     };
     let pantograph = told("pantograph", Lang::En);
     assert!(pantograph.contains("from $O$ toward $B$; $D$ is"), "{pantograph}");
@@ -275,7 +276,7 @@ fn places_are_told_in_words() {
 fn pdf_pages_carry_their_text() {
     let (scene, worked) = worked("slotted-lever");
     for (lang, word) in [(Lang::En, "Degree of freedom and groups"), (Lang::Zh, "自由度与杆组")] {
-        let d = document(&scene, &worked, lang, Sides::Both);
+        let d = document(&scene, &worked, lang, WorksheetSides::Both);
         let sheets = pages::pages(&d);
         let file = pdf::document(&sheets, &d.title, "en").unwrap().value;
         let found = read(&file, 20.0);
@@ -293,7 +294,7 @@ fn html_is_well_formed_and_fetches_nothing() {
     for t in templates::list() {
         let (scene, worked) = worked(t.name);
         for (lang, suffix) in LANGS {
-            let text = html::html(&document(&scene, &worked, lang, Sides::Both)).unwrap();
+            let text = html::html(&document(&scene, &worked, lang, WorksheetSides::Both)).unwrap();
             let options = roxmltree::ParsingOptions { allow_dtd: true, ..roxmltree::ParsingOptions::default() };
             let tree = roxmltree::Document::parse_with_options(&text, options).unwrap_or_else(|e| panic!("{} {suffix}: {e}", t.name));
             let count = |name: &str| tree.descendants().filter(|n| n.tag_name().name() == name).count();
@@ -330,7 +331,7 @@ fn typst_reads_the_source() {
         let (scene, worked) = worked(t.name);
         for (lang, suffix) in LANGS {
             let folder = tempfile::tempdir().unwrap();
-            let (text, beside) = typst::typst(&document(&scene, &worked, lang, Sides::Both), t.name).unwrap();
+            let (text, beside) = typst::typst(&document(&scene, &worked, lang, WorksheetSides::Both), t.name).unwrap();
             for f in beside {
                 std::fs::write(folder.path().join(f.name), f.text).unwrap();
             }

@@ -10,7 +10,7 @@ mod faults;
 mod read;
 
 use faults::Faults;
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::paper::style::Style;
 use hodograph::render::svg;
 use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
@@ -48,7 +48,7 @@ fn what_belongs_to_what_is_seen() {
         for (k, pose) in poses(&scene, t).iter().enumerate() {
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
             for (lang, style) in looks.iter().enumerate().filter(|(l, _)| all() || (k + t) % 2 == *l).map(|(_, l)| *l) {
-                let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(lang) };
+                let options = SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(lang) };
                 let figure = sheet(pose, &worked.value, &options).unwrap();
                 let found = faults::of(&read::read(&svg::write(&figure).unwrap().value));
                 sheets += 1;

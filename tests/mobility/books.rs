@@ -3,7 +3,7 @@
 
 use hodograph::report::mobility;
 use hodograph::scene::{self, Lang};
-use hodograph::worksheet::{Options, markdown, mobility_of_pairs};
+use hodograph::worksheet::{WorksheetOptions, markdown, mobility_of_pairs};
 use serde_json::Value as Json;
 
 /// n, p_l, p_h, F′, certain p′, F, and F if pairs that may be redundant are.
@@ -186,7 +186,7 @@ fn links_and_pairs_are_counted_as_books_count_them() {
         }
         // A worksheet lists links and pairs; a drawing is not needed.
         for lang in [Lang::En, Lang::Zh] {
-            let document = mobility_of_pairs(&scene, &Options::of_language(lang));
+            let document = mobility_of_pairs(&scene, &WorksheetOptions::of_language(lang));
             let (text, beside) = markdown::markdown(&document, "count").unwrap();
             assert!(beside.is_empty(), "{}", b.name);
             assert!(text.contains(&format!("={}", b.counts[5])) || text.contains(&format!("= {}", b.counts[5])), "{}: {text}", b.name);

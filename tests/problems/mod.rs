@@ -5,13 +5,13 @@
 //! `motion.json`: answers of `hodograph solve`; `centres.json`: places of instantaneous centres;
 //! `mobility.json`: counts.
 
-use hodograph::answer::Value;
-use hodograph::centres::{Place, centres};
+use hodograph::answer::AnswerValue;
+use hodograph::centres::{CentrePlace, centres};
 use hodograph::mechanism::Mechanism;
 use hodograph::report::mobility;
 use hodograph::scene::{self, Kind, templates};
 use hodograph::sweep::station::angle_per_value;
-use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::sweep::{self, PlacedScene, Stations, Width};
 use hodograph::worked::{Scope, work};
 use serde_json::Value as Json;
 use std::f64::consts::TAU;
@@ -46,22 +46,22 @@ fn name(problem: &Json) -> &str {
 
 /// Difference between a value and the expected one, and the size of the expected one. Angles are
 /// equal if they differ by whole turns.
-fn miss(kind: Kind, value: Value, expected: &Json) -> Option<[f64; 2]> {
+fn miss(kind: Kind, value: AnswerValue, expected: &Json) -> Option<[f64; 2]> {
     let pair = || Some([expected[0].as_f64()?, expected[1].as_f64()?]);
     let two = |x: f64, y: f64| pair().map(|[a, b]| [(x - a).hypot(y - b), a.hypot(b)]);
     let turns = |off: f64| if kind == Kind::Angle { off - (off / TAU).round() * TAU } else { off };
     match value {
-        Value::Scalar(s) => expected.as_f64().map(|e| [turns(s - e).abs(), e.abs()]),
-        Value::Vector(v) => two(v.x, v.y),
-        Value::Point(p) => two(p.x, p.y),
+        AnswerValue::Scalar(s) => expected.as_f64().map(|e| [turns(s - e).abs(), e.abs()]),
+        AnswerValue::Vector(v) => two(v.x, v.y),
+        AnswerValue::Point(p) => two(p.x, p.y),
     }
 }
 
-fn size(value: Value) -> f64 {
+fn size(value: AnswerValue) -> f64 {
     match value {
-        Value::Scalar(s) => s.abs(),
-        Value::Vector(v) => v.norm(),
-        Value::Point(p) => p.x.hypot(p.y),
+        AnswerValue::Scalar(s) => s.abs(),
+        AnswerValue::Vector(v) => v.norm(),
+        AnswerValue::Point(p) => p.x.hypot(p.y),
     }
 }
 
@@ -120,9 +120,9 @@ fn centres_of_further_problems() {
             }
             let place = found.list.iter().find(|c| c.step.pair.name(&scene) == *pair).and_then(|c| c.place);
             let off = match place {
-                Some(Place::At(p)) => miss(Kind::Length, Value::Point(p), expected).map(|[off, size]| off / size.max(extent)),
+                Some(CentrePlace::At(p)) => miss(Kind::Length, AnswerValue::Point(p), expected).map(|[off, size]| off / size.max(extent)),
                 // A direction without a sense.
-                Some(Place::Infinity(u)) => expected["inf_deg"].as_f64().map(|e| (u.angle() - e.to_radians()).sin().abs()),
+                Some(CentrePlace::Infinity(u)) => expected["inf_deg"].as_f64().map(|e| (u.angle() - e.to_radians()).sin().abs()),
                 None => None,
             };
             if off.is_none_or(|off| off.is_nan() || off > ALLOWED) {
@@ -227,9 +227,9 @@ fn the_order_of_entries_decides_nothing() {
                     continue;
                 };
                 let off = match (*value, *other) {
-                    (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
-                    (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
-                    (Value::Point(a), Value::Point(b)) => a.distance(b),
+                    (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
+                    (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
+                    (AnswerValue::Point(a), AnswerValue::Point(b)) => a.distance(b),
                     _ => f64::INFINITY,
                 };
                 let largest = first.iter().map(|(_, v)| size(*v)).fold(0.0, f64::max);
@@ -251,7 +251,7 @@ fn sweeps_of_further_problems_begin_with_their_poses() {
         let id = name(&problem);
         let scene = scene::read(problem["scene"].to_string()).unwrap_or_else(|f| panic!("{id}: {f}")).value.over_a_turn();
         let mechanism = Mechanism::new(&scene).unwrap().value;
-        let (Some(now), Ok(placed)) = (scene::driver_position(&scene, 0), Placed::new(&scene, &mechanism)) else { continue };
+        let (Some(now), Ok(placed)) = (scene::driver_position(&scene, 0), PlacedScene::new(&scene, &mechanism)) else { continue };
         let stations = Stations::of_values(vec![now], angle_per_value(&scene, &placed.at, 0));
         let table = match sweep::run(&placed, 0, &stations, Width::Widest) {
             Ok(table) if table.rows() == 1 => table,

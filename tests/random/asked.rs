@@ -3,8 +3,8 @@
 use crate::emit::{self, Ask, Pose};
 use crate::properties::{mechanism, seeds, style, worked};
 use crate::rng::Rng;
-use hodograph::answer::{Value, evaluate};
-use hodograph::effort::{Motion, Work};
+use hodograph::answer::{AnswerValue, evaluate};
+use hodograph::effort::{MotionWork, Work};
 use hodograph::scene::Scene;
 use hodograph::worked::Worked;
 use hodograph::{motion, scene};
@@ -39,7 +39,7 @@ fn pairs(own: u64, mut check: impl FnMut(&Pair)) {
 
 fn counters(w: &Worked) -> Vec<(&'static str, usize)> {
     let done = Work::of(w);
-    let motion = |m: Motion| {
+    let motion = |m: MotionWork| {
         [
             ("groups", m.groups),
             ("equations planned", m.equations_planned),
@@ -93,8 +93,8 @@ fn what_else_is_asked_changes_no_answer() {
             }
             let other = all.results.iter().find(|r| whole.find[r.find].text == find.text).expect("all questions hold it");
             let off = match (o.computed, other.computed) {
-                (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
-                (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
+                (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
+                (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
                 _ => f64::INFINITY,
             };
             let bound = [o.agreement, other.agreement].into_iter().flatten().map(|a| a.bound).fold(0.0, f64::max);

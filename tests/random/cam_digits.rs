@@ -7,8 +7,8 @@
 use crate::cam_truth::{ByLaw, Cam, Profile};
 use crate::properties::seeds;
 use crate::wide::every;
-use hodograph::answer::Value;
-use hodograph::certified::ladder::{Part, certify, parts};
+use hodograph::answer::AnswerValue;
+use hodograph::certified::ladder::{AnswerPart, certify, parts};
 use hodograph::effort::truth::BITS;
 use hodograph::number::{Ball, Big, Real, within};
 use hodograph::scene::read;
@@ -51,7 +51,7 @@ fn printed_digits_are_true_of_cams() {
             for (i, r) in worked.results.iter().enumerate() {
                 let find = &scene.find[r.find];
                 let Some(t) = truth[r.find] else { continue };
-                let t = Value::Scalar(Ball::new(t, 1e-45 * t.approx().abs().max(1e-3)));
+                let t = AnswerValue::Scalar(Ball::new(t, 1e-45 * t.approx().abs().max(1e-3)));
                 for (digits, certified) in DIGITS.iter().zip(&certified) {
                     let Ok(expected) = parts(find.what.kind(), t, r.scale, *digits) else {
                         // A nose that touches the base circle from within gives no lift: no rise
@@ -72,7 +72,7 @@ fn printed_digits_are_true_of_cams() {
                         printed += 1;
                         short += usize::from(certain < *digits);
                         let (_, e) = expected.iter().find(|(p, _)| p == part).unwrap();
-                        let whole = if matches!(part, Part::Degrees) { 360.0 } else { r.scale };
+                        let whole = if matches!(part, AnswerPart::Degrees) { 360.0 } else { r.scale };
                         if n.zero && e.enclosure().largest() <= 10f64.powi(-(*digits as i32 + 10)) * whole {
                             continue;
                         }

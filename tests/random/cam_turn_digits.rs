@@ -8,12 +8,12 @@ use crate::cam_laws::ends;
 use crate::cam_truth::{Branch, ByLaw, Cam, Follower, Profile, bottom, differences, slope, whole};
 use crate::properties::seeds;
 use crate::wide::every;
-use hodograph::answer::Value;
-use hodograph::cam::{Mark, least_base};
+use hodograph::answer::AnswerValue;
+use hodograph::cam::{CamExtreme, least_base};
 use hodograph::certified::ladder::parts;
 use hodograph::effort::truth::BITS;
 use hodograph::number::{Ball, Big, Real, within};
-use hodograph::report::cam::{Now, Report, Unit, Which};
+use hodograph::report::cam::{CamNumber, Now, PrintedUnit, Report};
 use hodograph::scene::{Kind, read};
 
 const DIGITS: [usize; 3] = [4, 6, 12];
@@ -62,7 +62,7 @@ fn greatest(law: &ByLaw, on: &dyn Fn(usize) -> bool, f: &dyn Fn(Branch, Big) -> 
 }
 
 /// Numbers with their true values in their printed unit.
-type Told = Vec<(Which, Unit, Big)>;
+type Told = Vec<(CamNumber, PrintedUnit, Big)>;
 
 fn degrees(x: Big) -> Big {
     x * whole(180) / Big::pi()
@@ -74,32 +74,32 @@ fn of_law(cam: &Cam, law: &ByLaw, seed: u64) -> Told {
     let lift = if cam.swings() { degrees } else { |x: Big| x * whole(1000) };
     let omega = whole(3);
     let moving = |k: usize| !law.stages[k].0.is_empty();
-    let mut all: Told = vec![(Which::Base, Unit::Length, law.base * whole(1000))];
+    let mut all: Told = vec![(CamNumber::Base, PrintedUnit::Length, law.base * whole(1000))];
     let gain = if cam.swings() { law.stages[0].1.radians() } else { law.stages[0].1.metres() };
-    all.push((Which::Stroke, Unit::Lift(0), lift(gain)));
+    all.push((CamNumber::Stroke, PrintedUnit::Lift(0), lift(gain)));
     for (k, (way, out)) in [(1, false), (0, true), (-1, false), (0, false)].into_iter().enumerate() {
-        all.push((Which::Phase(way, out), Unit::Degrees, law.stages[k].2.exact()));
-        all.push((Which::Start(k), Unit::Degrees, degrees(law.starts()[k])));
+        all.push((CamNumber::Phase(way, out), PrintedUnit::Degrees, law.stages[k].2.exact()));
+        all.push((CamNumber::Start(k), PrintedUnit::Degrees, degrees(law.starts()[k])));
     }
-    let mut extreme = |mark: Mark, unit: Unit, found: Option<Greatest>, value: &dyn Fn(Big) -> Big| {
+    let mut extreme = |mark: CamExtreme, unit: PrintedUnit, found: Option<Greatest>, value: &dyn Fn(Big) -> Big| {
         let Some(found) = found else { return };
-        all.push((Which::Most(mark), unit, value(found.value)));
+        all.push((CamNumber::Most(mark), unit, value(found.value)));
         if found.alone {
-            all.push((Which::At(mark), Unit::Degrees, degrees(found.at)));
+            all.push((CamNumber::At(mark), PrintedUnit::Degrees, degrees(found.at)));
         }
     };
     for (k, sign) in [(0, whole(-1)), (1, whole(1))] {
         let of = |order: usize| move |b: Branch, phi: Big| sign * differences(&|x| law.lift(b, x), phi)[order];
         // A follower at rest has no velocity.
-        extreme(Mark::Rate(k), Unit::Lift(1), greatest(law, &moving, &of(0)), &|x| sign * x * omega);
-        extreme(Mark::Bend(k), Unit::Lift(2), greatest(law, &moving, &of(1)), &|x| sign * x * omega * omega);
+        extreme(CamExtreme::Rate(k), PrintedUnit::Lift(1), greatest(law, &moving, &of(0)), &|x| sign * x * omega);
+        extreme(CamExtreme::Bend(k), PrintedUnit::Lift(2), greatest(law, &moving, &of(1)), &|x| sign * x * omega * omega);
         if !flat && seed.is_multiple_of(4) {
             let stage = 2 * k;
             let size = |b: Branch, phi: Big| {
                 let x = law.bent(b, phi)[0];
                 if x.approx() < 0.0 { -x } else { x }
             };
-            extreme(Mark::Pressure(k), Unit::Degrees, greatest(law, &|s| s == stage, &size), &degrees);
+            extreme(CamExtreme::Pressure(k), PrintedUnit::Degrees, greatest(law, &|s| s == stage, &size), &degrees);
         }
     }
     let turn = cam.turned();
@@ -107,14 +107,14 @@ fn of_law(cam: &Cam, law: &ByLaw, seed: u64) -> Told {
     let ([v, a], [pressure, rho]) = (differences(&|x| law.lift(branch, x), turn), law.bent(branch, turn));
     let way = law.sense() * omega;
     all.extend([
-        (Which::Now(Now::Phi), Unit::Degrees, degrees(turn)),
-        (Which::Now(Now::Lift(0)), Unit::Lift(0), lift(law.lift(branch, turn))),
-        (Which::Now(Now::Lift(1)), Unit::Lift(1), v * way),
-        (Which::Now(Now::Lift(2)), Unit::Lift(2), a * way * way),
-        (Which::Now(Now::Rho), Unit::Length, rho * whole(1000)),
+        (CamNumber::Now(Now::Phi), PrintedUnit::Degrees, degrees(turn)),
+        (CamNumber::Now(Now::Lift(0)), PrintedUnit::Lift(0), lift(law.lift(branch, turn))),
+        (CamNumber::Now(Now::Lift(1)), PrintedUnit::Lift(1), v * way),
+        (CamNumber::Now(Now::Lift(2)), PrintedUnit::Lift(2), a * way * way),
+        (CamNumber::Now(Now::Rho), PrintedUnit::Length, rho * whole(1000)),
     ]);
     if !flat {
-        all.push((Which::Now(Now::Pressure), Unit::Degrees, degrees(pressure)));
+        all.push((CamNumber::Now(Now::Pressure), PrintedUnit::Degrees, degrees(pressure)));
     }
     all
 }
@@ -154,12 +154,12 @@ fn printed_digits_are_true_of_cams_over_a_turn() {
             // reaches its cam.
             let edge = !matches!(cam.follower, Follower::Face) && cam.end.approx() == 0.0;
             if let Some(near) = (seed.is_multiple_of(16) && !edge).then(|| least_base(&turning.disc)).flatten() {
-                all.push((Which::LeastBase, Unit::Length, base_without_undercut(&cam, &law, near) * whole(1000)));
+                all.push((CamNumber::LeastBase, PrintedUnit::Length, base_without_undercut(&cam, &law, near) * whole(1000)));
                 bases += 1;
             }
             for (which, unit, truth) in all {
                 let ball = Ball::new(truth, OFF * truth.approx().abs().max(1.0));
-                let Ok(expected) = parts(Kind::Number, Value::Scalar(ball), 1.0, 6) else {
+                let Ok(expected) = parts(Kind::Number, AnswerValue::Scalar(ball), 1.0, 6) else {
                     wrong.push(format!("seed {seed}: {which:?} has no true value\n{text}"));
                     continue;
                 };

@@ -4,7 +4,7 @@
 use crate::grown;
 use crate::properties::seeds;
 use crate::wide::every;
-use hodograph::answer::Source;
+use hodograph::answer::MotionSource;
 use hodograph::mechanism::Level;
 use hodograph::scene::{Scene, driver_position, with_driver_at};
 use hodograph::worked::{Scope, Worked, work};
@@ -61,7 +61,7 @@ fn grown_cams_and_gears_move_as_differences_say() {
         }
         let Some(start) = driver_position(scene, 0) else { return };
         // A rack is placed by coordinates, which hold for the instant alone.
-        let placed = |p: &hodograph::scene::Point| matches!(p.place, hodograph::scene::Place::At(_));
+        let placed = |p: &hodograph::scene::NamedPoint| matches!(p.place, hodograph::scene::PointPlace::At(_));
         let pivots = &scene.links[scene.ground.0].points;
         if scene.points.iter().enumerate().any(|(i, p)| placed(p) && !pivots.iter().any(|q| q.0 == i)) {
             return;

@@ -3,8 +3,8 @@
 use crate::emit::{Ask, Pose};
 use crate::properties::{mechanism, seeds, solve, style};
 use crate::wide::every;
-use hodograph::answer::{Source, Value};
-use hodograph::centres::{Centre, Centres, How, Origin, Place, centres, omega, velocity};
+use hodograph::answer::{AnswerValue, MotionSource};
+use hodograph::centres::{Centre, CentreMethod, CentrePlace, Centres, Origin, centres, omega, velocity};
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::Level;
 use hodograph::scene::{LinkId, PointId};
@@ -63,7 +63,7 @@ fn centres_by_lines_are_those_by_velocities() {
             let name = c.step.pair.name(&case.scene);
             // The two lines of a round are distinct in a general pose: lines that coincide by
             // topology are not counted twice.
-            if !rigid && (c.why.is_some() && c.step.how != How::Velocities || c.round > c.step.round) {
+            if !rigid && (c.why.is_some() && c.step.how != CentreMethod::Velocities || c.round > c.step.round) {
                 fail(format!("{name}: {:?} of {:?}", c.why, c.step.how));
             }
             let Some(place) = c.place else {
@@ -77,7 +77,7 @@ fn centres_by_lines_are_those_by_velocities() {
             if residual > 1e-9 {
                 fail(format!("{name}: at {place:?} the links differ by {residual:e}"));
             }
-            let Place::At(at) = place else { continue };
+            let CentrePlace::At(at) = place else { continue };
             if let Some(off) = off(&found, c, at) {
                 compared += 1;
                 worst = worst.max(off);
@@ -94,14 +94,14 @@ fn centres_by_lines_are_those_by_velocities() {
         // Angular velocities and speeds by centres agree with the loop equations.
         let size = found.worked.configuration.extent();
         for t in &found.uses.links {
-            let Some(Value::Scalar(omega)) = found.other_ways(&omega(t.link, None))[1] else { continue };
+            let Some(AnswerValue::Scalar(omega)) = found.other_ways(&omega(t.link, None))[1] else { continue };
             speeds += 1;
             if (omega - t.omega).abs() > 1e-6 * largest(&found) {
                 fail(format!("ω of {} by centres {}, else {omega}", case.scene.link_name(t.link), t.omega));
             }
         }
         for s in &found.uses.points {
-            let Some(Value::Vector(v)) = found.other_ways(&velocity(s.point))[1] else { continue };
+            let Some(AnswerValue::Vector(v)) = found.other_ways(&velocity(s.point))[1] else { continue };
             speeds += 1;
             if (v - s.velocity).norm() > 1e-6 * largest(&found) * size {
                 fail(format!("v of {} by centres {:?}, else {v:?}", case.scene.point_name(s.point), s.velocity));

@@ -1,7 +1,7 @@
 //! Printed numbers compared with true ones: every printed digit is one of the true number.
 
-use hodograph::answer::Value;
-use hodograph::certified::ladder::{Part, certify, parts};
+use hodograph::answer::AnswerValue;
+use hodograph::certified::ladder::{AnswerPart, certify, parts};
 use hodograph::effort::truth::BITS;
 use hodograph::number::{Ball, Big, Real, within};
 use hodograph::scene::{Find, Scene};
@@ -29,7 +29,7 @@ impl Compared {
     /// Compares the printed numbers of a scene with true values. `off` is the error of the true
     /// values, as a part of the size of each; `truth` returns those of all questions in order, in a
     /// region of [`BITS`] bits.
-    pub fn scene(&mut self, name: &str, scene: &Scene, worked: &Worked, off: f64, truth: impl FnOnce() -> Vec<Option<Value<Big>>>) {
+    pub fn scene(&mut self, name: &str, scene: &Scene, worked: &Worked, off: f64, truth: impl FnOnce() -> Vec<Option<AnswerValue<Big>>>) {
         let printed = DIGITS.map(|d| certify(scene, worked, d));
         self.scenes += 1;
         within(BITS, || {
@@ -90,17 +90,23 @@ impl Compared {
 }
 
 /// The limit below which a value may be printed as zero.
-fn nothing(part: Part, digits: usize, scale: f64) -> f64 {
+fn nothing(part: AnswerPart, digits: usize, scale: f64) -> f64 {
     let whole = match part {
-        Part::Direction => 1e6,
-        Part::Degrees => 360.0,
-        Part::Magnitude | Part::X | Part::Y | Part::Scalar | Part::Printed | Part::PrintedX | Part::PrintedY => scale,
+        AnswerPart::Direction => 1e6,
+        AnswerPart::Degrees => 360.0,
+        AnswerPart::Magnitude
+        | AnswerPart::X
+        | AnswerPart::Y
+        | AnswerPart::Scalar
+        | AnswerPart::Printed
+        | AnswerPart::PrintedX
+        | AnswerPart::PrintedY => scale,
     };
     10f64.powi(-(digits as i32 + 10)) * whole
 }
 
 /// True values by the texts of the questions.
-pub fn by_text(scene: &Scene, known: &[(String, Value<Big>)]) -> Vec<Option<Value<Big>>> {
+pub fn by_text(scene: &Scene, known: &[(String, AnswerValue<Big>)]) -> Vec<Option<AnswerValue<Big>>> {
     let of = |f: &Find| known.iter().find(|(text, _)| *text == f.text).map(|(_, value)| *value);
     scene.find.iter().map(of).collect()
 }

@@ -5,11 +5,11 @@
 use crate::emit::{self, Ask};
 use crate::properties::{Case, Motion, mechanism, seeds, solve, style};
 use crate::wide::every;
-use hodograph::answer::Value;
-use hodograph::composite::{Choice, Verdict, choices, name_of};
+use hodograph::answer::AnswerValue;
+use hodograph::composite::{ChoiceVerdict, FrameChoice, choices, name_of};
 use hodograph::geom::{Point, Vec2};
 use hodograph::position::Configuration;
-use hodograph::scene::quantity::composite::Part;
+use hodograph::scene::quantity::composite::CompositePart;
 use hodograph::scene::quantity::{Composite, Frame, PointMotion, Rate};
 use hodograph::scene::{Asked, DiagramKind, Find, Scene};
 use hodograph::worked::{Scope, Worked, work};
@@ -17,7 +17,7 @@ use hodograph::worked::{Scope, Worked, work};
 /// Largest number of choices examined in one mechanism.
 const MOST: usize = 12;
 
-fn ask(scene: &Scene, c: &Choice, what: Asked) -> Find {
+fn ask(scene: &Scene, c: &FrameChoice, what: Asked) -> Find {
     let frame = match c.frame {
         Frame::Link(l) => scene.link_name(l).to_owned(),
         Frame::Point(p) => name_of(scene, &p),
@@ -25,18 +25,18 @@ fn ask(scene: &Scene, c: &Choice, what: Asked) -> Find {
     Find { what, text: format!("{}_{}/{frame}", what.entry().symbol, name_of(scene, &c.of)), span: Default::default() }
 }
 
-fn parts(c: &Choice) -> Vec<Part> {
+fn parts(c: &FrameChoice) -> Vec<CompositePart> {
     let turns = matches!(c.frame, Frame::Link(_));
-    Part::ALL.into_iter().filter(|p| *p != Part::Path && (turns || *p != Part::Coriolis)).collect()
+    CompositePart::ALL.into_iter().filter(|p| *p != CompositePart::Path && (turns || *p != CompositePart::Coriolis)).collect()
 }
 
 /// The mechanism of a seed with questions for every part of some choices, solved.
-fn parted(seed: u64) -> Option<(Case, Vec<Choice>, Scene, Worked)> {
+fn parted(seed: u64) -> Option<(Case, Vec<FrameChoice>, Scene, Worked)> {
     let m = mechanism(seed).filter(|m| m.groups.len() <= 8)?;
     let pose = if m.coordinates_only { emit::Pose::Coordinates } else { emit::Pose::of(seed) };
     let case = solve(seed, &m, &style(pose, Ask::Everything, seed));
-    let usable = |c: &Choice| !matches!(c.verdict, Verdict::SameBody | Verdict::FrameFixed);
-    let chosen: Vec<Choice> = choices(&case.scene).into_iter().filter(usable).take(MOST).collect();
+    let usable = |c: &FrameChoice| !matches!(c.verdict, ChoiceVerdict::SameBody | ChoiceVerdict::FrameFixed);
+    let chosen: Vec<FrameChoice> = choices(&case.scene).into_iter().filter(usable).take(MOST).collect();
     let mut scene = case.scene.clone();
     scene.find.clear();
     for c in &chosen {
@@ -58,13 +58,13 @@ fn parted(seed: u64) -> Option<(Case, Vec<Choice>, Scene, Worked)> {
 
 /// The answer to a question: by analysis, and by drawing if it is drawn.
 fn values(scene: &Scene, worked: &Worked, what: Asked) -> [Option<Vec2>; 2] {
-    let vector = |v: Value| if let Value::Vector(v) = v { Some(v) } else { None };
+    let vector = |v: AnswerValue| if let AnswerValue::Vector(v) = v { Some(v) } else { None };
     let Some(r) = worked.results.iter().find(|r| scene.find[r.find].what == what) else { return [None; 2] };
     [vector(r.computed), r.drawn.as_ref().and_then(|d| vector(d.value))]
 }
 
 /// The place of the point in a frame, by the positions.
-fn seen(scene: &Scene, c: &Choice, now: &Configuration, at: &Configuration) -> Option<Vec2> {
+fn seen(scene: &Scene, c: &FrameChoice, now: &Configuration, at: &Configuration) -> Option<Vec2> {
     let place = |at: &Configuration, p: hodograph::scene::PointId| at.points[p.0];
     Some(match (c.frame, c.of.link) {
         (Frame::Point(f), _) => place(at, c.of.point)? - place(at, f.point)?,
@@ -81,7 +81,7 @@ fn seen(scene: &Scene, c: &Choice, now: &Configuration, at: &Configuration) -> O
 }
 
 /// The later place of the frame's point that coincides with the moving point at the instant.
-fn carried(c: &Choice, now: &Configuration, at: &Configuration) -> Option<Point> {
+fn carried(c: &FrameChoice, now: &Configuration, at: &Configuration) -> Option<Point> {
     match c.frame {
         Frame::Link(l) => Some(at.poses[l.0]?.to_world(now.poses[l.0]?.to_local(now.points[c.of.point.0]?))),
         Frame::Point(f) => at.points[f.point.0],
@@ -105,15 +105,15 @@ fn parts_of_a_composite_motion_add_up_and_are_differences_of_positions() {
         for c in &chosen {
             let name = format!("{:?} {}", c.verdict, ask(&scene, c, PointMotion { rate: Rate::Velocity, of: c.of }.into()).text);
             for way in [0, 1] {
-                let part = |p: Part| values(&scene, &worked, Composite { part: p, of: c.of, frame: c.frame }.into())[way];
+                let part = |p: CompositePart| values(&scene, &worked, Composite { part: p, of: c.of, frame: c.frame }.into())[way];
                 let whole = |rate| values(&scene, &worked, PointMotion { rate, of: c.of }.into())[way];
-                let sum = |parts: &[Part]| parts.iter().map(|p| part(*p)).try_fold(Vec2::ZERO, |s, v| Some(s + v?));
-                let coriolis: &[Part] = if matches!(c.frame, Frame::Link(_)) { &[Part::Coriolis] } else { &[] };
+                let sum = |parts: &[CompositePart]| parts.iter().map(|p| part(*p)).try_fold(Vec2::ZERO, |s, v| Some(s + v?));
+                let coriolis: &[CompositePart] = if matches!(c.frame, Frame::Link(_)) { &[CompositePart::Coriolis] } else { &[] };
                 let sums = [
-                    (0, whole(Rate::Velocity), sum(&[Part::TransportVelocity, Part::RelativeVelocity])),
-                    (1, whole(Rate::Acceleration), sum(&[&[Part::Transport, Part::Relative], coriolis].concat())),
-                    (1, part(Part::Transport), sum(&[Part::TransportNormal, Part::TransportTangential])),
-                    (1, part(Part::Relative), sum(&[Part::RelativeNormal, Part::RelativeTangential])),
+                    (0, whole(Rate::Velocity), sum(&[CompositePart::TransportVelocity, CompositePart::RelativeVelocity])),
+                    (1, whole(Rate::Acceleration), sum(&[&[CompositePart::Transport, CompositePart::Relative], coriolis].concat())),
+                    (1, part(CompositePart::Transport), sum(&[CompositePart::TransportNormal, CompositePart::TransportTangential])),
+                    (1, part(CompositePart::Relative), sum(&[CompositePart::RelativeNormal, CompositePart::RelativeTangential])),
                 ];
                 for (k, (on, whole, parts)) in sums.into_iter().enumerate() {
                     let (Some(whole), Some(parts)) = (whole, parts) else { continue };
@@ -133,10 +133,10 @@ fn parts_of_a_composite_motion_add_up_and_are_differences_of_positions() {
                 continue;
             }
             let differences = [
-                (0, Part::TransportVelocity, moved.first(h, seat)),
-                (0, Part::RelativeVelocity, moved.first(h, there)),
-                (1, Part::Transport, moved.second(h, seat)),
-                (1, Part::Relative, moved.second(h, there)),
+                (0, CompositePart::TransportVelocity, moved.first(h, seat)),
+                (0, CompositePart::RelativeVelocity, moved.first(h, there)),
+                (1, CompositePart::Transport, moved.second(h, seat)),
+                (1, CompositePart::Relative, moved.second(h, there)),
             ];
             for (on, p, difference) in differences {
                 let [computed, drawn] = values(&scene, &worked, Composite { part: p, of: c.of, frame: c.frame }.into());

@@ -3,7 +3,7 @@
 use crate::rng::Rng;
 use hodograph::certified::{certify, steps};
 use hodograph::notation::Notation;
-use hodograph::plan::text::Writer;
+use hodograph::plan::text::PlanWriter;
 use hodograph::report::{answers, construction};
 use hodograph::scene::{self, Lang, Scene};
 use hodograph::worked::{Scope, Worked, work};
@@ -73,7 +73,7 @@ fn what_does_not_rest_on_a_dead_point_is_answered_as_without_it() {
         let told = steps(&scene, &done, None);
         assert_eq!(told.why, None, "{all}");
         let notation = Notation::of_language(Lang::En);
-        let w = Writer { scene: &scene, plan: &done.plan, notation: &notation, lang: Lang::En };
+        let w = PlanWriter { scene: &scene, plan: &done.plan, notation: &notation, lang: Lang::En };
         let text = construction::text(&w, &done.construction, &told);
         assert!(text.contains("v_CB") && text.contains("v_P") && !text.contains("v_F") && !text.contains('≈'), "{text}");
         let json = answers::json(&scene, &done, &certify(&scene, &done, 6), 6, &[]);

@@ -6,8 +6,8 @@ use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use crate::told::told;
 use crate::wide::every;
-use hodograph::answer::Value;
-use hodograph::certified::ladder::{Part, certify, parts};
+use hodograph::answer::AnswerValue;
+use hodograph::certified::ladder::{AnswerPart, certify, parts};
 use hodograph::certified::steps;
 use hodograph::effort::truth;
 use hodograph::number::{Ball, Big, Real, within};
@@ -69,9 +69,9 @@ impl Tally {
                         self.printed += 1;
                         self.short += usize::from(certain < *digits);
                         // Values below this part of their reference may be printed as zero.
-                        let whole = if matches!(part, Part::Direction) {
+                        let whole = if matches!(part, AnswerPart::Direction) {
                             1e6
-                        } else if matches!(part, Part::Degrees) {
+                        } else if matches!(part, AnswerPart::Degrees) {
                             360.0
                         } else {
                             r.scale
@@ -90,8 +90,8 @@ impl Tally {
                             ));
                         }
                         let f64s = match (r.value(), part.key()) {
-                            (Value::Scalar(s), "value") => Some(s),
-                            (Value::Vector(v), "magnitude") => Some(v.norm()),
+                            (AnswerValue::Scalar(s), "value") => Some(s),
+                            (AnswerValue::Vector(v), "magnitude") => Some(v.norm()),
                             _ => None,
                         };
                         self.plain += usize::from(f64s.is_some_and(|x| hodograph::digits::significant(x, certain) != text));
@@ -124,7 +124,7 @@ impl Tally {
                 continue;
             }
             let ball = Ball::new(t.value, 1e-60 * t.value.approx().abs());
-            let expected = parts(Kind::Omega, Value::Scalar(ball), 0.0, digits).ok();
+            let expected = parts(Kind::Omega, AnswerValue::Scalar(ball), 0.0, digits).ok();
             let truth = expected.and_then(|e| e[0].1.text(certain)).map_or_else(|| format!("{:e}", t.value.approx()), |t| t.0);
             if truth != text {
                 self.wrong.push(format!("{} is told as {text}, it is {truth}", place()));

@@ -6,11 +6,11 @@ use crate::free_bodies;
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use crate::wide::every;
-use hodograph::answer::{Source, Value};
+use hodograph::answer::{AnswerValue, MotionSource};
 use hodograph::certified::certify;
-use hodograph::certified::ladder::Part;
+use hodograph::certified::ladder::AnswerPart;
 use hodograph::effort::truth;
-use hodograph::equilibrium::Whole;
+use hodograph::equilibrium::ForceTotals;
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Level;
 use hodograph::number::{Big, Real, within};
@@ -173,7 +173,8 @@ fn random_loads_are_balanced_three_ways() {
             continue;
         }
         // All links together, where every reaction of the ground is drawn.
-        let together = worked.equilibrium.as_ref().and_then(|of| Some((of.forces.largest, Whole::of(&scene, &worked.configuration, of)?)));
+        let together =
+            worked.equilibrium.as_ref().and_then(|of| Some((of.forces.largest, ForceTotals::of(&scene, &worked.configuration, of)?)));
         if let Some((largest, all)) = together {
             whole += 1;
             if (all.loads + all.ground).norm() > 1e-9 * largest {
@@ -195,7 +196,7 @@ fn random_loads_are_balanced_three_ways() {
                 for (r, c) in worked.results.iter().zip(&told) {
                     let find = &scene.find[r.find].text;
                     let Some(value) = of_pin(&scene, find, &true_values) else { continue };
-                    let numbers = [(Part::Magnitude, value.norm().approx()), (Part::Direction, degrees(value))];
+                    let numbers = [(AnswerPart::Magnitude, value.norm().approx()), (AnswerPart::Direction, degrees(value))];
                     for (part, value) in numbers.into_iter().filter(|(_, value)| value.abs() > 1e-9) {
                         let Some((printed, count)) = c.part(part).and_then(|n| n.text(DIGITS)) else { continue };
                         reactions += 1;
@@ -210,7 +211,7 @@ fn random_loads_are_balanced_three_ways() {
         let Some(k) = worked.results.iter().position(|r| scene.find[r.find].text == "P") else { continue };
         within(truth::BITS, || {
             let Some(true_value) = by_work(&scene, &worked, &loads) else { return };
-            let Value::Scalar(computed) = worked.results[k].computed else { return };
+            let AnswerValue::Scalar(computed) = worked.results[k].computed else { return };
             let value = true_value.approx();
             if value.abs() < 1e-6 {
                 return;
@@ -219,7 +220,7 @@ fn random_loads_are_balanced_three_ways() {
             if (computed - value).abs() > 1e-9 * value.abs().max(1.0) {
                 failures.push(format!("seed {seed}: P is {computed}, by the work of the loads {value}"));
             }
-            if let Some((printed, _)) = told[k].part(Part::Scalar).and_then(|n| n.text(DIGITS)) {
+            if let Some((printed, _)) = told[k].part(AnswerPart::Scalar).and_then(|n| n.text(DIGITS)) {
                 digits += 1;
                 let off: f64 = (printed.parse::<f64>().unwrap() - value).abs();
                 if off > 0.5001 * last_place(value, DIGITS) {

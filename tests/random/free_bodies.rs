@@ -3,7 +3,7 @@
 //! is used.
 
 use super::forces::Load;
-use hodograph::answer::Source;
+use hodograph::answer::MotionSource;
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::Level;
 use hodograph::number::{Big, Real};

@@ -2,7 +2,7 @@
 
 use crate::emit::{Ask, Pose};
 use crate::properties::{mechanism, seeds, solve, style};
-use hodograph::answer::{Value, evaluate};
+use hodograph::answer::{AnswerValue, evaluate};
 use hodograph::{motion, position};
 
 #[test]
@@ -28,13 +28,13 @@ fn group_by_group_as_all_at_once() {
             let again = w.configuration.clone();
             let motion = motion::solve(&c.scene, &w.mechanism, &again, &w.demand);
             assert_eq!(motion.singular, [0; 0], "seed {seed}: {:?}\n{}", m.groups, c.text);
-            let largest = |a: Value, b: Value| a.magnitude().max(b.magnitude());
+            let largest = |a: AnswerValue, b: AnswerValue| a.magnitude().max(b.magnitude());
             for o in w.results.iter().filter(|o| o.agreement.is_some()) {
                 let find = &c.scene.find[o.find];
                 let value = evaluate(&c.scene, &again, &motion, &find.what).unwrap_or_else(|| panic!("seed {seed}: {}", find.text));
                 let off = match (value, o.computed) {
-                    (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
-                    (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
+                    (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
+                    (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
                     _ => panic!("seed {seed}: {} is a vector and a number", find.text),
                 };
                 let agreement = o.agreement.expect("filtered");
@@ -61,7 +61,8 @@ fn single_precision_goes_the_same_way() {
     let at = position::recompute::<f32>(&scene, &w.mechanism, &w.demand, &w.configuration).unwrap();
     let motion = motion::solve(&scene, &w.mechanism, &at, &w.demand);
     for r in &w.results {
-        let (Some(Value::Vector(a)), Value::Vector(b)) = (evaluate(&scene, &at, &motion, &scene.find[r.find].what), r.computed) else {
+        let (Some(AnswerValue::Vector(a)), AnswerValue::Vector(b)) = (evaluate(&scene, &at, &motion, &scene.find[r.find].what), r.computed)
+        else {
             continue;
         };
         let off = (a.approx() - b).norm() / b.norm();

@@ -2,17 +2,17 @@
 //! equations, which differences of positions confirm.
 
 use hodograph::accuracy::{BAD_DEG, crossings};
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::certified::certify;
-use hodograph::certified::ladder::Part;
+use hodograph::certified::ladder::AnswerPart;
 use hodograph::construct::scale::Boxes;
-use hodograph::construct::{Drawing, construct, read};
+use hodograph::construct::{PlanDrawing, construct, read};
 use hodograph::digits::significant;
 use hodograph::effort::truth;
 use hodograph::geom::Point;
 use hodograph::mechanism::Core;
 use hodograph::number::{Real, within};
-use hodograph::plan::{Ways, plan_with};
+use hodograph::plan::{GroupChoices, plan_with};
 use hodograph::position::newton::{driver_values, moved};
 use hodograph::scene::{self, DiagramKind, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
@@ -65,11 +65,11 @@ fn a_slider_inside_a_higher_group_is_proved() {
             let find = &scene.find[r.find];
             assert_eq!(c.why, None, "{}", find.text);
             let t = match t.unwrap() {
-                Value::Scalar(s) => s.approx(),
-                Value::Vector(v) => v.norm().approx(),
-                Value::Point(_) => panic!("{} is no place", find.text),
+                AnswerValue::Scalar(s) => s.approx(),
+                AnswerValue::Vector(v) => v.norm().approx(),
+                AnswerValue::Point(_) => panic!("{} is no place", find.text),
             };
-            let part = c.part(Part::Scalar).or(c.part(Part::Magnitude)).unwrap();
+            let part = c.part(AnswerPart::Scalar).or(c.part(AnswerPart::Magnitude)).unwrap();
             assert_eq!(part.text(12).unwrap().0, significant(t, 12), "{}", find.text);
         }
     });
@@ -112,14 +112,14 @@ fn a_higher_group_is_what_differences_of_positions_say() {
     for (o, p) in done.results.iter().zip(&again.results) {
         assert!(o.drawn.is_some(), "{}", scene.find[o.find].text);
         let off = match (o.computed, p.computed) {
-            (Value::Vector(a), Value::Vector(b)) => (a - b).norm() / a.norm(),
-            (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs() / a.abs(),
+            (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm() / a.norm(),
+            (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs() / a.abs(),
             _ => panic!("the same question has the same kind of answer"),
         };
         assert!(off < 1e-11, "{}: the two poses differ by {off:e}", scene.find[o.find].text);
     }
-    let Value::Vector(v) = done.results[0].computed else { panic!("v_D is a vector") };
-    let Value::Vector(a) = done.results[1].computed else { panic!("a_D is a vector") };
+    let AnswerValue::Vector(v) = done.results[0].computed else { panic!("v_D is a vector") };
+    let AnswerValue::Vector(a) = done.results[1].computed else { panic!("a_D is a vector") };
     assert!((v - velocity).norm() < 1e-6 * v.norm(), "{v:?} {velocity:?}");
     assert!((a - acceleration).norm() < 1e-4 * a.norm(), "{a:?} {acceleration:?}");
 }
@@ -191,11 +191,12 @@ fn every_way_to_draw_a_group_gives_the_same() {
             assert!(w.results.iter().all(|r| r.agreement.is_some_and(|a| a.holds())), "{shape}, seed {seed}: {:?}", w.results);
             let group = w.mechanism.groups.iter().position(|g| matches!(g.core, Core::Higher)).expect("a group without a core");
             // The smallest intersection angle of a drawing, in degrees.
-            let flattest = |d: &Drawing| crossings(d, 0.0).iter().map(|c| c.angle_deg()).fold(90.0, f64::min);
+            let flattest = |d: &PlanDrawing| crossings(d, 0.0).iter().map(|c| c.angle_deg()).fold(90.0, f64::min);
             let mut best: f64 = 0.0;
             let mut way = 0;
             loop {
-                let plan = plan_with(&scene, &w.mechanism, &w.demand, &Ways { way: [(group, way)].into(), ..Ways::default() });
+                let plan =
+                    plan_with(&scene, &w.mechanism, &w.demand, &GroupChoices { way: [(group, way)].into(), ..GroupChoices::default() });
                 if plan.undrawable.contains(&group) {
                     break;
                 }
@@ -217,8 +218,8 @@ fn every_way_to_draw_a_group_gives_the_same() {
                         .as_ref()
                         .unwrap_or_else(|| panic!("{shape}, seed {seed}, way {way}: {} is not drawn", scene.find[r.find].text));
                     let off = match (answer.value, r.computed) {
-                        (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
-                        (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
+                        (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
+                        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
                         _ => f64::INFINITY,
                     };
                     assert!(
@@ -270,8 +271,8 @@ fn a_double_butterfly_is_drawn_by_special_points() {
                 continue;
             };
             let off = match (d.value, r.computed) {
-                (Value::Vector(a), Value::Vector(b)) => (a - b).norm() / b.norm(),
-                (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs() / b.abs(),
+                (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm() / b.norm(),
+                (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs() / b.abs(),
                 _ => f64::INFINITY,
             };
             assert!(

@@ -5,7 +5,7 @@ use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use hodograph::certified::{certify, steps};
 use hodograph::notation::Notation;
-use hodograph::plan::text::Writer;
+use hodograph::plan::text::PlanWriter;
 use hodograph::report::diagnostics::render;
 use hodograph::report::{answers, construction};
 use hodograph::scene::{self, Lang, templates};
@@ -39,7 +39,7 @@ fn survive(input: &[u8], what: &str) -> bool {
         let certified = certify(&scene, &done, answers::DIGITS);
         let told = steps(&scene, &done, Some(0.1));
         let notation = Notation::of_language(Lang::Zh);
-        let w = Writer { scene: &scene, plan: &done.plan, notation: &notation, lang: Lang::Zh };
+        let w = PlanWriter { scene: &scene, plan: &done.plan, notation: &notation, lang: Lang::Zh };
         let printed = [
             answers::text(&scene, &done, &certified, answers::DIGITS, Lang::En),
             construction::text(&w, &done.construction, &told),

@@ -7,8 +7,8 @@ use crate::emit::{self, Ask, Pose, Style, scene as emitted};
 use crate::mech::Mech;
 use crate::properties::{mechanism, seeds, style};
 use crate::wide::every;
-use hodograph::answer::Value;
-use hodograph::certified::ladder::{Certified, Part, certify};
+use hodograph::answer::AnswerValue;
+use hodograph::certified::ladder::{AnswerPart, Certified, certify};
 use hodograph::scene::{Scene, read};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::Value as Json;
@@ -31,7 +31,7 @@ fn certified(text: &str, what: &str) -> Vec<(String, Certified)> {
 /// Numbers that do not depend on the frame.
 fn same(seed: u64, what: &str, a: &Certified, b: &Certified) -> usize {
     let mut compared = 0;
-    for part in [Part::Magnitude, Part::Scalar] {
+    for part in [AnswerPart::Magnitude, AnswerPart::Scalar] {
         let (Some(m), Some(n)) = (a.part(part), b.part(part)) else { continue };
         assert!(m.enclosure().meets(n.enclosure()), "seed {seed}, {what}: {m:?} and {n:?} have no number in common");
         if a.why.is_none() && b.why.is_none() {
@@ -132,9 +132,10 @@ fn neither_names_nor_order_change_a_digit() {
             return;
         }
         // The questions may be in another order: every number must be found again.
-        let all: Vec<_> = there.iter().filter_map(|(_, c)| c.part(Part::Magnitude).or(c.part(Part::Scalar))?.text(DIGITS)).collect();
+        let all: Vec<_> =
+            there.iter().filter_map(|(_, c)| c.part(AnswerPart::Magnitude).or(c.part(AnswerPart::Scalar))?.text(DIGITS)).collect();
         for (name, c) in &here {
-            let Some(text) = c.part(Part::Magnitude).or(c.part(Part::Scalar)).and_then(|n| n.text(DIGITS)) else { continue };
+            let Some(text) = c.part(AnswerPart::Magnitude).or(c.part(AnswerPart::Scalar)).and_then(|n| n.text(DIGITS)) else { continue };
             assert!(all.contains(&text), "seed {seed}: {name} = {} is not among the answers of the renamed scene", text.0);
             compared += 1;
         }
@@ -161,8 +162,8 @@ fn scaling_by_a_power_of_two_changes_no_bit() {
                 let angular = name.starts_with("omega") || name.starts_with("alpha") || name.starts_with("phi");
                 let k = if angular { 1.0 } else { k };
                 let same = match (a.computed, b.computed) {
-                    (Value::Vector(a), Value::Vector(b)) => (a.x * k, a.y * k) == (b.x, b.y),
-                    (Value::Scalar(a), Value::Scalar(b)) => a * k == b,
+                    (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a.x * k, a.y * k) == (b.x, b.y),
+                    (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => a * k == b,
                     _ => false,
                 };
                 assert!(same, "seed {seed}: {name} = {:?}, scaled by {k:e} {:?}", a.computed, b.computed);
@@ -171,7 +172,7 @@ fn scaling_by_a_power_of_two_changes_no_bit() {
                     continue;
                 }
                 for ((part, n), (_, o)) in sure[i].parts.iter().zip(&surely[i].parts) {
-                    let k = if *part == Part::Direction { 1.0 } else { k };
+                    let k = if *part == AnswerPart::Direction { 1.0 } else { k };
                     assert_eq!(n.enclosure().approx * k, o.enclosure().approx, "seed {seed}: {} of {name} certified", part.key());
                     compared += 1;
                 }

@@ -7,8 +7,8 @@ use crate::properties::{mechanism, seeds, style};
 use crate::singular::{FOUR_BAR, FRAMES, RATES, drive, scene_in};
 use crate::wide::every;
 use hodograph::accuracy::Agreement;
-use hodograph::answer::Value;
-use hodograph::certified::ladder::{Certified, Part, Why, certify};
+use hodograph::answer::AnswerValue;
+use hodograph::certified::ladder::{AnswerPart, Certified, MissingDigits, certify};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Level;
 use hodograph::scene::{Scene, read, templates, with_driver_at};
@@ -26,28 +26,28 @@ struct Seen {
 }
 
 /// The middle of a certificate, if it is known far better than in `f64`.
-fn certified(c: &Certified) -> Option<Value> {
-    let number = |part: Part| {
+fn certified(c: &Certified) -> Option<AnswerValue> {
+    let number = |part: AnswerPart| {
         let e = c.part(part)?.enclosure();
         Some((e.approx, e.radius))
     };
-    let (value, radius) = match number(Part::Scalar) {
-        Some((x, r)) => (Value::Scalar(x), r),
+    let (value, radius) = match number(AnswerPart::Scalar) {
+        Some((x, r)) => (AnswerValue::Scalar(x), r),
         None => {
-            let ((x, a), (y, b)) = (number(Part::X)?, number(Part::Y)?);
-            (Value::Vector(Vec2::new(x, y)), a.max(b))
+            let ((x, a), (y, b)) = (number(AnswerPart::X)?, number(AnswerPart::Y)?);
+            (AnswerValue::Vector(Vec2::new(x, y)), a.max(b))
         }
     };
     (radius <= 1e-13 * value.magnitude()).then_some(value)
 }
 
-fn apart(a: Value, b: Value) -> f64 {
+fn apart(a: AnswerValue, b: AnswerValue) -> f64 {
     match (a, b) {
-        (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
-        (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
+        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
+        (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
         // The true value of a place is given as the vector to it.
-        (Value::Point(a), Value::Vector(b)) | (Value::Vector(b), Value::Point(a)) => (a.to_vec2() - b).norm(),
-        (Value::Point(a), Value::Point(b)) => (a - b).norm(),
+        (AnswerValue::Point(a), AnswerValue::Vector(b)) | (AnswerValue::Vector(b), AnswerValue::Point(a)) => (a.to_vec2() - b).norm(),
+        (AnswerValue::Point(a), AnswerValue::Point(b)) => (a - b).norm(),
         _ => f64::INFINITY,
     }
 }
@@ -58,7 +58,7 @@ impl Seen {
         let done = done.value;
         for (r, c) in done.results.iter().zip(certify(scene, &done, 12)) {
             let find = &scene.find[r.find];
-            if find.what.level() == Level::Position || matches!(c.why, Some(Why::NextOrder(_))) {
+            if find.what.level() == Level::Position || matches!(c.why, Some(MissingDigits::NextOrder(_))) {
                 continue;
             }
             let Some(truth) = certified(&c) else { continue };
@@ -69,7 +69,7 @@ impl Seen {
         }
     }
 
-    fn broken_by(&mut self, r: &Outcome, truth: Value) -> Option<String> {
+    fn broken_by(&mut self, r: &Outcome, truth: AnswerValue) -> Option<String> {
         let size = truth.magnitude().max(1e-3 * r.scale);
         let off = apart(r.value(), truth) / size;
         match (r.agreement, r.longer) {
@@ -344,7 +344,7 @@ fn a_triad_twelve_sixes_from_its_dead_centre() {
     let text = BESIDE[2].2.replace("14/3 - {H}", "4.666666666666");
     let scene = scene_of(&text);
     let done = work(&scene, Scope::Questions).unwrap().value;
-    let Value::Scalar(omega) = done.results[0].value() else { panic!("no number") };
+    let AnswerValue::Scalar(omega) = done.results[0].value() else { panic!("no number") };
     assert!((omega + 555_555_555_555.67).abs() < 0.006, "{omega:?}");
 }
 
@@ -357,7 +357,7 @@ fn a_pin_within_rounding_of_its_pivot() {
         let scene = scene_of(&text);
         let done = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{beside}: {f}")).value;
         let omega = done.results.iter().find(|r| scene.find[r.find].text == "omega_3").unwrap();
-        assert_eq!(omega.value(), Value::Scalar(5.0), "{beside}");
+        assert_eq!(omega.value(), AnswerValue::Scalar(5.0), "{beside}");
         let mut seen = Seen::default();
         seen.check(beside, &scene);
         seen.done(5);

@@ -2,7 +2,7 @@
 //! Newton's method; drawings with redundant pairs; the default assembly.
 
 use hodograph::analytic::{Solution, solve, third};
-use hodograph::answer::Source;
+use hodograph::answer::MotionSource;
 use hodograph::construct::conditions;
 use hodograph::geom::Point;
 use hodograph::mechanism::Level;
@@ -194,7 +194,7 @@ fn third_derivatives_are_the_slopes_of_the_accelerations() {
         // Their followers have the third derivative of their law, see `tests/cams.rs`; Newton's
         // method continues along an arc.
         let by_law =
-            |c: &hodograph::scene::Cam| c.disc.as_ref().is_some_and(|t| matches!(t.disc.motion, hodograph::cam::Motion::Law { .. }));
+            |c: &hodograph::scene::Cam| c.disc.as_ref().is_some_and(|t| matches!(t.disc.motion, hodograph::cam::CamMotion::Law { .. }));
         if scene.cams.iter().any(by_law) || rate == 0.0 || w.demand.level < Level::Acceleration || !w.solution.singular.is_empty() {
             continue;
         }

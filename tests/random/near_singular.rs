@@ -4,7 +4,7 @@
 use crate::properties::seeds;
 use crate::rng::Rng;
 use crate::singular::{FOUR_BAR, FRAMES, RATES, close, drive, number, run, scene_in};
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::geom::Vec2;
 use hodograph::worked::Outcome;
 
@@ -177,7 +177,7 @@ fn random_crank_rockers_at_their_limits() {
             match run(&text) {
                 Ok((_, done, notes)) => {
                     near += 1;
-                    let finite = |v: Value| number(v).is_finite();
+                    let finite = |v: AnswerValue| number(v).is_finite();
                     assert!(done.results.iter().all(|o| finite(o.value()) && finite(o.computed)), "seed {seed}\n{text}");
                     let warned = notes.iter().any(|d| d.code == "near-singular");
                     assert!(warned || !done.results.iter().any(huge), "seed {seed}: {:?}\n{text}", done.results);

@@ -10,7 +10,7 @@ use crate::poses::Oracle;
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use crate::wide::every;
-use hodograph::composite::{Verdict, choices, name_of};
+use hodograph::composite::{ChoiceVerdict, choices, name_of};
 use hodograph::effort::truth;
 use hodograph::scene::quantity::Frame;
 use hodograph::scene::{Scene, read};
@@ -120,7 +120,7 @@ fn printed_digits_are_true_of_curvature() {
 #[test]
 fn printed_digits_are_true_of_composite_motion() {
     compare(60, "composite motion", 1500 / every(8), |scene, rng| {
-        let usable = choices(scene).into_iter().filter(|c| !matches!(c.verdict, Verdict::SameBody | Verdict::FrameFixed));
+        let usable = choices(scene).into_iter().filter(|c| !matches!(c.verdict, ChoiceVerdict::SameBody | ChoiceVerdict::FrameFixed));
         let all = usable.flat_map(|c| {
             let (frame, turns) = match c.frame {
                 Frame::Link(l) => (scene.link_name(l).to_owned(), true),

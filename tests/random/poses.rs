@@ -2,12 +2,12 @@
 //! by geometry alone: poles of small finite rotations, circles through three places, differences of
 //! places seen in a frame. No formula with velocities or accelerations is used.
 
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::effort::truth::Differences;
 use hodograph::geom::{Point, Vec2};
 use hodograph::number::{Big, Real};
 use hodograph::position::{Configuration, Pose};
-use hodograph::scene::quantity::composite::Part;
+use hodograph::scene::quantity::composite::CompositePart;
 use hodograph::scene::quantity::curvature::{OfPath, OfPole};
 use hodograph::scene::quantity::{Composite, Curvature, Frame, InstantCentre};
 use hodograph::scene::{Asked, DriverKind, LinkId, OnLink, Scene};
@@ -32,10 +32,10 @@ type Relative = (V, V);
 
 impl Oracle<'_> {
     /// The answer; `None` if this file has no formula, or there is no answer.
-    pub fn answer(&self, what: &Asked) -> Option<Value<Big>> {
+    pub fn answer(&self, what: &Asked) -> Option<AnswerValue<Big>> {
         match what {
-            Asked::InstantCentre(c) => Some(Value::Point(self.centre(c)?)),
-            Asked::FromCentre(f) => Some(Value::Scalar(self.d.now.points[f.point.0]?.distance(self.centre(&f.centre)?))),
+            Asked::InstantCentre(c) => Some(AnswerValue::Point(self.centre(c)?)),
+            Asked::FromCentre(f) => Some(AnswerValue::Scalar(self.d.now.points[f.point.0]?.distance(self.centre(&f.centre)?))),
             Asked::Curvature(Curvature::Path(p, of)) => self.path(*p, *of),
             Asked::Curvature(Curvature::Pole(links, of)) => self.pole(links.map(|l| l.0), *of),
             Asked::Composite(c) => self.part(c),
@@ -75,17 +75,17 @@ impl Oracle<'_> {
         Some(self.pose(&self.d.now, j)?.to_world(turned_about(before, after)?.1.to_point()))
     }
 
-    fn pole(&self, [i, j]: [LinkId; 2], of: OfPole) -> Option<Value<Big>> {
+    fn pole(&self, [i, j]: [LinkId; 2], of: OfPole) -> Option<AnswerValue<Big>> {
         let [before, now, after] = self.relative([i, j])?;
         let frame = self.pose(&self.d.now, j)?;
         let (in_link, pole) = turned_about(before, after)?;
         let h = self.d.step;
         let turn = after.0.divide_by(before.0).angle() / (h + h);
-        let on = |v: V| Value::Point(frame.to_world(v.to_point()));
+        let on = |v: V| AnswerValue::Point(frame.to_world(v.to_point()));
         let way = (turned_about(now, after)?.1 - turned_about(before, now)?.1) * (number(1.0) / h);
         Some(match of {
-            OfPole::PoleVelocity => Value::Vector(frame.turn(way)),
-            OfPole::Diameter => Value::Scalar(absolute(way.norm() / turn)),
+            OfPole::PoleVelocity => AnswerValue::Vector(frame.turn(way)),
+            OfPole::Diameter => AnswerValue::Scalar(absolute(way.norm() / turn)),
             OfPole::InflectionPole => on(pole - way.perp() * (number(1.0) / turn)),
             OfPole::AccelerationPole => {
                 let bend = |f: fn(&Relative) -> V| (f(&after) - f(&now)) - (f(&now) - f(&before));
@@ -96,7 +96,7 @@ impl Oracle<'_> {
                 let pose = self.pose(&self.d.now, i)?;
                 let [a, b, ..] = self.scene.links[i.0].points[..] else { return None };
                 let [a, b] = [a, b].map(|p| self.d.now.point(p));
-                Value::Point((pose.to_world(in_link.to_point()) - a).divide_by((b - a).unit()?).to_point())
+                AnswerValue::Point((pose.to_world(in_link.to_point()) - a).divide_by((b - a).unit()?).to_point())
             }
             _ => return None,
         })
@@ -112,13 +112,13 @@ impl Oracle<'_> {
     }
 
     /// The circle through three places.
-    fn path(&self, p: OnLink, of: OfPath) -> Option<Value<Big>> {
+    fn path(&self, p: OnLink, of: OfPath) -> Option<AnswerValue<Big>> {
         let [a, b, c] = self.places(p)?;
         let (p, q) = (a - b, c - b);
         let to = (p.perp() * q.norm2() - q.perp() * p.norm2()) * (number(0.5) / p.cross(q));
         Some(match of {
-            OfPath::Radius => Value::Scalar(to.norm()),
-            OfPath::Centre => Value::Point(b + to),
+            OfPath::Radius => AnswerValue::Scalar(to.norm()),
+            OfPath::Centre => AnswerValue::Point(b + to),
             _ => return None,
         })
     }
@@ -146,7 +146,7 @@ impl Oracle<'_> {
         Some(places.map(Point::to_vec2))
     }
 
-    fn part(&self, c: &Composite) -> Option<Value<Big>> {
+    fn part(&self, c: &Composite) -> Option<AnswerValue<Big>> {
         let h = self.d.step;
         let first = |p: Three<V>| (p[2] - p[0]) * (number(1.0) / (h + h));
         let second = |p: Three<V>| ((p[2] - p[1]) - (p[1] - p[0])) * (number(1.0) / (h * h));
@@ -157,17 +157,17 @@ impl Oracle<'_> {
             // A point at rest has no path.
             (v.norm().approx() > 1e-40).then(|| v * (v.dot(a) / v.norm2()))
         };
-        Some(Value::Vector(match c.part {
-            Part::TransportVelocity => first(seat),
-            Part::RelativeVelocity => first(seen),
-            Part::Transport => second(seat),
-            Part::TransportNormal => second(seat) - along(seat)?,
-            Part::TransportTangential => along(seat)?,
-            Part::Relative => second(seen),
-            Part::RelativeNormal => second(seen) - along(seen)?,
-            Part::RelativeTangential => along(seen)?,
-            Part::Coriolis => second(self.places(c.of)?.map(Point::to_vec2)) - second(seat) - second(seen),
-            Part::Path => return None,
+        Some(AnswerValue::Vector(match c.part {
+            CompositePart::TransportVelocity => first(seat),
+            CompositePart::RelativeVelocity => first(seen),
+            CompositePart::Transport => second(seat),
+            CompositePart::TransportNormal => second(seat) - along(seat)?,
+            CompositePart::TransportTangential => along(seat)?,
+            CompositePart::Relative => second(seen),
+            CompositePart::RelativeNormal => second(seen) - along(seen)?,
+            CompositePart::RelativeTangential => along(seen)?,
+            CompositePart::Coriolis => second(self.places(c.of)?.map(Point::to_vec2)) - second(seat) - second(seen),
+            CompositePart::Path => return None,
         }))
     }
 }

@@ -5,12 +5,12 @@ use crate::kept::settled;
 use crate::mech::{self, Mech};
 pub use crate::rng::seeds;
 use crate::wide::every;
-use hodograph::answer::{Source, Value};
+use hodograph::answer::{AnswerValue, MotionSource};
 use hodograph::construct::Edge;
 use hodograph::diag::Faults;
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::{Level, Mechanism};
-use hodograph::plan::{Body, By, Plan, Spot, Step, Term, TermKind, Vertex, VertexId};
+use hodograph::plan::{Plan, PlanStep, Term, TermConnection, TermKind, TurningBody, Vertex, VertexId, VertexPlace};
 use hodograph::position::{Configuration, Path, newton};
 use hodograph::scene::{self, DiagramKind, DriverKind, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
@@ -30,7 +30,7 @@ impl Case {
         panic!("seed {}: {what}\n{}", self.seed, self.text)
     }
 
-    fn results(&self) -> impl Iterator<Item = (&str, Value, Value)> {
+    fn results(&self) -> impl Iterator<Item = (&str, AnswerValue, AnswerValue)> {
         self.worked.results.iter().map(|o| {
             let text = self.scene.find[o.find].text.as_str();
             match &o.drawn {
@@ -95,10 +95,10 @@ fn each(own: u64, pose: Pose, ask: Ask, mut check: impl FnMut(&Mech, &Case)) {
     }
 }
 
-fn difference(a: Value, b: Value) -> f64 {
+fn difference(a: AnswerValue, b: AnswerValue) -> f64 {
     match (a, b) {
-        (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
-        (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
+        (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
+        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
         _ => f64::INFINITY,
     }
 }
@@ -268,25 +268,25 @@ impl Oracle<'_> {
     fn place(&self, v: VertexId) -> Point {
         let (w, d) = (&self.c.worked, &self.c.worked.construction.diagram);
         match w.plan.vertex(v).spot {
-            Spot::Point(p) => w.configuration.point(p),
+            VertexPlace::Point(p) => w.configuration.point(p),
             // A special point exists only on the diagram.
-            Spot::Special(_) => d.origin + d.spots[v.0].unwrap().to_vec2() * d.mu,
+            VertexPlace::Special(_) => d.origin + d.spots[v.0].unwrap().to_vec2() * d.mu,
         }
     }
 
     fn vector(&self, level: Level, v: VertexId) -> Option<Vec2> {
         let vertex = self.c.worked.plan.vertex(v);
         match vertex.spot {
-            Spot::Point(_) if vertex.fixed => Some(Vec2::ZERO),
-            Spot::Point(p) if vertex.trial.is_none() => self.c.worked.solution.vector(level, p, vertex.on),
-            Spot::Point(_) | Spot::Special(_) => None,
+            VertexPlace::Point(_) if vertex.fixed => Some(Vec2::ZERO),
+            VertexPlace::Point(p) if vertex.trial.is_none() => self.c.worked.solution.vector(level, p, vertex.on),
+            VertexPlace::Point(_) | VertexPlace::Special(_) => None,
         }
     }
 
-    fn omega(&self, b: Body) -> f64 {
+    fn omega(&self, b: TurningBody) -> f64 {
         match b {
-            Body::Link(l) => self.c.worked.solution.turning(Level::Velocity, l).unwrap_or_else(|| self.c.fail("a link without ω")),
-            Body::Cylinder(d) => {
+            TurningBody::Link(l) => self.c.worked.solution.turning(Level::Velocity, l).unwrap_or_else(|| self.c.fail("a link without ω")),
+            TurningBody::Cylinder(d) => {
                 let DriverKind::Cylinder { a, b, .. } = self.c.scene.drivers[d].kind else { self.c.fail("no cylinder") };
                 let at = |p| self.c.worked.configuration.point(p);
                 let v = |p| self.c.worked.solution.vector(Level::Velocity, p, None).unwrap_or(Vec2::ZERO);
@@ -305,20 +305,20 @@ impl Oracle<'_> {
         };
         match (t.kind, t.by) {
             (TermKind::Relative | TermKind::Tangential, _) => Expected { vector: None, direction: unit.perp() },
-            (TermKind::Normal, By::Turning(b)) => {
+            (TermKind::Normal, TermConnection::Turning(b)) => {
                 let w = self.omega(b);
                 Expected { vector: Some(arm * -(w * w)), direction: unit }
             }
-            (TermKind::Extension, By::Cylinder(d)) => {
+            (TermKind::Extension, TermConnection::Cylinder(d)) => {
                 let d = &self.c.scene.drivers[d];
                 let rate = if level == Level::Velocity { d.rate.value } else { d.acceleration.as_ref().map_or(0.0, |a| a.value) };
                 Expected { vector: Some(unit * rate), direction: unit }
             }
-            (TermKind::Coriolis, By::Cylinder(d)) => {
-                let w = self.omega(Body::Cylinder(d));
+            (TermKind::Coriolis, TermConnection::Cylinder(d)) => {
+                let w = self.omega(TurningBody::Cylinder(d));
                 Expected { vector: Some(unit.perp() * (2.0 * w * self.c.scene.drivers[d].rate.value)), direction: unit.perp() }
             }
-            (kind, By::Guide { guide, .. }) => {
+            (kind, TermConnection::Guide { guide, .. }) => {
                 let path = self.c.worked.configuration.guide(guide);
                 let at = self.place(t.of);
                 let tangent = match path {
@@ -328,7 +328,7 @@ impl Oracle<'_> {
                 match kind {
                     TermKind::Slide => Expected { vector: None, direction: tangent },
                     TermKind::Coriolis => {
-                        let w = self.omega(Body::Link(self.c.scene.guides[guide.0].on));
+                        let w = self.omega(TurningBody::Link(self.c.scene.guides[guide.0].on));
                         Expected { vector: slide().map(|v| v.perp() * (2.0 * w)), direction: tangent.perp() }
                     }
                     TermKind::SlideNormal => {
@@ -338,7 +338,7 @@ impl Oracle<'_> {
                         let v = self.c.worked.plan.vertex(t.of);
                         let carried = match (v.on, v.spot) {
                             (Some(l), _) => l == carrier,
-                            (None, Spot::Point(p)) => self.c.scene.links[carrier.0].points.contains(&p),
+                            (None, VertexPlace::Point(p)) => self.c.scene.links[carrier.0].points.contains(&p),
                             _ => false,
                         };
                         let inward = (centre - at).unit().unwrap() * if carried { -1.0 } else { 1.0 };
@@ -401,7 +401,7 @@ fn every_edge_keeps_its_word() {
                 for group in plan.steps(DiagramKind::of(level)) {
                     for step in group.steps(group.drawn(c.worked.construction.acts.chosen[group.group])) {
                         match step {
-                            Step::Equation { target, chains, .. } => {
+                            PlanStep::Equation { target, chains, .. } => {
                                 let known: Vec<Vec2> = chains
                                     .iter()
                                     .map(|ch| rest.by_ref().take(ch.known.len()).map(vector).fold(Vec2::ZERO, |s, v| s + v))
@@ -415,7 +415,7 @@ fn every_edge_keeps_its_word() {
                                     }
                                 }
                             }
-                            Step::Image { target, from: (a, b), .. } => {
+                            PlanStep::Image { target, from: (a, b), .. } => {
                                 images += 1;
                                 let image = |v: &VertexId| polygon.images[v.0].unwrap().to_vec2();
                                 let (link, drawn) = (
@@ -428,8 +428,8 @@ fn every_edge_keeps_its_word() {
                                     c.fail(format!("{level:?} image of {target:?} is not similar to its link: {link:?} {drawn:?}"));
                                 }
                             }
-                            Step::Same { target, from, .. } => assert_eq!(polygon.images[target.0], polygon.images[from.0]),
-                            Step::Trials { .. } => {}
+                            PlanStep::Same { target, from, .. } => assert_eq!(polygon.images[target.0], polygon.images[from.0]),
+                            PlanStep::Trials { .. } => {}
                         }
                     }
                 }
@@ -464,7 +464,7 @@ fn a_plan_does_not_change_with_the_lengths() {
 }
 
 /// Answers of two runs with the same questions in the same order.
-fn compare(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, Value) -> Value) -> f64 {
+fn compare(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, AnswerValue) -> AnswerValue) -> f64 {
     assert_eq!(a.worked.results.len(), b.worked.results.len(), "{what}: the questions differ");
     let mut worst = 0.0f64;
     let largest = |text: &str| {
@@ -476,8 +476,11 @@ fn compare(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, Va
     for ((text, drawn, computed), (_, other_drawn, other)) in a.results().zip(b.results()) {
         for (was, is) in [(drawn, other_drawn), (computed, other)] {
             let off = difference(map(text, was), is);
-            let reference =
-                map(text, was).magnitude().max(1e-3 * map(text, Value::Scalar(largest(text))).magnitude()).max(1e-4 * motion).max(1e-9);
+            let reference = map(text, was)
+                .magnitude()
+                .max(1e-3 * map(text, AnswerValue::Scalar(largest(text))).magnitude())
+                .max(1e-4 * motion)
+                .max(1e-9);
             worst = worst.max(off / reference);
             if off > tolerance * reference {
                 a.fail(format!("{what} changes {text} from {was:?} to {is:?} (off {:e})\n{}\nand", off / reference, b.text));
@@ -500,11 +503,11 @@ fn a_power_of_two_changes_no_digit() {
             let s = style(if m.coordinates_only { Pose::Coordinates } else { Pose::Lengths }, Ask::Everything, c.seed);
             let b = solve(c.seed, &m.mapped(Vec2::new(1.0, 0.0), stretch, Vec2::ZERO), &s);
             for ((text, drawn, was), (_, other_drawn, is)) in c.results().zip(b.results()) {
-                let scale = |v: Value| match v {
+                let scale = |v: AnswerValue| match v {
                     _ if !goes_with_length(text) => v,
                     v => v.map(|x| x * stretch),
                 };
-                let near = 1e-9 * is.magnitude() + 1e-11 * scale(Value::Scalar(1.0)).magnitude();
+                let near = 1e-9 * is.magnitude() + 1e-11 * scale(AnswerValue::Scalar(1.0)).magnitude();
                 // Positions short of digits use the written decimals, which 2^k changes.
                 let written = || settled(&c.scene, &c.worked) || settled(&b.scene, &b.worked);
                 if scale(was) != is && (difference(scale(was), is) > near || !written()) {
@@ -534,15 +537,15 @@ fn turning_and_shifting_the_whole() {
             let by = Vec2::from_angle(0.7 + c.seed as f64);
             let b = solve(c.seed, &m.mapped(by, 1.0, Vec2::ZERO), &s);
             let coordinates = |text: &str| text.starts_with("x_") || text.starts_with("y_");
-            let rotate = |text: &str, v: Value| match v {
-                Value::Vector(v) => Value::Vector(v.rotate_by(by)),
-                Value::Scalar(_) if coordinates(text) => Value::Scalar(f64::NAN),
+            let rotate = |text: &str, v: AnswerValue| match v {
+                AnswerValue::Vector(v) => AnswerValue::Vector(v.rotate_by(by)),
+                AnswerValue::Scalar(_) if coordinates(text) => AnswerValue::Scalar(f64::NAN),
                 s => s,
             };
             turned = turned.max(compare_skipping("turning the whole", &c, &b, 1e-9, rotate));
             let far = m.mapped(Vec2::new(1.0, 0.0), 1.0, Vec2::new(1e3, -2e3));
             let b = solve(c.seed, &far, &s);
-            let skip = |text: &str, v: Value| if coordinates(text) { Value::Scalar(f64::NAN) } else { v };
+            let skip = |text: &str, v: AnswerValue| if coordinates(text) { AnswerValue::Scalar(f64::NAN) } else { v };
             shifted = shifted.max(compare_skipping("shifting the whole by a thousand lengths", &c, &b, 2e-8, skip));
         });
     }
@@ -550,9 +553,9 @@ fn turning_and_shifting_the_whole() {
 }
 
 /// Compares like [`compare`], without values for which `map` gives NaN.
-fn compare_skipping(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, Value) -> Value) -> f64 {
-    let keep = |text: &str, v: Value| match map(text, v) {
-        Value::Scalar(s) if s.is_nan() => v,
+fn compare_skipping(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, AnswerValue) -> AnswerValue) -> f64 {
+    let keep = |text: &str, v: AnswerValue| match map(text, v) {
+        AnswerValue::Scalar(s) if s.is_nan() => v,
         w => w,
     };
     let strip = |c: &Case| {
@@ -582,7 +585,7 @@ fn names_and_the_order_of_keys_do_not_matter() {
 fn terms(plan: &Plan, level: Level) -> impl Iterator<Item = &Term> {
     let steps = plan.steps(DiagramKind::of(level)).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
     steps.flat_map(|s| match s {
-        Step::Equation { chains, .. } => chains.iter().flat_map(|c| c.known.iter().chain(&c.unknown)).collect::<Vec<_>>(),
+        PlanStep::Equation { chains, .. } => chains.iter().flat_map(|c| c.known.iter().chain(&c.unknown)).collect::<Vec<_>>(),
         _ => Vec::new(),
     })
 }
@@ -604,10 +607,12 @@ fn only_what_is_asked_is_done() {
         let plan = &c.worked.plan;
         for t in terms(plan, Level::Acceleration) {
             match (t.kind, t.by) {
-                (TermKind::Coriolis, By::Guide { guide, .. }) if c.worked.mechanism.never_turns[c.scene.guides[guide.0].on.0] => {
+                (TermKind::Coriolis, TermConnection::Guide { guide, .. })
+                    if c.worked.mechanism.never_turns[c.scene.guides[guide.0].on.0] =>
+                {
                     c.fail("a Coriolis term at a guide that does not turn");
                 }
-                (TermKind::Tangential, By::Turning(Body::Link(l))) if t.known => {
+                (TermKind::Tangential, TermConnection::Turning(TurningBody::Link(l))) if t.known => {
                     let driver = c
                         .scene
                         .drivers
@@ -617,7 +622,7 @@ fn only_what_is_asked_is_done() {
                         c.fail("a tangential term of a driver at constant rate");
                     }
                 }
-                (TermKind::Slide, By::Guide { driver: Some(d), .. }) | (TermKind::Extension, By::Cylinder(d))
+                (TermKind::Slide, TermConnection::Guide { driver: Some(d), .. }) | (TermKind::Extension, TermConnection::Cylinder(d))
                     if c.scene.drivers[d].acceleration.is_none() =>
                 {
                     c.fail("an acceleration term of a slide at constant rate");

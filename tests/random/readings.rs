@@ -5,18 +5,18 @@
 use crate::emit;
 use crate::properties::{mechanism, seeds, style};
 use crate::wide::every;
-use hodograph::answer::{Value, evaluate};
-use hodograph::construct::{Mark, ShownAs};
+use hodograph::answer::{AnswerValue, evaluate};
+use hodograph::construct::{PolygonMark, ShownAs};
 use hodograph::figure::results::named;
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::joined;
 use hodograph::notation::Notation;
-use hodograph::plan::text::Writer;
-use hodograph::plan::{Spot, VertexId};
+use hodograph::plan::text::PlanWriter;
+use hodograph::plan::{VertexId, VertexPlace};
 use hodograph::render::svg;
 use hodograph::report::construction::mark;
-use hodograph::scene::quantity::{Meaning, Of, Rate, Relative, Sliding, Split, Turning, relative, sliding};
+use hodograph::scene::quantity::{Meaning, Of, Rate, Relative, RelativeComponent, Sliding, Turning, relative, sliding};
 use hodograph::scene::{self, Asked, DiagramKind, DriverKind, Find, Lang, LinkId, OnLink, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::BTreeMap;
@@ -27,8 +27,8 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
     let pin = |point| OnLink { point, link: None };
     let moving = |p: &OnLink| !scene.links[scene.ground.0].points.contains(&p.point);
     let mut all: Vec<Asked> = Vec::new();
-    let parts = |of, to| relative::Part::ALL.map(|part| Asked::from(Relative { part, of, to }));
-    let slidings = |of, to| sliding::Part::ALL.map(|part| Asked::from(Sliding { part, of, to }));
+    let parts = |of, to| relative::RelativePart::ALL.map(|part| Asked::from(Relative { part, of, to }));
+    let slidings = |of, to| sliding::SlidingTerm::ALL.map(|part| Asked::from(Sliding { part, of, to }));
     for (l, link) in scene.links.iter().enumerate().filter(|(l, _)| *l != scene.ground.0) {
         for (i, p) in link.points.iter().enumerate().take(3) {
             for q in &link.points[i + 1..] {
@@ -67,8 +67,10 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
         all.extend(Rate::ALL.map(|rate| Asked::from(Turning { rate, of: LinkId(l), against: None })));
     }
     all.retain(|what| match what.meaning(scene) {
-        Some(Meaning::Relative(Split::Along | Split::Across, a, b)) => a.point != b.point && joined(scene, &a, &b).is_some(),
-        Some(Meaning::Relative(Split::Sliding | Split::Coriolis, a, b)) => joined(scene, &a, &b).is_some(),
+        Some(Meaning::Relative(RelativeComponent::Along | RelativeComponent::Across, a, b)) => {
+            a.point != b.point && joined(scene, &a, &b).is_some()
+        }
+        Some(Meaning::Relative(RelativeComponent::Sliding | RelativeComponent::Coriolis, a, b)) => joined(scene, &a, &b).is_some(),
         _ => true,
     });
     all
@@ -113,10 +115,10 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
         let (on, what) = (find.what.diagram(), format!("{name}: {}", find.text));
         // Forces are read off polygons of their own: tests/forces.rs.
         let (Some(drawn), true) = (&r.drawn, on > DiagramKind::Plane && on != DiagramKind::Force) else { continue };
-        let size = if matches!(drawn.value, Value::Scalar(_)) { r.scale } else { scale(worked, on) };
-        let off = |a: Value, b: Value| match (a, b) {
-            (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
-            (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
+        let size = if matches!(drawn.value, AnswerValue::Scalar(_)) { r.scale } else { scale(worked, on) };
+        let off = |a: AnswerValue, b: AnswerValue| match (a, b) {
+            (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
+            (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
             _ => f64::INFINITY,
         };
         let worst = worked.construction.magnified(on);
@@ -125,7 +127,11 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
         let formula = evaluate(scene, &worked.configuration, &worked.solution, &find.what).expect("the analysis reaches what is drawn");
         assert!(off(r.computed, formula) <= near, "{what}: rows {:?}, formula {formula:?}, size {size}", r.computed);
         let Some(m) = &drawn.measured else {
-            assert!(matches!(drawn.value, Value::Scalar(_)) || drawn.value.magnitude() <= near, "{what}: no edge shows {:?}", drawn.value);
+            assert!(
+                matches!(drawn.value, AnswerValue::Scalar(_)) || drawn.value.magnitude() <= near,
+                "{what}: no edge shows {:?}",
+                drawn.value
+            );
             continue;
         };
         read += 1;
@@ -135,13 +141,13 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
         assert!((distance - m.length_mm).abs() <= near / polygon.mu, "{what}: {} mm between marks {distance} mm apart", m.length_mm);
         for (mark, at) in m.marks {
             let there = match mark {
-                Mark::Pole => at.to_vec2().norm() == 0.0,
-                Mark::Image(v) => polygon.images[v.0] == Some(at),
-                Mark::Part(_) | Mark::Again(_) => polygon.edges.iter().any(|e| e.to == (mark, at)),
+                PolygonMark::Pole => at.to_vec2().norm() == 0.0,
+                PolygonMark::Image(v) => polygon.images[v.0] == Some(at),
+                PolygonMark::Part(_) | PolygonMark::Again(_) => polygon.edges.iter().any(|e| e.to == (mark, at)),
             };
             assert!(there, "{what}: {mark:?} is not at {at:?}");
         }
-        if let Value::Vector(v) = drawn.value {
+        if let AnswerValue::Vector(v) = drawn.value {
             assert!(((to.1 - from.1) * polygon.mu - v).norm() <= near, "{what}: the marks do not show {v:?}");
         }
     }
@@ -152,7 +158,7 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
 fn check_names(name: &str, scene: &Scene, worked: &Worked) {
     for lang in [Lang::En, Lang::Zh] {
         let notation = Notation::of_language(lang);
-        let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
+        let w = PlanWriter { scene, plan: &worked.plan, notation: &notation, lang };
         for on in DiagramKind::POLYGONS {
             let Some(p) = worked.construction.polygon(on) else { continue };
             let size = p.largest() / p.mu;
@@ -168,7 +174,7 @@ fn check_names(name: &str, scene: &Scene, worked: &Worked) {
             }
             for (v, at) in p.images.iter().enumerate() {
                 let (v, vertex) = (VertexId(v), worked.plan.vertex(VertexId(v)));
-                if let (Some(at), false, Spot::Point(_)) = (at, vertex.fixed, vertex.spot) {
+                if let (Some(at), false, VertexPlace::Point(_)) = (at, vertex.fixed, vertex.spot) {
                     call(w.vector(on, v), at.to_vec2());
                 }
             }
@@ -186,7 +192,7 @@ fn check_names(name: &str, scene: &Scene, worked: &Worked) {
                 }
             }
             // Points have distinct names, too.
-            let mut letters: BTreeMap<String, Mark> = BTreeMap::new();
+            let mut letters: BTreeMap<String, PolygonMark> = BTreeMap::new();
             for (m, _) in p.edges.iter().flat_map(|e| [e.from, e.to]) {
                 let letter = mark(&w, on, &m);
                 let before = *letters.entry(letter.clone()).or_insert(m);
@@ -243,12 +249,12 @@ fn printed_lengths_are_distances_in_the_svg() {
         let scene = asking_all(with_angle(name, None).unwrap());
         let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
         for lang in [Lang::En, Lang::Zh] {
-            let options = Options::of_language(lang);
+            let options = SheetOptions::of_language(lang);
             let figure = sheet(&scene, &worked, &options).unwrap();
             let drawn = svg::write_editable(&figure).unwrap().value;
             let document = roxmltree::Document::parse(&drawn).unwrap();
             let by_id = |id: &str| document.descendants().find(|n| n.attribute("id") == Some(id));
-            let w = Writer { scene: &scene, plan: &worked.plan, notation: &options.notation, lang };
+            let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &options.notation, lang };
             for r in &worked.results {
                 let find = &scene.find[r.find];
                 let Some(m) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()) else { continue };

@@ -4,7 +4,7 @@
 use crate::properties::{seeds, worked};
 use crate::rng::Rng;
 use crate::wide::every;
-use hodograph::answer::{Source, Value};
+use hodograph::answer::{AnswerValue, MotionSource};
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::Level;
 use hodograph::position::newton;
@@ -251,14 +251,14 @@ fn grown(seed: u64) -> (Grown, String) {
 /// Poses with a worse intersection of loci are grown, but judged only by the agreement's own bound.
 const WELL: f64 = 1e4;
 
-fn size(v: Value) -> f64 {
+fn size(v: AnswerValue) -> f64 {
     v.magnitude()
 }
 
-fn apart(a: Value, b: Value) -> f64 {
+fn apart(a: AnswerValue, b: AnswerValue) -> f64 {
     match (a, b) {
-        (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
-        (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
+        (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
+        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
         _ => f64::INFINITY,
     }
 }

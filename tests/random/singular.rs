@@ -2,7 +2,7 @@
 //! scene.
 
 use hodograph::analytic::SingularKind;
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::diag::Faults;
 use hodograph::geom::Vec2;
 use hodograph::scene::quantity::Meaning;
@@ -85,10 +85,10 @@ pub fn run(text: &str) -> Result<(Scene, Worked, Vec<hodograph::diag::Diagnostic
     Err(Faults { list: done.notes })
 }
 
-pub fn number(v: Value) -> f64 {
+pub fn number(v: AnswerValue) -> f64 {
     match v {
-        Value::Scalar(s) => s,
-        Value::Vector(_) | Value::Point(_) => v.magnitude(),
+        AnswerValue::Scalar(s) => s,
+        AnswerValue::Vector(_) | AnswerValue::Point(_) => v.magnitude(),
     }
 }
 

@@ -5,13 +5,13 @@ use crate::properties::seeds;
 use crate::rng::Rng;
 use crate::synth_truth::{Task, body, cognates, crank_rocker, function, path, quick_return, two_positions};
 use crate::wide::every;
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::certified::ladder::parts;
 use hodograph::effort::truth::BITS;
 use hodograph::number::{Ball, Big, Real, within};
 use hodograph::report::synthesis::value;
 use hodograph::scene::{Book, Kind};
-use hodograph::synthesis::candidate::Number;
+use hodograph::synthesis::candidate::DesignNumber;
 use hodograph::synthesis::{read, solve};
 
 /// A kind of tasks: its name, and one of them.
@@ -23,7 +23,7 @@ const DIGITS: usize = 6;
 const NEAR: f64 = 1e-7;
 
 /// The printed and the true number, without unit and sign.
-fn texts(book: &Book, n: &Number, truth: Big) -> Option<[String; 2]> {
+fn texts(book: &Book, n: &DesignNumber, truth: Big) -> Option<[String; 2]> {
     let printed = value(book, n);
     // From 10 m on metres are printed, with four digits.
     if printed.ends_with(" m") {
@@ -37,7 +37,7 @@ fn texts(book: &Book, n: &Number, truth: Big) -> Option<[String; 2]> {
         _ => truth,
     };
     let ball = Ball::new(truth, 1e-60);
-    let all = parts(Kind::Number, Value::Scalar(ball), 0.0, DIGITS).ok()?;
+    let all = parts(Kind::Number, AnswerValue::Scalar(ball), 0.0, DIGITS).ok()?;
     let (text, _) = all[0].1.text(DIGITS).unwrap_or_else(|| ("0".into(), DIGITS));
     Some([bare, text.trim_start_matches('-').to_owned()])
 }
@@ -72,15 +72,15 @@ fn printed_digits_are_true_of_designs() {
             within(BITS, || {
                 let truths = (task.truth)();
                 for c in &design.candidates {
-                    let of = |truth: &[(String, Big)]| -> Vec<(Number, Big)> {
+                    let of = |truth: &[(String, Big)]| -> Vec<(DesignNumber, Big)> {
                         let find = |(name, x): &(String, Big)| {
                             let all = c.draft.numbers.iter().chain(&design.numbers);
                             Some((all.clone().find(|n| n.name == *name)?.clone(), *x))
                         };
                         truth.iter().filter_map(find).collect()
                     };
-                    let far = |pairs: &[(Number, Big)]| {
-                        let off = |(n, x): &(Number, Big)| (n.value.abs() - x.approx().abs()).abs() / x.approx().abs().max(1e-3);
+                    let far = |pairs: &[(DesignNumber, Big)]| {
+                        let off = |(n, x): &(DesignNumber, Big)| (n.value.abs() - x.approx().abs()).abs() / x.approx().abs().max(1e-3);
                         pairs.iter().map(off).fold(0.0, f64::max)
                     };
                     let best = truths.iter().map(|t| of(t)).min_by(|a, b| far(a).total_cmp(&far(b)));

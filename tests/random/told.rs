@@ -1,15 +1,15 @@
 //! The numbers in the steps of a construction, found without drawing: from differences of positions
 //! in long numbers, and from the meaning of each term.
 
-use hodograph::answer::Source;
-use hodograph::certified::steps::What;
+use hodograph::answer::MotionSource;
+use hodograph::certified::steps::StepNumber;
 use hodograph::construct::{Action, Polygon};
 use hodograph::digits::shortest;
 use hodograph::effort::truth::Differences;
 use hodograph::geom::{Point, Vec2, cross_lines};
 use hodograph::mechanism::{ConstraintLine, Level};
 use hodograph::number::{Big, Real};
-use hodograph::plan::{Body, By, SpecialLine, Spot, Term, TermKind, VertexId};
+use hodograph::plan::{SpecialLine, Term, TermConnection, TermKind, TurningBody, VertexId, VertexPlace};
 use hodograph::position::{Configuration, Path};
 use hodograph::scene::{DiagramKind, DriverKind, LinkId, Scene};
 use hodograph::worked::Worked;
@@ -19,7 +19,7 @@ use hodograph::worked::Worked;
 pub struct Told {
     pub level: DiagramKind,
     pub action: usize,
-    pub what: What,
+    pub what: StepNumber,
     pub value: Big,
     pub nothing: f64,
 }
@@ -60,7 +60,7 @@ pub fn told(scene: &Scene, w: &Worked, d: &Differences<Big>, pencil_mm: f64) -> 
 }
 
 impl Oracle<'_> {
-    fn numbers(&self, level: Level, p: &Polygon, action: usize, pencil_mm: f64) -> Vec<(What, Big, f64)> {
+    fn numbers(&self, level: Level, p: &Polygon, action: usize, pencil_mm: f64) -> Vec<(StepNumber, Big, f64)> {
         let mu = Big::from_decimal(&shortest(p.mu));
         // A trial drawing belongs to no motion.
         let tried = |v: &VertexId| self.w.plan.vertex(*v).trial.is_some();
@@ -76,7 +76,7 @@ impl Oracle<'_> {
         }
         let edge = |k, i: usize| {
             let whole = p.edges[i].terms.iter().fold(Vec2::zero(), |s, t| s + self.term(level, t));
-            (What::Length(k), whole.norm() / mu, NOTHING_MM)
+            (StepNumber::Length(k), whole.norm() / mu, NOTHING_MM)
         };
         match &p.actions[action] {
             Action::LayOff(i) => vec![edge(0, *i)],
@@ -87,7 +87,7 @@ impl Oracle<'_> {
                 all
             }
             Action::Reach(v) | Action::Copy { target: v, .. } | Action::Trials { target: v, .. } => {
-                vec![(What::Length(0), self.vector(level, *v).norm() / mu, NOTHING_MM)]
+                vec![(StepNumber::Length(0), self.vector(level, *v).norm() / mu, NOTHING_MM)]
             }
             Action::Rate(r) => {
                 let r = &self.w.construction.rates[*r];
@@ -97,11 +97,11 @@ impl Oracle<'_> {
                         let arm = (self.place(of) - self.place(to)).norm();
                         let length = absolute(value) * arm / mu;
                         let nothing = (Big::from_f64(NOTHING_MM) * mu / arm).approx();
-                        vec![(What::Length(0), length, NOTHING_MM), (What::Arm, arm, 0.0), (What::Rate, value, nothing)]
+                        vec![(StepNumber::Length(0), length, NOTHING_MM), (StepNumber::Arm, arm, 0.0), (StepNumber::Rate, value, nothing)]
                     }
                     None => {
                         let rates = self.w.construction.rates.iter().filter(|r| r.on == p.on);
-                        vec![(What::Rate, value, 1e-13 * rates.map(|r| r.value.abs()).fold(0.0, f64::max))]
+                        vec![(StepNumber::Rate, value, 1e-13 * rates.map(|r| r.value.abs()).fold(0.0, f64::max))]
                     }
                 }
             }
@@ -113,8 +113,8 @@ impl Oracle<'_> {
 
     fn place(&self, v: VertexId) -> Point<Big> {
         match self.w.plan.vertex(v).spot {
-            Spot::Point(p) => self.d.now.point(p),
-            Spot::Special(k) => {
+            VertexPlace::Point(p) => self.d.now.point(p),
+            VertexPlace::Special(k) => {
                 let [(p, u), (q, w)] = self.w.plan.specials[k].lines.each_ref().map(|line| self.line(line));
                 cross_lines(p, u, q, w).at
             }
@@ -138,8 +138,8 @@ impl Oracle<'_> {
         let vertex = self.w.plan.vertex(v);
         match vertex.spot {
             _ if vertex.fixed => Vec2::zero(),
-            Spot::Point(p) => self.d.vector(level, p, vertex.on).expect("a drawn point has places"),
-            Spot::Special(k) => {
+            VertexPlace::Point(p) => self.d.vector(level, p, vertex.on).expect("a drawn point has places"),
+            VertexPlace::Special(k) => {
                 let link = vertex.on.unwrap_or(self.w.plan.specials[k].link);
                 let local = self.d.now.poses[link.0].expect("placed").to_local(self.place(v));
                 let at = |c: &Configuration<Big>| c.poses[link.0].expect("placed").to_world(local);
@@ -153,10 +153,10 @@ impl Oracle<'_> {
         }
     }
 
-    fn turning(&self, level: Level, body: Body) -> Big {
+    fn turning(&self, level: Level, body: TurningBody) -> Big {
         match body {
-            Body::Link(l) => self.link_turning(level, l),
-            Body::Cylinder(d) => {
+            TurningBody::Link(l) => self.link_turning(level, l),
+            TurningBody::Cylinder(d) => {
                 let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind else { panic!("no cylinder") };
                 let line = |c: &Configuration<Big>| c.point(b) - c.point(a);
                 let start = line(&self.d.now);
@@ -176,12 +176,14 @@ impl Oracle<'_> {
 
     fn direction(&self, t: &Term) -> Vec2<Big> {
         match t.by {
-            By::Guide { guide, .. } => match self.d.now.guide(guide) {
+            TermConnection::Guide { guide, .. } => match self.d.now.guide(guide) {
                 Path::Line { direction, .. } => direction,
                 Path::Arc { centre, .. } => (self.place(t.of) - centre).perp(),
             },
-            By::Contact(pair) => self.d.now.normal(self.scene, pair).expect("a drawn contact is placed"),
-            By::Turning(_) | By::Cylinder(_) | By::Frame { .. } | By::Apart => (self.place(t.of) - self.place(t.to)).perp(),
+            TermConnection::Contact(pair) => self.d.now.normal(self.scene, pair).expect("a drawn contact is placed"),
+            TermConnection::Turning(_) | TermConnection::Cylinder(_) | TermConnection::Frame { .. } | TermConnection::Apart => {
+                (self.place(t.of) - self.place(t.to)).perp()
+            }
         }
     }
 
@@ -190,17 +192,17 @@ impl Oracle<'_> {
         let arm = self.place(t.of) - self.place(t.to);
         let two = Big::from_f64(2.0);
         let between = |level| self.vector(level, t.of) - self.vector(level, t.to);
-        let coriolis = |turning: Body, v: Vec2<Big>| v.perp() * (two * self.turning(Level::Velocity, turning));
+        let coriolis = |turning: TurningBody, v: Vec2<Big>| v.perp() * (two * self.turning(Level::Velocity, turning));
         // The component of a vector along a line.
         let along = |v: Vec2<Big>, u: Vec2<Big>| u * (v.dot(u) / u.norm2());
         match (t.kind, t.by) {
-            (TermKind::Relative, By::Turning(Body::Cylinder(_))) => along(between(level), arm.perp()),
+            (TermKind::Relative, TermConnection::Turning(TurningBody::Cylinder(_))) => along(between(level), arm.perp()),
             (TermKind::Relative, _) => between(level),
-            (TermKind::Normal, By::Turning(b)) => {
+            (TermKind::Normal, TermConnection::Turning(b)) => {
                 let w = self.turning(Level::Velocity, b);
                 arm * -(w * w)
             }
-            (TermKind::Tangential, By::Turning(b)) => arm.perp() * self.turning(level, b),
+            (TermKind::Tangential, TermConnection::Turning(b)) => arm.perp() * self.turning(level, b),
             (TermKind::Extension, _) => {
                 // l̇, or l̈ = (d·a + v² − l̇²)/l, along the line.
                 let (l2, v) = (arm.norm2(), between(Level::Velocity));
@@ -209,17 +211,19 @@ impl Oracle<'_> {
                     _ => arm * ((arm.dot(between(level)) + v.norm2() - v.dot(arm) * v.dot(arm) / l2) / l2),
                 }
             }
-            (TermKind::Coriolis, By::Cylinder(d)) => coriolis(Body::Cylinder(d), along(between(Level::Velocity), arm)),
-            (TermKind::Coriolis, By::Guide { guide, .. }) => coriolis(Body::Link(self.scene.guides[guide.0].on), between(Level::Velocity)),
-            (TermKind::SlideNormal, By::Guide { guide, .. }) => self.slide_normal(t, guide, between(Level::Velocity)),
-            (TermKind::Slide, By::Guide { .. }) if level == Level::Velocity => between(level),
+            (TermKind::Coriolis, TermConnection::Cylinder(d)) => coriolis(TurningBody::Cylinder(d), along(between(Level::Velocity), arm)),
+            (TermKind::Coriolis, TermConnection::Guide { guide, .. }) => {
+                coriolis(TurningBody::Link(self.scene.guides[guide.0].on), between(Level::Velocity))
+            }
+            (TermKind::SlideNormal, TermConnection::Guide { guide, .. }) => self.slide_normal(t, guide, between(Level::Velocity)),
+            (TermKind::Slide, TermConnection::Guide { .. }) if level == Level::Velocity => between(level),
             // The component along the guide of the relative acceleration less the Coriolis part.
-            (TermKind::Slide, By::Guide { guide, .. }) => {
-                let carrier = Body::Link(self.scene.guides[guide.0].on);
+            (TermKind::Slide, TermConnection::Guide { guide, .. }) => {
+                let carrier = TurningBody::Link(self.scene.guides[guide.0].on);
                 let rest = between(level) - coriolis(carrier, between(Level::Velocity));
                 along(rest, self.direction(t))
             }
-            (TermKind::Roll, By::Contact(_)) => between(level),
+            (TermKind::Roll, TermConnection::Contact(_)) => between(level),
             other => panic!("no such term: {other:?}"),
         }
     }
@@ -233,11 +237,11 @@ impl Oracle<'_> {
 }
 
 /// The numbers of two intersecting lines.
-fn crossing(u: Vec2<Big>, w: Vec2<Big>, mu: Big, pencil_mm: f64) -> [(What, Big, f64); 3] {
+fn crossing(u: Vec2<Big>, w: Vec2<Big>, mu: Big, pencil_mm: f64) -> [(StepNumber, Big, f64); 3] {
     let (sine, cosine) = (absolute(u.cross(w)), absolute(u.dot(w)));
     let angle = sine.atan2(cosine) * Big::from_f64(180.0) / Big::pi();
     let moved = Big::from_decimal(&shortest(pencil_mm)) * u.norm() * w.norm() / sine;
-    [(What::Angle, angle, 0.0), (What::Moved, moved, 0.0), (What::Off, moved * mu, 0.0)]
+    [(StepNumber::Angle, angle, 0.0), (StepNumber::Moved, moved, 0.0), (StepNumber::Off, moved * mu, 0.0)]
 }
 
 fn absolute(x: Big) -> Big {

@@ -4,7 +4,7 @@
 
 use crate::cam_truth::{Number, whole};
 use crate::rng::Rng;
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::geom::{Point, Vec2};
 use hodograph::number::{Big, Real};
 
@@ -14,16 +14,16 @@ type V = Vec2<Big>;
 /// numbers.
 pub struct Told {
     pub text: String,
-    pub truth: Box<dyn Fn() -> Vec<(String, Value<Big>)>>,
+    pub truth: Box<dyn Fn() -> Vec<(String, AnswerValue<Big>)>>,
 }
 
 /// A growing list of answers.
 #[derive(Default)]
-struct Answers(Vec<(String, Value<Big>)>);
+struct Answers(Vec<(String, AnswerValue<Big>)>);
 
 impl Answers {
     fn scalar(&mut self, text: impl Into<String>, x: Big) {
-        self.0.push((text.into(), Value::Scalar(x)));
+        self.0.push((text.into(), AnswerValue::Scalar(x)));
     }
 
     fn rates(&mut self, link: &str, [omega, alpha]: [Big; 2]) {
@@ -32,12 +32,12 @@ impl Answers {
     }
 
     fn moves(&mut self, point: &str, [v, a]: [V; 2]) {
-        self.0.push((format!("v_{point}"), Value::Vector(v)));
-        self.0.push((format!("a_{point}"), Value::Vector(a)));
+        self.0.push((format!("v_{point}"), AnswerValue::Vector(v)));
+        self.0.push((format!("a_{point}"), AnswerValue::Vector(a)));
     }
 
     fn place(&mut self, text: &str, at: V) {
-        self.0.push((text.into(), Value::Point(at.to_point())));
+        self.0.push((text.into(), AnswerValue::Point(at.to_point())));
     }
 }
 

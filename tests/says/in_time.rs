@@ -5,9 +5,9 @@ use super::scenes::{askable, read};
 use super::{OFF, POSITIONS, Tally, asking, rows, size};
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{self, Scene, edit};
-use hodograph::sweep::Placed;
+use hodograph::sweep::PlacedScene;
 use hodograph::sweep::follow::course::over_a_turn;
-use hodograph::sweep::timed::Timed;
+use hodograph::sweep::timed::TimedSweep;
 use serde_json::{Value as Json, json};
 
 /// A scene after a time (s), in which drivers without a law have moved on at their rates.
@@ -44,9 +44,9 @@ pub fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
     let Ok(plain) = read(json, &find) else { return };
     let swept = over_a_turn(&plain);
     let m = Mechanism::new(&swept).unwrap().value;
-    let placed = Placed::new(&swept, &m).unwrap();
+    let placed = PlacedScene::new(&swept, &m).unwrap();
     tally.scenes += 1;
-    let (timed, [from, to]) = Timed::new(&placed, [None, None]).unwrap();
+    let (timed, [from, to]) = TimedSweep::new(&placed, [None, None]).unwrap();
     let times: Vec<f64> = (0..POSITIONS).map(|k| from + (to - from) * (k as f64 + OFF) / POSITIONS as f64).collect();
     let text = json.to_string();
     let at = |t: &f64, find: &[String]| {
@@ -57,8 +57,8 @@ pub fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
     let singles: Vec<Option<Single>> = times.iter().map(|t| at(t, &find)).collect();
     for f in &swept.find {
         let scene = asking(&swept, std::slice::from_ref(f));
-        let placed = Placed::new(&scene, &m).unwrap();
-        let (timed, _) = Timed::new(&placed, [Some(from), Some(to)]).unwrap();
+        let placed = PlacedScene::new(&scene, &m).unwrap();
+        let (timed, _) = TimedSweep::new(&placed, [Some(from), Some(to)]).unwrap();
         let table = timed.table(times.clone());
         let found = rows(&table, &times);
         // The motion ends at a limit: later times have no row, while `solve` may find another

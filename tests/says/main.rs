@@ -16,13 +16,13 @@ use hodograph::geom::Vec2;
 use hodograph::mechanism::Mechanism;
 use hodograph::position;
 use hodograph::scene::{self, Find, Scene};
-use hodograph::sweep::batch::{Batch, Choice};
+use hodograph::sweep::batch::{Batch, ParameterChoice};
 use hodograph::sweep::follow::course::over_a_turn;
-use hodograph::sweep::limit::Range;
-use hodograph::sweep::long::Long;
+use hodograph::sweep::limit::DriverRange;
+use hodograph::sweep::long::LongSweep;
 use hodograph::sweep::pieces::gather;
 use hodograph::sweep::vary::Variation;
-use hodograph::sweep::{self, Placed, Stations, Steps, Table, Width, compile, extreme, station};
+use hodograph::sweep::{self, PlacedScene, StationSteps, Stations, Table, Width, compile, extreme, station};
 use in_time::compare_in_time;
 use moved::{Moved, Single, solved};
 use rayon::prelude::*;
@@ -126,7 +126,7 @@ fn rows(table: &Table, values: &[f64]) -> Vec<Option<usize>> {
 }
 
 /// Eight values of a driver: within a turn, or within its travel.
-fn values(swept: &Scene, m: &Mechanism, placed: &Placed, driver: usize) -> Vec<f64> {
+fn values(swept: &Scene, m: &Mechanism, placed: &PlacedScene, driver: usize) -> Vec<f64> {
     let now = station::position_now(swept, &placed.at, driver);
     let [low, high] = if swept.drivers[driver].kind.turns() {
         [now, now + TAU]
@@ -147,7 +147,7 @@ fn asking(scene: &Scene, find: &[Find]) -> Scene {
 
 /// The scene swept in each of the ways of the program.
 fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&'static str, Table)> {
-    let placed = match Placed::new(scene, m) {
+    let placed = match PlacedScene::new(scene, m) {
         Ok(placed) => placed,
         Err(_) => return Vec::new(),
     };
@@ -156,13 +156,14 @@ fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&
     let mut out = vec![("curves", sweep::run(&placed, driver, &stations, Width::Widest).unwrap())];
     let [first, last] = [values[0], values[values.len() - 1]];
     let way = if scene.drivers[driver].kind.turns() {
-        station::Way::Turn(scene::Angle::Rad(first), scene::Angle::Rad(last))
+        station::DriverSpan::Turn(scene::Angle::Rad(first), scene::Angle::Rad(last))
     } else {
-        station::Way::Slide { from: first, to: last, per_value }
+        station::DriverSpan::Slide { from: first, to: last, per_value }
     };
-    out.push(("sweep", gather(&mut Long::new(&placed, driver, Steps { way, steps: values.len() - 1 }).unwrap())));
+    out.push(("sweep", gather(&mut LongSweep::new(&placed, driver, StationSteps { way, steps: values.len() - 1 }).unwrap())));
     if let Ok(variation) = Variation::new(scene, &[]) {
-        let batch = Batch { scene, mechanism: m, variation, values: Vec::new(), choice: Choice::Grid, driver, stations: Some(stations) };
+        let batch =
+            Batch { scene, mechanism: m, variation, values: Vec::new(), choice: ParameterChoice::Grid, driver, stations: Some(stations) };
         let block = batch.block(0, 1);
         let heads = batch.columns().into_iter().zip(block.columns).skip(1);
         let columns = heads.map(|((name, unit), values)| sweep::Column { name, unit, values }).collect();
@@ -172,7 +173,7 @@ fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&
 }
 
 /// True if a driver reaches a value, or one that differs by whole turns.
-fn goes_there(range: &Range, value: f64, turns: bool) -> bool {
+fn goes_there(range: &DriverRange, value: f64, turns: bool) -> bool {
     let [low, high] = range.bounds();
     range.full() || if turns { low <= value + TAU * ((high - value) / TAU).floor() } else { (low..=high).contains(&value) }
 }
@@ -197,7 +198,7 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
         Ok(m) => m,
         Err(f) => return tally.faults.push(format!("{name}: {f}")),
     };
-    let placed = match Placed::new(&swept, &m) {
+    let placed = match PlacedScene::new(&swept, &m) {
         Ok(placed) => placed,
         Err(f) => return tally.faults.push(format!("{name}: {f}")),
     };
@@ -209,7 +210,7 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
         let of_places = |f: &&Find| ["x_", "y_", "phi_"].iter().any(|s| f.text.starts_with(s));
         let places: Vec<Find> = swept.find.iter().filter(of_places).cloned().collect();
         let scene = asking(&swept, &places);
-        let Ok(there) = Placed::new(&scene, &m) else { continue };
+        let Ok(there) = PlacedScene::new(&scene, &m) else { continue };
         let Some(table) = sweep::of_values(&there, driver, values.clone()) else { continue };
         let at = rows(&table, &values);
         let base = sweep::of_values(&there, driver, vec![station::position_now(&scene, &there.at, driver)]);
@@ -218,7 +219,7 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
         let mut singles: Vec<Result<Single, String>> = Vec::new();
         let mut said: Vec<bool> = Vec::new();
         for (value, row) in values.iter().zip(&at) {
-            let place = |p: &scene::Point| {
+            let place = |p: &scene::NamedPoint| {
                 let row = (*row)?;
                 Some((p.name.clone(), [number(&format!("x_{}", p.name), row)?, number(&format!("y_{}", p.name), row)?]))
             };
@@ -344,7 +345,7 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
 /// The extremes of `limits` contain all positions that `solve` finds between them, are listed once,
 /// and the output is at rest there.
 fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles: &[Result<Single, String>], tally: &mut Tally) {
-    let Ok(placed) = Placed::new(swept, m) else { return };
+    let Ok(placed) = PlacedScene::new(swept, m) else { return };
     let extent = placed.at.extent();
     let limits = match extreme::limits(swept, m, driver) {
         Ok(limits) => limits,
@@ -354,8 +355,8 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
     for s in &limits.swings {
         let number = |single: &Single, of: String| single.answers.get(&of)?.as_ref().map(|v| v[0]);
         let position = |single: &Single| match s.output {
-            extreme::Output::Turning(l) => number(single, format!("phi_{}", swept.link_name(l))),
-            extreme::Output::Sliding(g) => {
+            extreme::DrivenOutput::Turning(l) => number(single, format!("phi_{}", swept.link_name(l))),
+            extreme::DrivenOutput::Sliding(g) => {
                 let guide = &swept.guides[g.0];
                 let (p, Some(position::Path::Line { through, direction })) = (swept.point_name(guide.pin?), placed.at.guides[g.0]) else {
                     return None;
@@ -365,8 +366,8 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
             }
         };
         let rate_of = |single: &Single| match s.output {
-            extreme::Output::Turning(l) => number(single, format!("omega_{}", swept.link_name(l))),
-            extreme::Output::Sliding(g) => {
+            extreme::DrivenOutput::Turning(l) => number(single, format!("omega_{}", swept.link_name(l))),
+            extreme::DrivenOutput::Sliding(g) => {
                 let (p, Some(position::Path::Line { direction, .. })) = (swept.guides[g.0].pin?, placed.at.guides[g.0]) else {
                     return None;
                 };
@@ -375,9 +376,9 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
             }
         };
         let what = format!("{name} driver {driver}: limits of {:?}", s.output);
-        let size = if matches!(s.output, extreme::Output::Turning(_)) { 1.0 } else { extent };
+        let size = if matches!(s.output, extreme::DrivenOutput::Turning(_)) { 1.0 } else { extent };
         for (k, e) in s.extremes.iter().enumerate() {
-            let again = |o: &extreme::Extreme| {
+            let again = |o: &extreme::OutputExtreme| {
                 let apart = match limits.range.full() {
                     true => Vec2::from_angle(o.driver - e.driver).angle(),
                     false => (o.driver - e.driver) / if turns { 1.0 } else { extent },
@@ -401,7 +402,7 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
         for single in singles.iter().flatten().filter(|s| s.condition < 1e6 && goes_there(&limits.range, s.value, turns)) {
             let Some(at) = position(single) else { continue };
             let mut over = at - lowest;
-            if matches!(s.output, extreme::Output::Turning(_)) {
+            if matches!(s.output, extreme::DrivenOutput::Turning(_)) {
                 over -= ((over - 0.5 * stroke) / TAU).round() * TAU;
             }
             tally.compared += 1;

@@ -4,8 +4,8 @@ use hodograph::analytic;
 use hodograph::diag::Faults;
 use hodograph::mechanism::Mechanism;
 use hodograph::position::{Configuration, Path};
-use hodograph::scene::{self, Direction, Find, GuideId, Place, Scene, Through};
-use hodograph::sweep::{Placed, station};
+use hodograph::scene::{self, Find, GuideDirection, GuideId, PointPlace, Scene, Through};
+use hodograph::sweep::{PlacedScene, station};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ pub struct Single {
 
 pub fn solved(scene: &Scene, driver: Option<usize>) -> Result<Single, Faults> {
     let m = Mechanism::new(scene)?.value;
-    let placed = Placed::new(scene, &m)?;
+    let placed = PlacedScene::new(scene, &m)?;
     let solution = analytic::solve(scene, &m, &placed.at, &placed.demand)?;
     let answer = |f: &Find| {
         if f.what.infinite(scene).is_some() {
@@ -68,7 +68,7 @@ impl Moved<'_> {
     fn posed(&self, p: usize) -> bool {
         let fixed = self.plain.links[self.plain.ground.0].points.iter().any(|q| q.0 == p);
         let written = self.json["points"].get(&self.plain.points[p].name).is_some();
-        written && !fixed && matches!(self.plain.points[p].place, Place::At(_))
+        written && !fixed && matches!(self.plain.points[p].place, PointPlace::At(_))
     }
 
     /// True if the sides of a joint refer to lines of its own link.
@@ -132,16 +132,16 @@ impl Moved<'_> {
             }
             let turn = || turned.get(plain.link_name(guide.on));
             let angle = match direction {
-                Direction::Instant(angle) => angle.value.radians() + turn()?,
+                GuideDirection::Instant(angle) => angle.value.radians() + turn()?,
                 // A slot shown by its pin is given by its angle: the pin may have moved to the
                 // other side of the pivot.
-                Direction::Own => match (self.shown_beside(GuideId(g)), self.at.guides[g]) {
+                GuideDirection::Own => match (self.shown_beside(GuideId(g)), self.at.guides[g]) {
                     (Some(d), Some(Path::Line { direction, .. })) => {
                         direction.angle() + if d == self.driver { value - self.now } else { 0.0 }
                     }
                     (None, _) | (_, Some(Path::Arc { .. }) | None) => continue,
                 },
-                Direction::Along(..) | Direction::Slid(_) => continue,
+                GuideDirection::Along(..) | GuideDirection::Slid(_) => continue,
             };
             json["guides"].get_mut(g)?["angle"] = json!(format!("{angle:?} rad"));
         }

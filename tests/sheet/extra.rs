@@ -7,8 +7,8 @@
 
 use crate::legible::{SMALLEST_MM, look, poses};
 use crate::wide::every;
-use hodograph::figure::list::{self, Extras, Wanted};
-use hodograph::figure::sheet::{Options, drawing};
+use hodograph::figure::list::{self, Extras, FigureInput};
+use hodograph::figure::sheet::{SheetOptions, drawing};
 use hodograph::paper::item::{Colour, Shape};
 use hodograph::paper::style::Style;
 use hodograph::scene::{self, DiagramKind, Lang, templates};
@@ -42,8 +42,8 @@ fn every_page_can_be_read(name: &str) {
             let pose = &pose;
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
-                let options = Options::of_language(lang);
-                let wanted = Wanted { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
+                let options = SheetOptions::of_language(lang);
+                let wanted = FigureInput { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
                 let drawn = match (entry.draw)(&wanted) {
                     Ok(drawn) => drawn.value,
                     // A named mistake may be possible only in the pose of the file.
@@ -95,7 +95,7 @@ fn a_roller_lies_over_the_plate_that_holds_it() {
     }
     let scene = scene::read(&text).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let figure = drawing(&scene, &worked, &Options::of_language(Lang::En), DiagramKind::Plane).unwrap();
+    let figure = drawing(&scene, &worked, &SheetOptions::of_language(Lang::En), DiagramKind::Plane).unwrap();
     let last = |what: &str| figure.items.iter().rposition(|i| i.class.split_whitespace().any(|c| c == what));
     let (plate, roller) = (last("plate"), last("roller"));
     assert!(plate.is_some() && plate < roller, "plate {plate:?}, roller {roller:?}");
@@ -108,7 +108,7 @@ fn twelve_links_have_twelve_colours() {
     let scene = scene::read(templates::get("excavator").unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
     for style in ["slides", "dark"] {
-        let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(Lang::En) };
+        let options = SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(Lang::En) };
         let figure = drawing(&scene, &worked, &options, DiagramKind::Plane).unwrap();
         let mut colours: Vec<(usize, Colour)> = Vec::new();
         for item in &figure.items {

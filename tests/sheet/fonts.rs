@@ -4,20 +4,20 @@
 use std::time::{Duration, Instant};
 
 use hodograph::effort::ways;
-use hodograph::figure::curves::{self, Diagram};
+use hodograph::figure::curves::{self, CurveDiagram};
 use hodograph::figure::mechanism::Overlay;
-use hodograph::figure::sheet::{Options, diagram, sheet};
+use hodograph::figure::sheet::{SheetOptions, diagram, sheet};
 use hodograph::figure::{path, poses, price, steps};
 use hodograph::mechanism::Mechanism;
 use hodograph::notation::Notation;
 use hodograph::paper::font::{Face, own::Fonts};
-use hodograph::paper::item::{Figure, Item, Shape};
+use hodograph::paper::item::{Figure, FigureItem, Shape};
 use hodograph::paper::style::{self, Style};
 use hodograph::paper::text;
 use hodograph::scene::{Angle, Lang, PointId, Swept, read, templates};
-use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::sweep::{self, PlacedScene, Stations, Width};
 use hodograph::worked::{Scope, work};
-use hodograph::worksheet::{self, Sides, pages};
+use hodograph::worksheet::{self, WorksheetSides, pages};
 
 fn tinos() -> Fonts {
     let file = |name: &str| std::fs::read(format!("{}/crates/paper/fonts/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
@@ -31,7 +31,7 @@ fn vectors_are_bold_in_vector_equations_alone() {
     let worked = work(&scene, Scope::Figure).unwrap().value;
     let style = style::read(br#"{ "notation": { "vectors": "bold" } }"#).unwrap();
     let notation = style.marks.over(&Notation::named("en").unwrap());
-    let figure = sheet(&scene, &worked, &Options { style, notation, ..Options::of_language(Lang::En) }).unwrap();
+    let figure = sheet(&scene, &worked, &SheetOptions { style, notation, ..SheetOptions::of_language(Lang::En) }).unwrap();
     let (mut bold, mut plain) = (0, 0);
     for item in &figure.items {
         let Shape::Label { label, .. } = &item.shape else { continue };
@@ -46,7 +46,7 @@ fn vectors_are_bold_in_vector_equations_alone() {
 
 /// Letters from a bundled font for words or quantities, and the number of letters from the author's
 /// fonts.
-fn letters<'a>(items: impl IntoIterator<Item = &'a Item>) -> (Vec<String>, usize) {
+fn letters<'a>(items: impl IntoIterator<Item = &'a FigureItem>) -> (Vec<String>, usize) {
     let (mut bundled, mut own) = (Vec::new(), 0);
     for item in items {
         let Shape::Label { label, .. } = &item.shape else { continue };
@@ -66,34 +66,34 @@ fn every_label_is_set_in_the_fonts_of_its_style() {
     let scene = read(templates::get("crank-rocker").unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value.with_drafting(&scene);
     let style = Style { fonts: tinos(), ..Style::default() };
-    let options = Options { style: style.clone(), ..Options::of_language(Lang::En) };
+    let options = SheetOptions { style: style.clone(), ..SheetOptions::of_language(Lang::En) };
     let points = vec![PointId(scene.points.iter().position(|p| p.name == "E").unwrap())];
-    let mut drawn: Vec<(&str, Vec<Item>)> = Vec::new();
+    let mut drawn: Vec<(&str, Vec<FigureItem>)> = Vec::new();
     let mut figures = |what: &'static str, list: Vec<Figure>| drawn.extend(list.into_iter().map(|f| (what, f.items)));
     figures("sheet", vec![sheet(&scene, &worked, &options).unwrap()]);
     figures("steps", steps::figures(&scene, &worked, &options));
     let overlay = Overlay { dimensions: true, ..Overlay::default() };
     figures("diagram", vec![diagram(&scene, &worked, &options, &overlay)]);
-    let wanted = poses::Wanted { count: 4, swept: Swept::Driver(0), points: points.clone() };
+    let wanted = poses::PosesContent { count: 4, swept: Swept::Driver(0), points: points.clone() };
     figures("poses", poses::sheets(&scene, &worked, &options, &wanted).unwrap().value);
-    let wanted = path::Wanted { points, swept: Swept::Driver(0), marks: 4, poses: 3 };
+    let wanted = path::PathContent { points, swept: Swept::Driver(0), marks: 4, poses: 3 };
     figures("path", vec![path::figure(&scene, &worked, &options, &wanted).unwrap().value]);
     let mechanism = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &mechanism).unwrap();
+    let placed = PlacedScene::new(&scene, &mechanism).unwrap();
     let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::One).unwrap();
-    let lines = Diagram::of(&placed, 0, &table, &options.notation);
+    let lines = CurveDiagram::of(&placed, 0, &table, &options.notation);
     figures("curves", vec![curves::figure(&scene, &lines, &style, Lang::En)]);
     let start = Instant::now();
     let watch = ways::Watch { now: &|| start.elapsed(), patience: Duration::from_millis(1) };
     let measured = ways::measure(&scene, &worked, watch).unwrap();
     figures("accuracy", vec![price::figure(&scene, &measured, &[], &style, Lang::En)]);
-    let document = worksheet::worksheet(&scene, &worked, &worksheet::Options { sheet: options, sides: Sides::Both });
+    let document = worksheet::worksheet(&scene, &worked, &worksheet::WorksheetOptions { sheet: options, sides: WorksheetSides::Both });
     drawn.extend(pages::pages(&document).into_iter().map(|p| ("worksheet", p.parts.into_iter().flat_map(|p| p.items).collect())));
     for (what, items) in &drawn {
         let (bundled, own) = letters(items);
         assert!(bundled.is_empty() && own > 0, "{what}: {own} in one's own, but {bundled:?}");
     }
     // The next figure of the same program does not use them.
-    let usual = sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap();
+    let usual = sheet(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap();
     assert_eq!(letters(&usual.items).1, 0);
 }

@@ -4,7 +4,7 @@
 use crate::legible::{look, poses};
 use crate::wide::every;
 use hodograph::figure::forces;
-use hodograph::figure::sheet::Options;
+use hodograph::figure::sheet::SheetOptions;
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 
@@ -20,7 +20,7 @@ fn forces_can_be_read() {
         for (k, pose) in poses(&scene).iter().enumerate() {
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
-                let options = Options::of_language(lang);
+                let options = SheetOptions::of_language(lang);
                 let figures =
                     [("forces", forces::forces(pose, &worked.value, &options)), ("lever", forces::lever(pose, &worked.value, &options))];
                 for (name, figure) in figures.into_iter().filter_map(|(name, figure)| Some((name, figure?))) {

@@ -5,11 +5,11 @@
 //! The table: `cargo test --test sheet geared -- --nocapture`
 
 use crate::wide::every;
-use hodograph::cam::Survey;
+use hodograph::cam::CamSurvey;
 use hodograph::figure::cam::{inversion, motion};
 use hodograph::figure::groups;
-use hodograph::figure::list::{self, Extras, Wanted};
-use hodograph::figure::sheet::Options;
+use hodograph::figure::list::{self, Extras, FigureInput};
+use hodograph::figure::sheet::SheetOptions;
 use hodograph::paper::item::Figure;
 use hodograph::report::cam::Report;
 use hodograph::scene::{self, Lang, templates};
@@ -39,10 +39,10 @@ fn geared_figures_can_be_read() {
         for (k, pose) in poses(&scene).iter().enumerate() {
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
-                let options = Options::of_language(lang);
+                let options = SheetOptions::of_language(lang);
                 for name in ["gears", "kutzbach"] {
                     let entry = list::named(name).unwrap();
-                    let wanted = Wanted { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
+                    let wanted = FigureInput { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
                     // Pairs given by radii have no teeth.
                     let Ok(pages) = (entry.draw)(&wanted) else { continue };
                     for (page, figure) in pages.value {
@@ -65,10 +65,10 @@ fn figures_of_cams_can_be_read() {
         for (k, pose) in poses(&scene).iter().enumerate() {
             for cam in &pose.cams {
                 let Some(turning) = &cam.disc else { continue };
-                let survey = Survey::of(&turning.disc);
+                let survey = CamSurvey::of(&turning.disc);
                 let report = Report { scene: pose, cam, turning, survey: &survey };
                 for lang in [Lang::En, Lang::Zh] {
-                    let style = Options::of_language(lang).style;
+                    let style = SheetOptions::of_language(lang).style;
                     for (what, figure) in
                         [("motion", motion::figure(&report, &style, lang)), ("profile", inversion::figure(&report, &style, lang))]
                     {
@@ -97,9 +97,9 @@ fn legends_of_cams_name_what_is_drawn() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
         for cam in &scene.cams {
             let Some(turning) = &cam.disc else { continue };
-            let report = Report { scene: &scene, cam, turning, survey: &Survey::of(&turning.disc) };
+            let report = Report { scene: &scene, cam, turning, survey: &CamSurvey::of(&turning.disc) };
             for (l, lang) in [Lang::En, Lang::Zh].into_iter().enumerate() {
-                let figure = inversion::figure(&report, &Options::of_language(lang).style, lang);
+                let figure = inversion::figure(&report, &SheetOptions::of_language(lang).style, lang);
                 for (k, (class, words)) in lines.iter().enumerate() {
                     let drawn = figure.items.iter().any(|i| i.class == *class);
                     let told = figure.desc.replace("base and offset circles", "offset circle").contains(words[l]);
@@ -121,7 +121,7 @@ fn groups_drawn_apart_can_be_read() {
         for (k, pose) in poses(&scene).iter().enumerate() {
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
-                let Options { style, notation, .. } = Options::of_language(lang);
+                let SheetOptions { style, notation, .. } = SheetOptions::of_language(lang);
                 let figure = groups::figure(pose, &worked.value, &style, &notation, lang);
                 judge(&format!("{} pose {k} {lang:?}", t.name), &figure, &mut faults);
                 drawn += 1;

@@ -5,12 +5,12 @@
 //! `HODOGRAPH_WIDE=1 cargo test --test sheet every_pose -- --nocapture`
 
 use crate::wide::every;
-use hodograph::figure::list::{self, Extras, Wanted};
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::list::{self, Extras, FigureInput};
+use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::geom::{Point, Vec2};
 use hodograph::notation::Notation;
 use hodograph::paper::extent::Rect;
-use hodograph::paper::item::{Figure, Item, Shape};
+use hodograph::paper::item::{Figure, FigureItem, Shape};
 use hodograph::paper::place::Obstacles;
 use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::sweep::extreme::ends;
@@ -77,13 +77,13 @@ fn printed(figure: &Figure, links: usize) -> f64 {
 }
 
 pub fn look(figure: &Figure, links: usize) -> Found {
-    let labels: Vec<(&Item, Rect)> =
+    let labels: Vec<(&FigureItem, Rect)> =
         figure.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect();
     let mut found = Found { sheets: 1, labels: labels.len(), smallest_mm: f64::INFINITY, ..Found::default() };
     let paper = Rect::new(Point::ORIGIN, Point::new(figure.width_mm, figure.height_mm));
     // The ring around an inset is a line, not a joint.
-    let is_ink = |i: &&Item| !matches!(i.shape, Shape::Label { .. } | Shape::Circle { fill: None, .. });
-    let lines: Vec<Item> = figure.items.iter().filter(is_ink).cloned().collect();
+    let is_ink = |i: &&FigureItem| !matches!(i.shape, Shape::Label { .. } | Shape::Circle { fill: None, .. });
+    let lines: Vec<FigureItem> = figure.items.iter().filter(is_ink).cloned().collect();
     let ink = Obstacles::of(&lines);
     let meets = |r: Rect, a: Point, b: Point, half: f64| clipped(a, b, r.grown(half)) > GRAZE_MM;
     for (k, (item, r)) in labels.iter().enumerate() {
@@ -94,7 +94,7 @@ pub fn look(figure: &Figure, links: usize) -> Found {
         let thick = ink.bars.iter().filter(|b| b.half_width_mm > 0.15);
         found.on_thick_lines += usize::from(thick.clone().any(|b| meets(*r, b.from, b.to, b.half_width_mm)));
         found.on_heads += usize::from(ink.heads.iter().any(|h| meets(*r, h.from, h.to, 0.0)));
-        let near = |d: &hodograph::paper::place::Disc| {
+        let near = |d: &hodograph::paper::place::InkDisc| {
             let p = Point::new(d.centre.x.clamp(r.min.x, r.max.x), d.centre.y.clamp(r.min.y, r.max.y));
             p.distance(d.centre) < d.radius_mm - GRAZE_MM
         };
@@ -151,7 +151,7 @@ fn every_pose_can_be_read() {
                 for notation in ["en", "cn"] {
                     let notation = Notation::named(notation).unwrap();
                     let name = format!("{} pose {k} {lang:?} {}", t.name, notation.name);
-                    let figure = sheet(pose, &worked.value, &Options { notation, ..Options::of_language(lang) }).unwrap();
+                    let figure = sheet(pose, &worked.value, &SheetOptions { notation, ..SheetOptions::of_language(lang) }).unwrap();
                     let forces = worked.value.equilibrium.is_some();
                     let found = look(&figure, if forces { usize::MAX } else { pose.links.len() });
                     if found.overlaps + found.outside > 0 || found.smallest_mm < SMALLEST_MM {
@@ -193,8 +193,8 @@ fn every_centre_can_be_read() {
         for (k, pose) in poses(&scene).iter().enumerate() {
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
-                let options = Options::of_language(lang);
-                let wanted = Wanted { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
+                let options = SheetOptions::of_language(lang);
+                let wanted = FigureInput { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
                 let pages = (entry.draw)(&wanted).unwrap_or_else(|f| panic!("{} pose {k}: {f}", t.name)).value;
                 for (page, figure) in &pages {
                     let found = look(figure, pose.links.len());

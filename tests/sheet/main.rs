@@ -20,15 +20,15 @@ mod width;
 use std::sync::LazyLock;
 use wide::every;
 
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::geom::{Point, Vec2, cross_lines};
 use hodograph::paper::extent::translate;
-use hodograph::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph::paper::item::{Anchor, Colour, Figure, FigureItem, Shape};
 use hodograph::paper::label::Label;
 use hodograph::paper::place::{CROWDED, LabelRequest, Obstacles, Placement, place};
 use hodograph::paper::style::Style;
 use hodograph::paper::symbols as sym;
-use hodograph::paper::{arrow::Head, extent::Rect};
+use hodograph::paper::{arrow::ArrowHead, extent::Rect};
 use hodograph::render::{png, svg};
 use hodograph::scene::{self, DiagramKind, Lang, templates};
 use hodograph::worked::{Scope, work};
@@ -57,14 +57,14 @@ const CHINESE: Words =
 /// Items, obstacles for labels, and the labels to be placed.
 #[derive(Default)]
 struct Board {
-    items: Vec<Item>,
+    items: Vec<FigureItem>,
     obstacles: Obstacles,
     requests: Vec<LabelRequest>,
     owners: u32,
 }
 
 impl Board {
-    fn draw(&mut self, items: Vec<Item>) -> u32 {
+    fn draw(&mut self, items: Vec<FigureItem>) -> u32 {
         self.owners += 1;
         self.obstacles.add(&items, Some(self.owners));
         self.items.extend(items);
@@ -72,8 +72,8 @@ impl Board {
     }
 
     fn vector(&mut self, from: Point, to: Point, label: &str) {
-        let shape = Shape::Arrow { from, to, stroke: STYLE.vector, head: Head::VECTOR };
-        let owner = self.draw(vec![Item::new("velocity edge", shape)]);
+        let shape = Shape::Arrow { from, to, stroke: STYLE.vector, head: ArrowHead::VECTOR };
+        let owner = self.draw(vec![FigureItem::new("velocity edge", shape)]);
         self.along(from, to, label, owner);
     }
 
@@ -92,7 +92,7 @@ impl Board {
     }
 
     fn text(&mut self, at: Point, label: Label, size_mm: f64, anchor: Anchor) {
-        self.draw(vec![Item::new("text", Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })]);
+        self.draw(vec![FigureItem::new("text", Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })]);
     }
 
     fn finish(mut self, words: &Words) -> (Figure, Vec<Placement>) {
@@ -181,10 +181,10 @@ fn symbols() -> Figure {
     for (k, side) in [Vec2::new(0.0, -1.0), Vec2::new(1.0, 0.0), Vec2::new(-1.0, 1.0)].into_iter().enumerate() {
         items.extend(sym::fixed_pivot(&STYLE, at(15.0 + 22.0 * k as f64, 88.0), side));
     }
-    items.extend(sym::guide(&STYLE, at(85.0, 88.0), 0.0, 26.0, sym::Guide::OneSided));
+    items.extend(sym::guide(&STYLE, at(85.0, 88.0), 0.0, 26.0, sym::GuideForm::OneSided));
     items.extend(sym::block(&STYLE, at(85.0, 88.0), 0.0, false));
     items.extend(sym::pin(&STYLE, at(85.0, 88.0)));
-    items.extend(sym::guide(&STYLE, at(125.0, 88.0), 0.5, 26.0, sym::Guide::TwoSided));
+    items.extend(sym::guide(&STYLE, at(125.0, 88.0), 0.5, 26.0, sym::GuideForm::TwoSided));
     items.extend(sym::block(&STYLE, at(125.0, 88.0), 0.5, false));
     items.extend(sym::pin(&STYLE, at(125.0, 88.0)));
     let lever = [at(155.0, 72.0), at(175.0, 100.0)];
@@ -223,7 +223,7 @@ fn symbols() -> Figure {
     for (k, length) in [1.0, 2.0, 4.0, 8.0, 16.0].into_iter().enumerate() {
         let from = at(180.0, 12.0 + 5.0 * k as f64);
         let shape = Shape::Arrow { from, to: from + Vec2::new(length, 0.0), stroke: STYLE.vector, head: STYLE.head };
-        items.push(Item::new("velocity", shape));
+        items.push(FigureItem::new("velocity", shape));
     }
     let formulas = [
         r"a^n_{CB}",
@@ -237,7 +237,7 @@ fn symbols() -> Figure {
         r"\circled{3}",
         r"\checkmark",
     ];
-    let mut row: Vec<Item> = Vec::new();
+    let mut row: Vec<FigureItem> = Vec::new();
     for (k, source) in formulas.into_iter().enumerate() {
         let shape = Shape::Label {
             at: at(10.0 + 20.0 * k as f64, 0.0),
@@ -246,7 +246,7 @@ fn symbols() -> Figure {
             anchor: Anchor::Start,
             colour: Colour::BLACK,
         };
-        row.push(Item::new("label", shape));
+        row.push(FigureItem::new("label", shape));
     }
     translate(&mut row, Vec2::new(0.0, 4.0));
     items.extend(row);
@@ -316,7 +316,7 @@ fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, f
             fault(format!("{} is cut by the paper's edge: {b:?}", item.id));
         }
     }
-    let labels: Vec<(&Item, Rect)> =
+    let labels: Vec<(&FigureItem, Rect)> =
         figure.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect();
     for (k, (a, ra)) in labels.iter().enumerate() {
         for (b, rb) in &labels[..k] {
@@ -386,7 +386,7 @@ fn sheets_of(name: &str, values: &[(&str, &str)], languages: &[Lang]) -> Vec<Str
     };
     let mut faults = Vec::new();
     for lang in languages {
-        let figure = sheet(&scene, &worked, &Options::of_language(*lang)).unwrap_or_else(|f| panic!("{name}{tag}: {f}"));
+        let figure = sheet(&scene, &worked, &SheetOptions::of_language(*lang)).unwrap_or_else(|f| panic!("{name}{tag}: {f}"));
         let name = format!("{name}{tag}-{}", figure.lang);
         faults.extend(check(&name, &scene, &worked, &figure));
         let (svg, _) = ink(&figure, &name);
@@ -424,14 +424,14 @@ fn a_fixed_sheet_is_kept() {
     let text = text_on(r#""A4 landscape""#);
     let scene = scene::read(text).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let figure = sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap();
+    let figure = sheet(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap();
     assert_eq!((figure.width_mm, figure.height_mm), (297.0, 210.0));
     assert_eq!(check("a4", &scene, &worked, &figure), Vec::<String>::new());
     ink(&figure, "a4");
     let small = text_on(r#"["120 mm", "80 mm"]"#);
     let scene = scene::read(small).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let faults = sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap_err();
+    let faults = sheet(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap_err();
     assert_eq!(faults.list[0].code, "paper-too-small");
 }
 

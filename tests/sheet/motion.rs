@@ -2,14 +2,14 @@
 
 use super::legible::{SMALLEST_MM, look};
 use super::wide::every;
-use hodograph::figure::path::{self, Wanted};
+use hodograph::figure::path::{self, PathContent};
 use hodograph::figure::poses;
-use hodograph::figure::sheet::Options;
+use hodograph::figure::sheet::SheetOptions;
 use hodograph::mechanism::Mechanism;
 use hodograph::paper::item::{Figure, Shape};
 use hodograph::scene::{Lang, PointId, Scene, Swept, edit, read, templates};
 use hodograph::sweep::points::motion;
-use hodograph::sweep::{self, Placed, Stations, Width, extreme, station};
+use hodograph::sweep::{self, PlacedScene, Stations, Width, extreme, station};
 use hodograph::worked::{Scope, Worked, work};
 
 /// A coupler point, a foot, a slider, points of rockers and of links that are stopped, a cylinder's rod.
@@ -49,7 +49,7 @@ fn hodographs_are_what_a_sweep_tells() {
         let find: Vec<&str> = find.iter().map(String::as_str).collect();
         let asked = read(edit::with_find(templates::get(name).unwrap(), &find).unwrap()).unwrap().value;
         let mechanism = Mechanism::new(&asked).unwrap().value;
-        let placed = Placed::new(&asked, &mechanism).unwrap();
+        let placed = PlacedScene::new(&asked, &mechanism).unwrap();
         let per_value = station::angle_per_value(&asked, &placed.at, 0);
         for mark in &moved.marks {
             // At a limit there are no velocities.
@@ -120,8 +120,8 @@ fn paths_can_be_read() {
     for (k, (name, names)) in POINTS.into_iter().enumerate() {
         let (scene, worked) = open(name);
         let (lang, poses) = if k % 2 == 0 { (Lang::En, 0) } else { (Lang::Zh, 6) };
-        let wanted = Wanted { points: points(&scene, names), swept: Swept::Driver(0), marks: 12, poses };
-        let figure = path::figure(&scene, &worked, &Options::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
+        let wanted = PathContent { points: points(&scene, names), swept: Swept::Driver(0), marks: 12, poses };
+        let figure = path::figure(&scene, &worked, &SheetOptions::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
         readable(name, &figure.value, scene.links.len(), false);
     }
 }
@@ -132,8 +132,8 @@ fn paths_can_be_read() {
 fn sheets_of_poses_can_be_read() {
     for (name, lang) in [("crank-rocker", Lang::En), ("shaper", Lang::Zh), ("class-iii-six-bar", Lang::En), ("five-bar", Lang::Zh)] {
         let (scene, worked) = open(name);
-        let wanted = poses::Wanted { count: 5, swept: Swept::Driver(0), points: Vec::new() };
-        let pages = poses::sheets(&scene, &worked, &Options::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
+        let wanted = poses::PosesContent { count: 5, swept: Swept::Driver(0), points: Vec::new() };
+        let pages = poses::sheets(&scene, &worked, &SheetOptions::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
         assert!(pages.notes.iter().all(|n| n.code == "poses-driver"), "{name}: {:?}", pages.notes);
         for page in &pages.value {
             readable(name, page, scene.links.len(), true);
@@ -148,8 +148,8 @@ fn tables_of_poses_are_printed_on_a4_or_a3() {
     let mut formats = [0; 2];
     for t in templates::list().iter().step_by(every(4)) {
         let (scene, worked) = open(t.name);
-        let wanted = poses::Wanted { count: 6, swept: Swept::Driver(0), points: Vec::new() };
-        let Ok(pages) = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted) else { continue };
+        let wanted = poses::PosesContent { count: 6, swept: Swept::Driver(0), points: Vec::new() };
+        let Ok(pages) = poses::sheets(&scene, &worked, &SheetOptions::of_language(Lang::En), &wanted) else { continue };
         let mut positions = 0;
         for page in &pages.value {
             let (short, long) = (page.width_mm.min(page.height_mm), page.width_mm.max(page.height_mm));
@@ -167,8 +167,8 @@ fn tables_of_poses_are_printed_on_a4_or_a3() {
 #[test]
 fn names_stand_in_the_first_row() {
     let (scene, worked) = open("crank-rocker");
-    let wanted = poses::Wanted { count: 4, swept: Swept::Driver(0), points: Vec::new() };
-    let pages = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted).unwrap().value;
+    let wanted = poses::PosesContent { count: 4, swept: Swept::Driver(0), points: Vec::new() };
+    let pages = poses::sheets(&scene, &worked, &SheetOptions::of_language(Lang::En), &wanted).unwrap().value;
     let labels = |row: usize, what: &str| {
         let start = format!("pose-{row}-{}-label-", hodograph::paper::drawing::prefix(what));
         pages.iter().flat_map(|p| &p.items).filter(|i| i.id.starts_with(&start) && !i.id.ends_with("-leader")).count()
@@ -182,8 +182,8 @@ fn names_stand_in_the_first_row() {
 #[test]
 fn a_fixed_paper_makes_pages() {
     let (mut scene, worked) = open("slider-crank");
-    let wanted = poses::Wanted { count: 5, swept: Swept::Driver(0), points: points(&scene, &["B"]) };
-    let options = Options::of_language(Lang::En);
+    let wanted = poses::PosesContent { count: 5, swept: Swept::Driver(0), points: points(&scene, &["B"]) };
+    let options = SheetOptions::of_language(Lang::En);
     scene.paper.size_mm = Some([420.0, 297.0]);
     let pages = poses::sheets(&scene, &worked, &options, &wanted).unwrap().value;
     assert!(pages.len() > 1 && pages.iter().all(|p| (p.width_mm, p.height_mm) == (420.0, 297.0)), "{}", pages.len());

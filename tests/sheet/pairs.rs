@@ -4,27 +4,27 @@ use hodograph::figure::mechanism::mechanism;
 use hodograph::geom::Point;
 use hodograph::notation::Notation;
 use hodograph::paper::extent::Rect;
-use hodograph::paper::item::{Dash, Item, Shape};
+use hodograph::paper::item::{Dash, FigureItem, Shape};
 use hodograph::paper::style::Style;
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 
-fn drawn(text: &str) -> Vec<Item> {
+fn drawn(text: &str) -> Vec<FigureItem> {
     let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}")).value;
     let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{f}")).value;
     mechanism(&Style::default(), &scene, &worked, &Notation::of_language(Lang::En)).items
 }
 
 /// The links drawn as blocks, by their numbers in the scene.
-fn blocks(items: &[Item]) -> Vec<String> {
+fn blocks(items: &[FigureItem]) -> Vec<String> {
     let mut names: Vec<String> =
         items.iter().filter(|i| i.class.ends_with("slider")).map(|i| i.id.trim_start_matches("mechanism-").to_owned()).collect();
     names.sort();
     names
 }
 
-fn written(items: &[Item]) -> Vec<&str> {
-    fn label(i: &Item) -> Option<&str> {
+fn written(items: &[FigureItem]) -> Vec<&str> {
+    fn label(i: &FigureItem) -> Option<&str> {
         match &i.shape {
             Shape::Label { label, .. } => Some(label.source()),
             _ => None,
@@ -76,7 +76,7 @@ fn a_plank_is_guided_where_it_lies() {
                     {"wheel": "4", "centre": "C", "radius": "80 mm", "on": "5", "angle": "180 deg", "at": "T"}],
         "driver": {"link": "2", "angle": "60 deg", "omega": "5 rad/s"}, "side": {"C": "right of OA"}, "find": ["v_T5"]}"#;
     let items = drawn(plank);
-    let level = |i: &Item| match i.shape {
+    let level = |i: &FigureItem| match i.shape {
         Shape::Line { from, to, .. } if i.id.ends_with("link-5") || i.id.ends_with("track-T") => Some([from, to]),
         _ => None,
     };
@@ -170,8 +170,8 @@ fn the_number_of_the_ground_is_at_its_hatching() {
         let name = ground.link_name(ground.ground).to_owned();
         let items = drawn(text);
         let hatched: Vec<Rect> =
-            items.iter().filter(|i| i.class.ends_with("hatch") && i.id.contains("pivot")).filter_map(Item::bounds).collect();
-        let number = items.iter().find(|i| i.id == format!("mechanism-label-number-{name}")).and_then(Item::bounds);
+            items.iter().filter(|i| i.class.ends_with("hatch") && i.id.contains("pivot")).filter_map(FigureItem::bounds).collect();
+        let number = items.iter().find(|i| i.id == format!("mechanism-label-number-{name}")).and_then(FigureItem::bounds);
         let (Some(number), false) = (number, hatched.is_empty()) else { continue };
         let off = hatched.iter().map(|h| gap_mm(number, *h)).fold(f64::INFINITY, f64::min);
         assert!(off < 4.0, "{}: {off} mm from the nearest hatching", template.name);

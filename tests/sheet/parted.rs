@@ -4,7 +4,7 @@ use crate::wide::every;
 use hodograph::figure::mechanism::mechanism;
 use hodograph::geom::Point;
 use hodograph::notation::Notation;
-use hodograph::paper::item::{Item, Shape};
+use hodograph::paper::item::{FigureItem, Shape};
 use hodograph::paper::style::Style;
 use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::scene::{driver_position, with_driver_at};
@@ -17,8 +17,8 @@ const OVER_MM: f64 = 4.5;
 
 type Bar = (Option<usize>, Point, Point);
 
-fn bars(items: &[Item]) -> Vec<Bar> {
-    let bar = |i: &Item| match i.shape {
+fn bars(items: &[FigureItem]) -> Vec<Bar> {
+    let bar = |i: &FigureItem| match i.shape {
         Shape::Line { from, to, .. } if i.class.trim_end().ends_with(" link") => Some((i.link, from, to)),
         _ => None,
     };

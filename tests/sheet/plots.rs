@@ -4,7 +4,7 @@
 use std::time::{Duration, Instant};
 
 use hodograph::effort::ways;
-use hodograph::figure::curves::{self, Diagram};
+use hodograph::figure::curves::{self, CurveDiagram};
 use hodograph::figure::price;
 use hodograph::mechanism::Mechanism;
 use hodograph::notation::Notation;
@@ -12,7 +12,7 @@ use hodograph::paper::extent::{Rect, bounds};
 use hodograph::paper::item::{Figure, Shape};
 use hodograph::paper::style::Style;
 use hodograph::scene::{Angle, Lang, read, templates};
-use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::sweep::{self, PlacedScene, Stations, Width};
 use hodograph::worked::{Scope, work};
 
 fn faults_of(figure: &Figure, what: &str) -> Vec<String> {
@@ -21,7 +21,7 @@ fn faults_of(figure: &Figure, what: &str) -> Vec<String> {
     if ink.min.x < 0.0 || ink.min.y < 0.0 || ink.max.x > figure.width_mm || ink.max.y > figure.height_mm {
         faults.push(format!("{what}: ink at {ink:?} of {} x {} mm", figure.width_mm, figure.height_mm));
     }
-    let label = |i: &&hodograph::paper::item::Item| matches!(i.shape, Shape::Label { .. });
+    let label = |i: &&hodograph::paper::item::FigureItem| matches!(i.shape, Shape::Label { .. });
     let boxes: Vec<(&str, Rect)> = figure.items.iter().filter(label).filter_map(|i| Some((i.id.as_str(), i.bounds()?))).collect();
     for (k, (a, r)) in boxes.iter().enumerate() {
         for (b, s) in &boxes[k + 1..] {
@@ -45,7 +45,7 @@ fn plots_stay_on_the_paper_and_their_names_apart() {
     let series = ways::toward_toggle(&near, watch).unwrap();
     let scene = read(templates::get("jansen-leg").unwrap()).unwrap().value;
     let mechanism = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &mechanism).unwrap();
+    let placed = PlacedScene::new(&scene, &mechanism).unwrap();
     let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::One).unwrap();
     let mut faults = Vec::new();
     for style in Style::names().map(|name| Style::named(name).unwrap()) {
@@ -56,7 +56,7 @@ fn plots_stay_on_the_paper_and_their_names_apart() {
             };
             assert!(named("10^{−10}") >= 2 && named("1") >= 2, "both vertical axes have their powers of ten");
             faults.extend(faults_of(&figure, &format!("accuracy {} {lang:?}", style.name)));
-            let diagram = Diagram::of(&placed, 0, &table, &Notation::of_language(lang));
+            let diagram = CurveDiagram::of(&placed, 0, &table, &Notation::of_language(lang));
             for (k, page) in curves::pages(&scene, &diagram, &style, lang).iter().enumerate() {
                 assert_eq!((page.width_mm, page.height_mm), (210.0, 297.0));
                 faults.extend(faults_of(page, &format!("curves {} {lang:?} page {k}", style.name)));

@@ -5,8 +5,8 @@
 use super::legible::SMALLEST_MM;
 use hodograph::diag::Warned;
 use hodograph::figure::fit::{Room, pages};
-use hodograph::figure::list::{self, Extras, Wanted};
-use hodograph::figure::sheet::Options;
+use hodograph::figure::list::{self, Extras, FigureInput};
+use hodograph::figure::sheet::SheetOptions;
 use hodograph::paper::extent::bounds;
 use hodograph::paper::item::{Figure, Shape};
 use hodograph::scene::{self, Lang, templates};
@@ -31,9 +31,9 @@ fn a_width_is_kept_or_refused() {
             // language.
             let name = if k == 0 { FIGURES[0] } else { FIGURES[1 + t % (FIGURES.len() - 1)] };
             let width = WIDTHS_MM[(t + k) % WIDTHS_MM.len()];
-            let options = Options::of_language(if (t + k) % 2 == 0 { Lang::En } else { Lang::Zh });
+            let options = SheetOptions::of_language(if (t + k) % 2 == 0 { Lang::En } else { Lang::Zh });
             let extras = Extras::default();
-            let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &extras };
+            let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
             let what = format!("{} {name} at {width} mm", template.name);
             match pages(list::named(name).unwrap(), &wanted, Room::Column(width)) {
                 Ok(Warned { value, notes }) => {
@@ -86,9 +86,9 @@ fn a_narrow_column_leaves_no_words_out() {
     for (t, template) in templates::list().iter().enumerate() {
         let scene = scene::read(templates::get(template.name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let options = Options::of_language(if t % 2 == 0 { Lang::En } else { Lang::Zh });
+        let options = SheetOptions::of_language(if t % 2 == 0 { Lang::En } else { Lang::Zh });
         let extras = Extras::default();
-        let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &extras };
+        let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
         let sheet = list::named("sheet").unwrap();
         let Ok(Warned { value, notes }) = pages(sheet, &wanted, Room::Column(80.0)) else { continue };
         let usual = (sheet.draw)(&wanted).unwrap().value;

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use hodograph::figure::sheet::{Options as SheetOptions, sheet};
+use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::paper::item::{Figure, Shape};
 use hodograph::paper::label::Label;
 use hodograph::render::diff::{Options, Picture, compare, picture};

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use hodograph::figure::list::{Entry, Extras, LIST, MECHANISM, USUAL, Wanted};
-use hodograph::figure::sheet::Options;
+use hodograph::figure::list::{Extras, FigureEntry, FigureInput, LIST, MECHANISM, USUAL};
+use hodograph::figure::sheet::SheetOptions;
 use hodograph::notation::Notation;
-use hodograph::paper::item::{Figure, Item};
+use hodograph::paper::item::{Figure, FigureItem};
 use hodograph::problem::{self, Kind, Look, Pictures, solve};
 use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
@@ -31,7 +31,7 @@ const WORDS: &[&str] = &[
     "list",
 ];
 
-fn is_named_alike(item: &Item) -> bool {
+fn is_named_alike(item: &FigureItem) -> bool {
     let line_of_text = ["given-", "attempt-line-"].iter().any(|start| item.id.starts_with(start));
     !line_of_text && !item.class.split(' ').any(|word| WORDS.contains(&word))
 }
@@ -53,13 +53,13 @@ fn faults(name: &str, figure: &Figure) -> Vec<String> {
 
 /// The sheet of a scene in a language and notation, and the other figures if `others`.
 fn figures(scene: &Scene, worked: &Worked, (lang, notation): (Lang, &str), others: bool) -> Vec<(String, Figure)> {
-    let options = Options { notation: Notation::named(notation).unwrap(), ..Options::of_language(lang) };
+    let options = SheetOptions { notation: Notation::named(notation).unwrap(), ..SheetOptions::of_language(lang) };
     let vectors = |on| Extras { vectors: Some(on), dimensions: true, ..Extras::default() };
     let all = [Extras::default(), vectors(DiagramKind::Velocity), vectors(DiagramKind::Acceleration)];
     let mut out = Vec::new();
     for (k, extras) in all.iter().enumerate() {
-        let wanted = Wanted { scene, worked, options: &options, extras };
-        let wanted_too = |e: &&&Entry| e.name == USUAL.name && k == 0 || others && (k == 0 || e.name == MECHANISM.name);
+        let wanted = FigureInput { scene, worked, options: &options, extras };
+        let wanted_too = |e: &&&FigureEntry| e.name == USUAL.name && k == 0 || others && (k == 0 || e.name == MECHANISM.name);
         for entry in LIST.iter().filter(wanted_too) {
             let Ok(pages) = (entry.draw)(&wanted) else { continue };
             out.extend(pages.value.into_iter().map(|(word, figure)| (format!("{}-{k}-{word}", entry.name), figure)));

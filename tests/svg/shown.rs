@@ -1,7 +1,7 @@
 //! Data attributes of vectors and points agree with the drawing and with the answers.
 
-use hodograph::answer::Value;
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::answer::AnswerValue;
+use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::render::svg;
 use hodograph::scene::{self, DiagramKind, Lang, templates};
 use hodograph::worked::{Scope, work};
@@ -17,7 +17,7 @@ fn lengths_are_distances_on_paper_and_values_are_lengths_times_the_scale() {
     for t in templates::list().iter().step_by(every(5)) {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let figure = sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap();
+        let figure = sheet(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap();
         let text = svg::write(&figure).unwrap().value;
         let document = roxmltree::Document::parse(&text).unwrap();
         assert_eq!(document.root_element().attribute("data-hodograph"), Some(svg::CONTRACT));
@@ -46,7 +46,7 @@ fn lengths_are_distances_on_paper_and_values_are_lengths_times_the_scale() {
             vectors += 1;
         }
         for r in &worked.results {
-            let (find, Value::Vector(v)) = (&scene.find[r.find], r.computed) else { continue };
+            let (find, AnswerValue::Vector(v)) = (&scene.find[r.find], r.computed) else { continue };
             let Some(drawn) = figure.vector(&find.text) else { continue };
             let value = v.norm();
             assert!((drawn.si - value).abs() <= 1e-6 * value.max(drawn.mm * 1e-3), "{}: {} is {} and {value}", t.name, find.text, drawn.si);
@@ -61,7 +61,7 @@ fn lengths_are_distances_on_paper_and_values_are_lengths_times_the_scale() {
 fn a_vector_and_its_mark_are_found_by_name() {
     let scene = scene::read(templates::get("shaper").unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let figure = sheet(&scene, &worked, &Options::of_language(Lang::Zh)).unwrap();
+    let figure = sheet(&scene, &worked, &SheetOptions::of_language(Lang::Zh)).unwrap();
     let id = |name: &str| figure.vector(name).map(|v| v.id);
     assert_eq!(id("ak_A3A2"), Some("acc-coriolis-A3-A2"));
     assert_eq!(id("vr_A3A2"), Some("vel-sliding-A3-A2"));
@@ -77,7 +77,7 @@ fn a_vector_and_its_mark_are_found_by_name() {
 fn a_prefix_stands_before_all_ids_and_their_uses() {
     let scene = scene::read(templates::get("crank-rocker").unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let plain = svg::write(&sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap()).unwrap().value;
+    let plain = svg::write(&sheet(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap()).unwrap().value;
     let put = svg::IdPrefix::new("fig2-").unwrap().put_before(&plain).into_owned();
     let document = roxmltree::Document::parse(&put).unwrap();
     let ids: Vec<&str> = document.descendants().filter_map(|n| n.attribute("id")).collect();

@@ -62,7 +62,7 @@ fn fold_by_hand(from: [f64; 3]) -> f64 {
 fn the_limits_of_a_group_of_class_iv() {
     let scene = class_iv(r#""phi_2", "phi_5", "omega_5""#, ["", ""]);
     let m = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &m).unwrap();
+    let placed = PlacedScene::new(&scene, &m).unwrap();
     let told = limits_of(&scene);
     let ends = told.range.ends.each_ref().map(|e| e.as_ref().unwrap().value);
     let now = station::position_now(&scene, &placed.at, 0);
@@ -101,7 +101,7 @@ fn the_limits_of_a_group_of_class_iv() {
 fn a_dyad_beside_a_group_of_class_iv_stops_it() {
     let scene = class_iv(r#""omega_8""#, [r#", "7": ["E","H"], "8": ["H","K"]"#, r#", "H": [8,3.2], "K": [8.6,4.4]"#]);
     let m = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &m).unwrap();
+    let placed = PlacedScene::new(&scene, &m).unwrap();
     let told = limits_of(&scene);
     let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 180);
     let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
@@ -113,7 +113,7 @@ fn a_dyad_beside_a_group_of_class_iv_stops_it() {
     // Next to it the distance of E and K is that of both links in line.
     let beside = Stations::of_values(vec![end.value + (told.range.now - end.value).signum() * 1e-12], 1.0);
     let found = class_iv(r#""x_E", "y_E""#, [r#", "7": ["E","H"], "8": ["H","K"]"#, r#", "H": [8,3.2], "K": [8.6,4.4]"#]);
-    let at = sweep::run(&Placed::new(&found, &m).unwrap(), 0, &beside, Width::One).unwrap();
+    let at = sweep::run(&PlacedScene::new(&found, &m).unwrap(), 0, &beside, Width::One).unwrap();
     let e = ["x_E", "y_E"].map(|n| at.column(n).unwrap().values[0]);
     assert!((length(e, [8.6, 4.4]) - reach).abs() < 1e-10, "{} against {reach}", length(e, [8.6, 4.4]));
     let words = "link 7 (EH) and link 8 (HK) lie in line";

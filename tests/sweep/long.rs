@@ -1,11 +1,11 @@
 //! Long sweeps in pieces give the rows of an undivided sweep.
 
 use super::*;
-use hodograph::sweep::long::Long;
-use hodograph::sweep::pieces::Pieces;
+use hodograph::sweep::long::LongSweep;
+use hodograph::sweep::pieces::SweepPieces;
 
 /// The numbers of a sweep in pieces, and its notes.
-pub fn pieces(sweep: &mut dyn Pieces, cut: usize) -> (Vec<Vec<f64>>, Vec<Diagnostic>) {
+pub fn pieces(sweep: &mut dyn SweepPieces, cut: usize) -> (Vec<Vec<f64>>, Vec<Diagnostic>) {
     let (count, mut columns) = (sweep.count(), vec![Vec::new(); sweep.columns().len()]);
     for from in (0..count).step_by(cut) {
         columns.iter_mut().zip(sweep.piece(from..count.min(from + cut), &|| false).unwrap()).for_each(|(c, p)| c.extend(p));
@@ -48,18 +48,18 @@ fn a_long_sweep_is_its_pieces() {
     let (mut missing, mut followed_missing) = (0, 0);
     for (name, scene, [steps, cut]) in &scenes {
         let m = Mechanism::new(scene).unwrap().value;
-        let placed = Placed::new(scene, &m).unwrap();
+        let placed = PlacedScene::new(scene, &m).unwrap();
         let per_value = station::angle_per_value(scene, &placed.at, 0);
         let now = station::position_now(scene, &placed.at, 0);
-        let (turn, slide) = (|a, b| station::Way::Turn(Angle::Deg(a), Angle::Deg(b)), placed.at.extent());
+        let (turn, slide) = (|a, b| station::DriverSpan::Turn(Angle::Deg(a), Angle::Deg(b)), placed.at.extent());
         let ways = match scene.drivers[0].kind {
             DriverKind::Turn { .. } => [turn(-30.0, 450.0), turn(400.0, -30.0)],
-            _ => [[-slide, slide], [slide, -slide]].map(|[a, b]| station::Way::Slide { from: now + a, to: now + b, per_value }),
+            _ => [[-slide, slide], [slide, -slide]].map(|[a, b]| station::DriverSpan::Slide { from: now + a, to: now + b, per_value }),
         };
         for way in ways {
-            let steps = sweep::Steps { way, steps: *steps };
+            let steps = sweep::StationSteps { way, steps: *steps };
             let whole = sweep::run(&placed, 0, &steps.all(), Width::Widest).unwrap();
-            let mut long = Long::new(&placed, 0, steps).unwrap();
+            let mut long = LongSweep::new(&placed, 0, steps).unwrap();
             let (columns, notes) = pieces(&mut long, *cut);
             assert!(long.columns().into_iter().eq(whole.columns.iter().map(|c| (c.name.clone(), c.unit))), "{name}");
             same_bits(name, &columns, &whole);
@@ -79,9 +79,9 @@ fn a_long_sweep_is_its_pieces() {
 fn a_sweep_in_pieces_stops_when_asked() {
     for scene in [scene("class-iii-six-bar", &[]), class_iv(r#""v_D""#, ["", ""])] {
         let m = Mechanism::new(&scene).unwrap().value;
-        let placed = Placed::new(&scene, &m).unwrap();
-        let way = station::Way::Turn(Angle::Deg(0.0), Angle::Deg(360.0));
-        let mut long = Long::new(&placed, 0, sweep::Steps { way, steps: 1000 }).unwrap();
+        let placed = PlacedScene::new(&scene, &m).unwrap();
+        let way = station::DriverSpan::Turn(Angle::Deg(0.0), Angle::Deg(360.0));
+        let mut long = LongSweep::new(&placed, 0, sweep::StationSteps { way, steps: 1000 }).unwrap();
         assert!(long.piece(0..10, &|| true).is_none());
     }
 }

@@ -3,7 +3,7 @@
 
 use super::{limits_of, scene};
 use hodograph::scene::{Scene, edit, read, templates};
-use hodograph::sweep::extreme::{Extreme, Grashof, Output, Swing};
+use hodograph::sweep::extreme::{DrivenOutput, Grashof, OutputExtreme, Swing};
 use hodograph::sweep::follow::course::over_a_turn;
 use std::f64::consts::{PI, TAU};
 
@@ -18,7 +18,7 @@ type Wanted = (f64, Option<f64>, f64);
 /// Compares the extremes of a swing, each listed once, with those expected, in any order of a turn.
 fn same(swing: &Swing, wanted: &[Wanted], what: &str) {
     let apart = |a: f64, b: f64| (a - b - ((a - b) / TAU).round() * TAU).abs();
-    let is = |e: &Extreme, (driver, until, output): &Wanted| {
+    let is = |e: &OutputExtreme, (driver, until, output): &Wanted| {
         let until = match (e.until, until) {
             (Some(a), Some(b)) => apart(a, b.to_radians()) < 1e-9,
             (a, b) => a.is_none() && b.is_none(),
@@ -143,8 +143,8 @@ fn a_shaper_cuts_slowly_and_returns_fast() {
     for start in STARTS.into_iter().chain([180.0 + degrees, -degrees]) {
         let limits = limits_of(&turned("shaper", "phi_1", start));
         let what = format!("from {start}°");
-        let of = |wanted: fn(&Output) -> bool| limits.swings.iter().find(|s| wanted(&s.output)).unwrap();
-        let (lever, ram) = (of(|o| matches!(o, Output::Turning(_))), of(|o| matches!(o, Output::Sliding(_))));
+        let of = |wanted: fn(&DrivenOutput) -> bool| limits.swings.iter().find(|s| wanted(&s.output)).unwrap();
+        let (lever, ram) = (of(|o| matches!(o, DrivenOutput::Turning(_))), of(|o| matches!(o, DrivenOutput::Sliding(_))));
         same(lever, &[(180.0 + degrees, None, PI / 2.0 + half), (-degrees, None, PI / 2.0 - half)], &what);
         strokes(lever, 2.0 * half, ratio, &what);
         assert_eq!(ram.extremes.len(), 2, "{what}: {ram:?}");

@@ -5,7 +5,7 @@
 //! equation each, an intersection draws two vectors, a moving link has three unknowns.
 
 use hodograph::certified::certify;
-use hodograph::effort::{Motion, Work};
+use hodograph::effort::{MotionWork, Work};
 use hodograph::plan::{Effect, Reason};
 use hodograph::scene::{self, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
@@ -88,8 +88,8 @@ fn solved(scene: &Scene) -> Worked {
     work(scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}")).value
 }
 
-fn motion([groups, equations, images, vectors, rates, unknowns]: [usize; 6]) -> Motion {
-    Motion { groups, equations_planned: equations, equations_closed: equations, images, vectors, rates, unknowns }
+fn motion([groups, equations, images, vectors, rates, unknowns]: [usize; 6]) -> MotionWork {
+    MotionWork { groups, equations_planned: equations, equations_closed: equations, images, vectors, rates, unknowns }
 }
 
 #[test]
@@ -149,12 +149,12 @@ fn the_plan_says_why_an_effect_is_out() {
 /// questions.
 #[test]
 fn labels_are_placed_for_a_figure_only() {
-    use hodograph::figure::sheet::{Options, sheet};
+    use hodograph::figure::sheet::{SheetOptions, sheet};
     let labels = |find: &[&str]| {
         let scene = asking("shaper", &[], find);
         let worked = work(&scene, Scope::Figure).unwrap().value;
         assert_eq!(Work::of(&worked).labels_placed, 0);
-        let figure = sheet(&scene, &worked, &Options::of_language(scene::Lang::En)).unwrap();
+        let figure = sheet(&scene, &worked, &SheetOptions::of_language(scene::Lang::En)).unwrap();
         Work::of(&worked).with_labels(figure.labels_placed()).labels_placed
     };
     let [positions, velocities, both] = [&["x_C"][..], &["v_C"], &["v_C", "a_C"]].map(labels);

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use hodograph::figure::sheet::{Options, drawing, equations};
+use hodograph::figure::sheet::{SheetOptions, drawing, equations};
 use hodograph::paper::item::{Figure, Shape};
 use hodograph::scene::{self, DiagramKind, Lang, templates};
 use hodograph::worked::{Scope, work};
@@ -66,7 +66,7 @@ fn every_letter_of_a_table_is_in_the_diagram() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         for lang in [Lang::En, Lang::Zh] {
-            let options = Options::of_language(lang);
+            let options = SheetOptions::of_language(lang);
             let Some(tables) = equations(&scene, &worked, &options) else { continue };
             let diagram = drawing(&scene, &worked, &options, DiagramKind::Plane).unwrap();
             let drawn: Vec<String> = labels(&diagram).iter().map(|l| plain(l)).collect();

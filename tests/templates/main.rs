@@ -8,7 +8,7 @@ mod senses;
 #[path = "../wide/mod.rs"]
 mod wide;
 
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::scene::{self, templates};
 use hodograph::worked::{Scope, work};
 use std::collections::BTreeSet;
@@ -46,16 +46,16 @@ fn answers_are_as_expected() {
             let find = &scene.find[outcome.find].text;
             let e = &expected[t.name][find];
             let component = |k: &str| e[k].as_f64().unwrap_or_else(|| panic!("{} {find}: no expected {k}", t.name));
-            let off = |v: Value| match v {
-                Value::Scalar(s) => (s - component("value")).abs() / component("value").abs().max(1e-3),
-                Value::Vector(v) => {
+            let off = |v: AnswerValue| match v {
+                AnswerValue::Scalar(s) => (s - component("value")).abs() / component("value").abs().max(1e-3),
+                AnswerValue::Vector(v) => {
                     let (x, y) = (component("x"), component("y"));
                     (v.x - x).hypot(v.y - y) / x.hypot(y).max(1e-3)
                 }
-                Value::Point(p) => (p.x - component("x")).hypot(p.y - component("y")),
+                AnswerValue::Point(p) => (p.x - component("x")).hypot(p.y - component("y")),
             };
             // Centres are drawn in a figure of their own: see tests/centres.rs.
-            let place = matches!(outcome.computed, Value::Point(_));
+            let place = matches!(outcome.computed, AnswerValue::Point(_));
             let drawn = outcome.drawn.as_ref().map_or(if place { 0.0 } else { f64::INFINITY }, |a| off(a.value));
             let computed = off(outcome.computed);
             if !(drawn < 1e-9 && computed < 1e-9) {
@@ -75,9 +75,9 @@ fn answers_are_as_expected() {
 /// Two different ends of vectors in one polygon never have one name, in either notation.
 #[test]
 fn marks_are_told_apart() {
-    use hodograph::construct::Mark;
+    use hodograph::construct::PolygonMark;
     use hodograph::notation::Notation;
-    use hodograph::plan::text::Writer;
+    use hodograph::plan::text::PlanWriter;
     use hodograph::plan::{Term, VertexId};
     use hodograph::scene::DiagramKind;
     for t in templates::list() {
@@ -85,12 +85,12 @@ fn marks_are_told_apart() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
         for lang in [scene::Lang::En, scene::Lang::Zh] {
             let notation = Notation::of_language(lang);
-            let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang };
+            let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang };
             for on in DiagramKind::POLYGONS {
                 let Some(p) = worked.construction.polygon(on) else { continue };
                 let mut parts: Vec<(String, Term)> = Vec::new();
                 for edge in &p.edges {
-                    if let Mark::Part(term) | Mark::Again(term) = edge.to.0 {
+                    if let PolygonMark::Part(term) | PolygonMark::Again(term) = edge.to.0 {
                         let name = w.part(on, &term);
                         let clash = parts.iter().find(|(n, other)| *n == name && *other != term);
                         assert!(clash.is_none(), "{}: {name} names {term:?} and {clash:?}", t.name);

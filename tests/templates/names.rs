@@ -7,20 +7,20 @@ use std::collections::{HashMap, HashSet};
 
 use hodograph::certified::certify;
 use hodograph::diag::Severity;
-use hodograph::figure::curves::{self, Diagram};
+use hodograph::figure::curves::{self, CurveDiagram};
 use hodograph::figure::mechanism::Overlay;
-use hodograph::figure::sheet::{Options, diagram, sheet};
+use hodograph::figure::sheet::{SheetOptions, diagram, sheet};
 use hodograph::figure::{path, steps as steps_of};
 use hodograph::lesson;
 use hodograph::mechanism::Mechanism;
 use hodograph::notation::Notation;
 use hodograph::paper::item::Figure;
-use hodograph::plan::text::Writer;
+use hodograph::plan::text::PlanWriter;
 use hodograph::render::{pdf, svg};
 use hodograph::report::forces::ForceWriter;
 use hodograph::report::{answers, construction, limits, plan, plan_json};
 use hodograph::scene::{self, DiagramKind, Lang, PointId, Scene, Swept, templates};
-use hodograph::sweep::{self, Placed, Stations, Width, extreme};
+use hodograph::sweep::{self, PlacedScene, Stations, Width, extreme};
 use hodograph::worked::{Scope, Worked, work};
 use hodograph::worksheet;
 use serde_json::{Map, Value, json};
@@ -348,8 +348,8 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
     let stem = "sheet";
     for lang in [Lang::En, Lang::Zh] {
         let notation = Notation::of_language(lang);
-        let options = Options::of_language(lang);
-        let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
+        let options = SheetOptions::of_language(lang);
+        let w = PlanWriter { scene, plan: &worked.plan, notation: &notation, lang };
         let told = hodograph::certified::steps(scene, worked, None);
         let forces = worked.equilibrium.as_ref().map(|of| ForceWriter { scene, notation: &notation, lang, of });
         plan::text(scene, &worked.mechanism, &w, forces.as_ref());
@@ -369,13 +369,13 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
             drawn("step", figure, failures);
         }
         if let Some(point) = moving {
-            let wanted = path::Wanted { points: vec![point], swept: Swept::Driver(0), marks: 4, poses: 0 };
+            let wanted = path::PathContent { points: vec![point], swept: Swept::Driver(0), marks: 4, poses: 0 };
             match path::figure(scene, worked, &options, &wanted) {
                 Ok(figure) => drawn("path", &figure.value, failures),
                 Err(faults) => failures.push(format!("path: {faults}")),
             }
         }
-        let document = worksheet::worksheet(scene, worked, &worksheet::Options::of_language(lang));
+        let document = worksheet::worksheet(scene, worked, &worksheet::WorksheetOptions::of_language(lang));
         let mut written = |what: &str, result: Result<(), hodograph::diag::Faults>| {
             failures.extend(result.err().map(|faults| format!("worksheet as {what}: {faults}")));
         };
@@ -388,20 +388,21 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
         }
     }
     // A lesson holds both languages.
-    let options = lesson::Options { positions: 8, ..lesson::Options::of_language(Lang::En) };
+    let options = lesson::LessonOptions { positions: 8, ..lesson::LessonOptions::of_language(Lang::En) };
     match lesson::lesson(scene, &options) {
         Ok(page) => failures.extend(page.notes.iter().filter(|n| n.severity > Severity::Note).map(|n| format!("lesson: {n}"))),
         Err(faults) => failures.push(format!("lesson: {faults}")),
     }
-    if let Err(faults) = lesson::reveal(scene, worked, &Options::of_language(Lang::En)) {
+    if let Err(faults) = lesson::reveal(scene, worked, &SheetOptions::of_language(Lang::En)) {
         failures.push(format!("reveal: {faults}"));
     }
     let mechanism = Mechanism::new(scene).unwrap().value;
-    let placed = Placed::new(scene, &mechanism).unwrap();
+    let placed = PlacedScene::new(scene, &mechanism).unwrap();
     let now = sweep::station::position_now(scene, &placed.at, 0);
     let stations = Stations::of_values((0..5).map(|k| now + 1e-3 * f64::from(k)).collect(), 1.0);
     let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
-    let curves = curves::figure(scene, &Diagram::of(&placed, 0, &table, &Notation::of_language(Lang::En)), &Default::default(), Lang::Zh);
+    let curves =
+        curves::figure(scene, &CurveDiagram::of(&placed, 0, &table, &Notation::of_language(Lang::En)), &Default::default(), Lang::Zh);
     drawn("curves", &curves, failures);
     if let Ok(found) = extreme::limits(scene, &mechanism, 0) {
         limits::text(scene, 0, &found, Lang::Zh);

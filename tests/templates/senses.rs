@@ -1,7 +1,7 @@
 //! The arrows of drivers in the written SVG: one for each velocity and one for each acceleration
 //! that is not zero, each in its own sense and with its own name only.
 
-use hodograph::figure::sheet::{Options, drawing};
+use hodograph::figure::sheet::{SheetOptions, drawing};
 use hodograph::render::svg;
 use hodograph::scene::{self, DiagramKind, Driver, DriverKind, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
@@ -113,7 +113,7 @@ fn sense(scene: &Scene, worked: &Worked, driver: &Driver, (tail, tip): (P, P), c
 /// Checks every arrow of a scene's drivers, by name; faults are collected.
 fn check(name: &str, scene: &Scene, faults: &mut Vec<String>) -> usize {
     let worked = work(scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
-    let options = Options::of_language(Lang::En);
+    let options = SheetOptions::of_language(Lang::En);
     let written = svg::write(&drawing(scene, &worked, &options, DiagramKind::Plane).unwrap()).unwrap().value;
     let document = roxmltree::Document::parse(&written).unwrap();
     let mut seen = 0;
@@ -169,7 +169,7 @@ fn arrows_of_drivers_point_as_they_are_given() {
             for d in &mut other.drivers {
                 let size = d.rate.value.abs();
                 d.rate.value = rate * size;
-                d.acceleration = Some(scene::Given { value: second * (size + 1.0), ..d.rate.clone() });
+                d.acceleration = Some(scene::GivenQuantity { value: second * (size + 1.0), ..d.rate.clone() });
             }
             if work(&other, Scope::Figure).is_ok() {
                 seen += check(&format!("{} with rate {rate}, acceleration {second}", t.name), &other, &mut faults);

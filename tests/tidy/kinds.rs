@@ -24,7 +24,7 @@ const KINDS: &[Kinds] = &[
         "DriverKind::turns, turned, guide, ends, parts or position",
     ),
     (
-        "Form",
+        "PairForm",
         &["Meet", "Angles", "OnPath", "AlongPath", "Distance", "Related"],
         &[
             "crates/mechanism/src/mechanism/pair/",
@@ -36,7 +36,7 @@ const KINDS: &[Kinds] = &[
             "crates/sweep/src/train.rs",
             "crates/sweep/src/compile/rolling.rs",
         ],
-        "Form::ends, driver, path, meets, locks, lies_on or equations",
+        "PairForm::ends, driver, path, meets, locks, point_guide or equations",
     ),
     (
         "Contours",

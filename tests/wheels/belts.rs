@@ -2,18 +2,18 @@
 //! the compiled sweep over many turns, mobility as counted in books, inversions, and messages on
 //! impossible belts.
 
-use hodograph::answer::Value;
-use hodograph::centres::{Place, centres};
+use hodograph::answer::AnswerValue;
+use hodograph::centres::{CentrePlace, centres};
 use hodograph::diag::{Faults, Severity};
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::Mechanism;
 use hodograph::notation::Notation;
 use hodograph::plan::TermKind;
-use hodograph::plan::text::Writer;
+use hodograph::plan::text::PlanWriter;
 use hodograph::report;
 use hodograph::scene::build::{Belt, Builder, Driver, deg, mm, rad_per_s};
 use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
-use hodograph::sweep::{self, Placed, Stations, Width, extreme, station};
+use hodograph::sweep::{self, PlacedScene, Stations, Width, extreme, station};
 use hodograph::trains::{given, trains};
 use hodograph::worked::{Scope, Worked, work};
 use std::f64::consts::TAU;
@@ -31,22 +31,22 @@ pub fn solved(scene: &Scene) -> Worked {
     worked
 }
 
-fn value(scene: &Scene, worked: &Worked, find: &str) -> Value {
+fn value(scene: &Scene, worked: &Worked, find: &str) -> AnswerValue {
     let i = scene.find.iter().position(|f| f.text == find).unwrap();
     worked.results.iter().find(|r| r.find == i).unwrap_or_else(|| panic!("{find}")).computed
 }
 
 pub fn scalar(scene: &Scene, worked: &Worked, find: &str) -> f64 {
     match value(scene, worked, find) {
-        Value::Scalar(s) => s,
-        other @ (Value::Vector(_) | Value::Point(_)) => panic!("{find} = {other:?}"),
+        AnswerValue::Scalar(s) => s,
+        other @ (AnswerValue::Vector(_) | AnswerValue::Point(_)) => panic!("{find} = {other:?}"),
     }
 }
 
 pub fn vector(scene: &Scene, worked: &Worked, find: &str) -> Vec2 {
     match value(scene, worked, find) {
-        Value::Vector(v) => v,
-        other @ (Value::Scalar(_) | Value::Point(_)) => panic!("{find} = {other:?}"),
+        AnswerValue::Vector(v) => v,
+        other @ (AnswerValue::Scalar(_) | AnswerValue::Point(_)) => panic!("{find} = {other:?}"),
     }
 }
 
@@ -125,7 +125,7 @@ fn no_sliding_of_a_belt_is_sought_between_axes_that_stand() {
     assert_eq!(apart(&on_arm(false, [30.0, 45.0])), 1);
     let worked = solved(&standing);
     for (lang, words) in [(Lang::En, "ends of a strand, without slip"), (Lang::Zh, "带（链）段两端的点，不打滑")] {
-        let w = Writer { scene: &standing, plan: &worked.plan, notation: &Notation::of_language(lang), lang };
+        let w = PlanWriter { scene: &standing, plan: &worked.plan, notation: &Notation::of_language(lang), lang };
         let told = report::plan::text(&standing, &worked.mechanism, &w, None);
         assert!(told.contains("v_N3 = v_M2") && told.contains(words) && !told.contains("v_N3M2"), "{told}");
     }
@@ -138,7 +138,7 @@ fn the_sweep_keeps_the_ratio_over_many_turns() {
     let text = templates::get("belt-crank-rocker").unwrap();
     let scene = read(&scene::edit::with_find(text, &["x_C", "y_C", "x_M", "y_M", "omega_3"]).unwrap());
     let mechanism = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &mechanism).unwrap();
+    let placed = PlacedScene::new(&scene, &mechanism).unwrap();
     let (now, per_value) = (station::position_now(&scene, &placed.at, 0), station::angle_per_value(&scene, &placed.at, 0));
     let stations = Stations::slid(now, now + 50.0 * TAU, 1000, per_value);
     let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
@@ -309,12 +309,12 @@ fn belts_have_centres_and_stand_in_the_table() {
         assert_eq!(centre.round, 0, "{of}: {centre:?}");
         match centre.place.unwrap() {
             // ω₂ OP = ω₄ AP, seen from the arm.
-            Place::At(p) => {
+            CentrePlace::At(p) => {
                 let way = (p - Point::new(0.01, 0.02)).dot(Vec2::new(0.8, 0.6));
                 near(way, 0.2 * ratio / (ratio - 1.0), &of);
                 assert!((p - Point::new(0.01, 0.02)).cross(Vec2::new(0.8, 0.6)).abs() < 1e-12);
             }
-            Place::Infinity(u) => assert!(ratio == 1.0 && u.cross(Vec2::new(0.8, 0.6)).abs() < 1e-12, "{of}: {u:?}"),
+            CentrePlace::Infinity(u) => assert!(ratio == 1.0 && u.cross(Vec2::new(0.8, 0.6)).abs() < 1e-12, "{of}: {u:?}"),
         }
         assert!(found.list.iter().all(|c| c.residual.is_none_or(|r| r.abs() < 1e-9)), "{of}: {:?}", found.list);
     }

@@ -6,14 +6,14 @@ use hodograph::geom::Vec2;
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::build::{Builder, Driver, Guide, Rope, deg, mm, rad_per_s, rad_per_s2};
 use hodograph::scene::{self, Angle, templates};
-use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::sweep::{self, PlacedScene, Stations, Width};
 
 #[test]
 fn a_load_rises_by_the_angle_times_the_radius() {
     let text = templates::get("hoist").unwrap();
     let scene = read(&scene::edit::with_find(text, &["y_A", "y_B"]).unwrap());
     let m = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &m).unwrap();
+    let placed = PlacedScene::new(&scene, &m).unwrap();
     let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(900.0), 25), Width::Widest).unwrap();
     let column = |k: usize| &table.columns[k].values;
     for i in 0..table.rows() {

@@ -3,41 +3,41 @@
 //! equations.
 //!
 //! Each part has its own coordinate: the position of a point along and across a line of the
-//! carrying link ([`Along`](super::relation::Relation::Along)), the length of the line between two
-//! points ([`Distance`](super::relation::Relation::Distance)), the rotation of that line
-//! ([`Line`](super::relation::Relation::Line)). The first and second derivatives of these
+//! carrying link ([`Along`](super::relation::PositionEquation::Along)), the length of the line between two
+//! points ([`Distance`](super::relation::PositionEquation::Distance)), the rotation of that line
+//! ([`Line`](super::relation::PositionEquation::Line)). The first and second derivatives of these
 //! coordinates at the solution are v_r, aʳ, aⁿ and aᵗ; the Coriolis part is the total less these
 //! parts.
 
 use super::Solution;
-use super::relation::{Handle, Pair, Row, along_line, distance, projection};
+use super::relation::{BodyPoint, EquationPair, EquationRow, along_line, distance, projection};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_mechanism::answer::{Source, Value, evaluate};
-use hodograph_mechanism::mechanism::{Joined, Level, joined};
+use hodograph_mechanism::answer::{AnswerValue, MotionSource, evaluate};
+use hodograph_mechanism::mechanism::{Level, PointJoint, joined};
 use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::quantity::{Frame, Meaning, Seen, Split, heading, ratio, split};
+use hodograph_scene::quantity::{Frame, Meaning, ObservedPart, RelativeComponent, heading, ratio, split};
 use hodograph_scene::{Asked, GuideId, LinkId, OnLink, PointId, Scene};
 use nalgebra::DVector;
 
 /// Unknowns of a small separate system: three of a body that turns, two of a point, two of another
 /// point.
 type Unknowns = [f64; 7];
-const BODY: Handle = Handle { first: Some(0), turns: true, r: Vec2::ZERO };
-const POINT: Handle = Handle { first: Some(3), turns: false, r: Vec2::ZERO };
-const OTHER: Handle = Handle { first: Some(5), turns: false, r: Vec2::ZERO };
+const BODY: BodyPoint = BodyPoint { first: Some(0), turns: true, r: Vec2::ZERO };
+const POINT: BodyPoint = BodyPoint { first: Some(3), turns: false, r: Vec2::ZERO };
+const OTHER: BodyPoint = BodyPoint { first: Some(5), turns: false, r: Vec2::ZERO };
 
 /// Returns the first derivative of the coordinate of a row, with no value prescribed for it.
-fn first(row: &Row, x: &Unknowns) -> f64 {
+fn first(row: &EquationRow, x: &Unknowns) -> f64 {
     row.coefficients.iter().map(|(k, c)| c * x[*k]).sum()
 }
 
 /// Returns the second derivative of the coordinate of a row.
-fn second(row: &Row, x: &Unknowns, xx: &Unknowns) -> f64 {
+fn second(row: &EquationRow, x: &Unknowns, xx: &Unknowns) -> f64 {
     first(row, xx) - row.acceleration(&DVector::from_column_slice(x))
 }
 
 /// The parts of the motion of one end of a line relative to the other.
-struct Parts {
+struct RelativeMotionParts {
     normal: Vec2,
     tangential: Vec2,
     sliding: [Vec2; 2],
@@ -46,33 +46,33 @@ struct Parts {
 
 impl Solution {
     /// Returns the answer of the loop equations to a requested quantity; `None` if they have none.
-    pub fn answer(&self, scene: &Scene, at: &Configuration, what: &Asked) -> Option<Value> {
+    pub fn answer(&self, scene: &Scene, at: &Configuration, what: &Asked) -> Option<AnswerValue> {
         let level = what.level();
         let vector = |p: &OnLink| self.vector(level, p.point, p.link);
         match what.meaning(scene) {
-            Some(Meaning::Vector(p)) => vector(&p).map(Value::Vector),
+            Some(Meaning::Vector(p)) => vector(&p).map(AnswerValue::Vector),
             Some(Meaning::Relative(split, a, b)) => {
                 let parts = || self.parts(scene, at, &a, &b);
-                Some(Value::Vector(match (split, level) {
-                    (Split::Whole, _) => vector(&a)? - vector(&b)?,
-                    (Split::Along, _) => parts()?.normal,
-                    (Split::Across, _) => parts()?.tangential,
-                    (Split::Sliding, Level::Acceleration) => parts()?.sliding[1],
-                    (Split::Sliding, Level::Position | Level::Velocity) => self.sliding_velocity(scene, at, &a, &b)?,
-                    (Split::SlidingNormal, _) => self.along_guide(scene, at, &a, &b, parts()?.sliding[1])?[1],
-                    (Split::SlidingTangential, _) => self.along_guide(scene, at, &a, &b, parts()?.sliding[1])?[0],
-                    (Split::Coriolis, _) => parts()?.coriolis,
+                Some(AnswerValue::Vector(match (split, level) {
+                    (RelativeComponent::Whole, _) => vector(&a)? - vector(&b)?,
+                    (RelativeComponent::Along, _) => parts()?.normal,
+                    (RelativeComponent::Across, _) => parts()?.tangential,
+                    (RelativeComponent::Sliding, Level::Acceleration) => parts()?.sliding[1],
+                    (RelativeComponent::Sliding, Level::Position | Level::Velocity) => self.sliding_velocity(scene, at, &a, &b)?,
+                    (RelativeComponent::SlidingNormal, _) => self.along_guide(scene, at, &a, &b, parts()?.sliding[1])?[1],
+                    (RelativeComponent::SlidingTangential, _) => self.along_guide(scene, at, &a, &b, parts()?.sliding[1])?[0],
+                    (RelativeComponent::Coriolis, _) => parts()?.coriolis,
                 }))
             }
-            Some(Meaning::Seen(seen, of, frame, about)) => self.seen(at, seen, &of, frame, about).map(Value::Vector),
-            Some(Meaning::Turning(l, None)) => self.turning(level, l).map(Value::Scalar),
-            Some(Meaning::Turning(l, Some(against))) => Some(Value::Scalar(self.turning(level, l)? - self.turning(level, against)?)),
+            Some(Meaning::Seen(seen, of, frame, about)) => self.seen(at, seen, &of, frame, about).map(AnswerValue::Vector),
+            Some(Meaning::Turning(l, None)) => self.turning(level, l).map(AnswerValue::Scalar),
+            Some(Meaning::Turning(l, Some(against))) => Some(AnswerValue::Scalar(self.turning(level, l)? - self.turning(level, against)?)),
             Some(Meaning::Ratio(links, arm)) => {
                 let of = |l| self.turning(level, l);
                 let arm = arm.map_or(Some(0.0), of)?;
                 let [turning, moving] = [true, false].map(|turning| self.largest(Level::Velocity, turning));
                 let fastest = if at.extent() > 0.0 { turning.max(moving / at.extent()) } else { turning };
-                ratio([of(links[0])?, of(links[1])?], arm, fastest).map(Value::Scalar)
+                ratio([of(links[0])?, of(links[1])?], arm, fastest).map(AnswerValue::Scalar)
             }
             // No row determines this quantity: its own formula applies, with the positions of the
             // pose and the vectors and rates of the solution.
@@ -83,20 +83,20 @@ impl Solution {
     /// Returns v_r alone, which needs no acceleration.
     fn sliding_velocity(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink) -> Option<Vec2> {
         match joined(scene, a, b)? {
-            Joined::Guide(g) => Some(self.seen_from_guide(scene, at, g, a, b, Level::Velocity)?[0]),
-            Joined::Cylinder(_) => Some(self.along_line(at, a, b, Level::Velocity)?.sliding[0]),
-            Joined::Link(_) => None,
+            PointJoint::Guide(g) => Some(self.seen_from_guide(scene, at, g, a, b, Level::Velocity)?[0]),
+            PointJoint::Cylinder(_) => Some(self.along_line(at, a, b, Level::Velocity)?.sliding[0]),
+            PointJoint::Link(_) => None,
         }
     }
 
-    fn parts(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink) -> Option<Parts> {
+    fn parts(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink) -> Option<RelativeMotionParts> {
         match joined(scene, a, b)? {
-            Joined::Guide(g) => {
+            PointJoint::Guide(g) => {
                 let sliding = self.seen_from_guide(scene, at, g, a, b, Level::Acceleration)?;
                 let whole = self.vector(Level::Acceleration, a.point, a.link)? - self.vector(Level::Acceleration, b.point, b.link)?;
-                Some(Parts { normal: Vec2::ZERO, tangential: Vec2::ZERO, sliding, coriolis: whole - sliding[1] })
+                Some(RelativeMotionParts { normal: Vec2::ZERO, tangential: Vec2::ZERO, sliding, coriolis: whole - sliding[1] })
             }
-            Joined::Link(_) | Joined::Cylinder(_) => self.along_line(at, a, b, Level::Acceleration),
+            PointJoint::Link(_) | PointJoint::Cylinder(_) => self.along_line(at, a, b, Level::Acceleration),
         }
     }
 
@@ -136,7 +136,7 @@ impl Solution {
         let xx = if level == Level::Acceleration { unknowns(level)? } else { Unknowns::default() };
         let mut seen = [Vec2::ZERO; 2];
         for k in [along, along.perp()] {
-            let row = projection(POINT, BODY, k, place - through, [0.0; 2], Pair::Pin(runner.point));
+            let row = projection(POINT, BODY, k, place - through, [0.0; 2], EquationPair::Pin(runner.point));
             seen[0] += k * first(&row, &x);
             seen[1] += k * second(&row, &x, &xx);
         }
@@ -145,7 +145,7 @@ impl Solution {
 
     /// Splits an acceleration at a guide into the part along the guide and the part square to it.
     fn along_guide(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink, whole: Vec2) -> Option<[Vec2; 2]> {
-        let Joined::Guide(g) = joined(scene, a, b)? else { return None };
+        let PointJoint::Guide(g) = joined(scene, a, b)? else { return None };
         Some(match at.guides[g.0]? {
             Path::Line { .. } => [whole, Vec2::ZERO],
             Path::Arc { centre, .. } => split((centre - at.points[a.point.0]?).perp().unit(), whole),
@@ -153,7 +153,7 @@ impl Solution {
     }
 
     /// Returns a part of the motion of a point relative to a frame.
-    fn seen(&self, at: &Configuration, part: Seen, of: &OnLink, frame: Frame, about: Option<PointId>) -> Option<Vec2> {
+    fn seen(&self, at: &Configuration, part: ObservedPart, of: &OnLink, frame: Frame, about: Option<PointId>) -> Option<Vec2> {
         use Level::{Acceleration, Velocity};
         let seat = frame.transport_point(*of);
         let vector = |level, p: &OnLink| self.vector(level, p.point, p.link);
@@ -170,18 +170,18 @@ impl Solution {
         };
         let carried = || Some(split(heading(vector(Velocity, &seat)?), vector(Acceleration, &seat)?));
         Some(match part {
-            Seen::Relative => seen()?,
-            Seen::Coriolis => relative(Acceleration)? - seen()?,
-            Seen::RelativeNormal => split(path()?, seen()?)[1],
-            Seen::RelativeTangential => split(path()?, seen()?)[0],
-            Seen::TransportNormal => carried()?[1],
-            Seen::TransportTangential => carried()?[0],
+            ObservedPart::Relative => seen()?,
+            ObservedPart::Coriolis => relative(Acceleration)? - seen()?,
+            ObservedPart::RelativeNormal => split(path()?, seen()?)[1],
+            ObservedPart::RelativeTangential => split(path()?, seen()?)[0],
+            ObservedPart::TransportNormal => carried()?[1],
+            ObservedPart::TransportTangential => carried()?[0],
         })
     }
 
     /// Returns the motion of one end of a line relative to the other, split along and across the
     /// line: its length and its direction are the coordinates.
-    fn along_line(&self, at: &Configuration, a: &OnLink, b: &OnLink, level: Level) -> Option<Parts> {
+    fn along_line(&self, at: &Configuration, a: &OnLink, b: &OnLink, level: Level) -> Option<RelativeMotionParts> {
         let d = at.points[a.point.0]? - at.points[b.point.0]?;
         let u = d.unit()?;
         let unknowns = |level| -> Option<Unknowns> {
@@ -190,7 +190,7 @@ impl Solution {
         };
         let mut x = unknowns(Level::Velocity)?;
         let xx = if level == Level::Acceleration { unknowns(level)? } else { Unknowns::default() };
-        let pair = Pair::Pin(a.point);
+        let pair = EquationPair::Pin(a.point);
         // A body that turns with the line, so that the line keeps its angle to the body; and a
         // length with the same rate of change as the line.
         let turning = along_line(BODY, POINT, OTHER, d, [0.0; 2], pair);
@@ -200,7 +200,7 @@ impl Solution {
         let sliding = [u * stretch, u * second(&length, &x, &xx)];
         let (normal, tangential) = (d * -(x[2] * x[2]), d.perp() * second(&turning, &x, &xx));
         let whole = Vec2::new(xx[3] - xx[5], xx[4] - xx[6]);
-        Some(Parts { normal, tangential, sliding, coriolis: whole - sliding[1] - normal - tangential })
+        Some(RelativeMotionParts { normal, tangential, sliding, coriolis: whole - sliding[1] - normal - tangential })
     }
 
     /// Returns the vector of the point of a link at a position.

@@ -8,11 +8,11 @@
 //! The fine decomposition of A. L. Dulmage and N. S. Mendelsohn; strong components by R. E. Tarjan,
 //! *Depth-first search and linear graph algorithms*, SIAM J. Comput. 1 (1972).
 
-use super::relation::Row;
+use super::relation::EquationRow;
 
 /// A set of equations with as many unknowns.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Block {
+pub(super) struct EquationBlock {
     /// Indices of the equations, ascending.
     pub rows: Vec<usize>,
     /// Indices of the unknowns, ascending.
@@ -21,7 +21,7 @@ pub(super) struct Block {
 
 /// Returns the blocks of a square system of `n` unknowns; the whole system as one block if the
 /// unknowns allow no matching.
-pub(super) fn blocks(rows: &[Row], n: usize) -> Vec<Block> {
+pub(super) fn blocks(rows: &[EquationRow], n: usize) -> Vec<EquationBlock> {
     let lists: Vec<Vec<usize>> = rows
         .iter()
         .map(|r| {
@@ -34,15 +34,15 @@ pub(super) fn blocks(rows: &[Row], n: usize) -> Vec<Block> {
     of_lists(&lists, n)
 }
 
-pub(super) fn of_lists(lists: &[Vec<usize>], n: usize) -> Vec<Block> {
+pub(super) fn of_lists(lists: &[Vec<usize>], n: usize) -> Vec<EquationBlock> {
     let mut row_of: Vec<Option<usize>> = vec![None; n];
     for r in 0..lists.len() {
         if !matched(r, lists, &mut row_of, &mut vec![false; n]) {
-            return vec![Block { rows: (0..lists.len()).collect(), unknowns: (0..n).collect() }];
+            return vec![EquationBlock { rows: (0..lists.len()).collect(), unknowns: (0..n).collect() }];
         }
     }
     let rests_on: Vec<&[usize]> = row_of.iter().map(|r| r.map_or(&[][..], |r| &lists[r][..])).collect();
-    let mut search = Search {
+    let mut search = ComponentSearch {
         rests_on: &rests_on,
         found: vec![0; n],
         low: vec![0; n],
@@ -60,7 +60,7 @@ pub(super) fn of_lists(lists: &[Vec<usize>], n: usize) -> Vec<Block> {
         unknowns.sort_unstable();
         let mut rows: Vec<usize> = unknowns.iter().filter_map(|u| row_of[*u]).collect();
         rows.sort_unstable();
-        Block { rows, unknowns }
+        EquationBlock { rows, unknowns }
     };
     search.out.into_iter().map(block).collect()
 }
@@ -85,7 +85,7 @@ fn matched(r: usize, lists: &[Vec<usize>], row_of: &mut [Option<usize>], seen: &
 }
 
 /// Tarjan's search; it returns components after those on which they depend.
-struct Search<'a> {
+struct ComponentSearch<'a> {
     rests_on: &'a [&'a [usize]],
     /// 1 + the number of unknowns found before; 0 if not yet found.
     found: Vec<usize>,
@@ -96,7 +96,7 @@ struct Search<'a> {
     out: Vec<Vec<usize>>,
 }
 
-impl Search<'_> {
+impl ComponentSearch<'_> {
     fn visit(&mut self, u: usize) {
         self.count += 1;
         self.found[u] = self.count;

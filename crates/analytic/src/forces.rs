@@ -3,9 +3,9 @@
 //! Without friction a pair does no work: the reactions are λ times the coefficients of its rows,
 //! and the equilibrium of all links is Jᵀ λ = −Q. Each reaction is read from the rows of its pair.
 
-use super::relation::{Handle, Pair, Relation, Row};
-use super::rows::Layout;
-use super::{Solution, System};
+use super::relation::{BodyPoint, EquationPair, EquationRow, PositionEquation};
+use super::rows::UnknownLayout;
+use super::{LoopSystem, Solution};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::force::{
     Load, between_teeth, completed, is_determined, loads, pressed_apart, rubbing, settled, unit_balance, with_friction,
@@ -20,18 +20,18 @@ use nalgebra::DVector;
 const UNBOUNDED: f64 = 1e13;
 
 /// All rows of a pose with the multipliers of its loads.
-struct Balanced<'a> {
+struct LoadMultipliers<'a> {
     scene: &'a Scene,
-    layout: &'a Layout,
-    rows: &'a [Row],
+    layout: &'a UnknownLayout,
+    rows: &'a [EquationRow],
     lambda: DVector<f64>,
 }
 
 /// The reactions under all loads.
-struct Whole<'a> {
+struct BalancedLoads<'a> {
     loads: Vec<Load>,
     teeth: Vec<Load>,
-    found: Balanced<'a>,
+    found: LoadMultipliers<'a>,
     balance: Option<f64>,
     power: f64,
 }
@@ -44,20 +44,20 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
     let loads = loads(scene, at, solution)?;
     // Equilibrium of all placed links, whatever level of motion is requested.
     let still = Demand { groups: demand.groups.iter().map(|g| g.map(|_| Level::Velocity)).collect(), ..demand.clone() };
-    let layout = Layout::new(scene, m, at, &still, Level::Velocity);
+    let layout = UnknownLayout::new(scene, m, at, &still, Level::Velocity);
     let rows = layout.rows_of_contacts(scene, at);
-    let system = System::of_rows(rows, layout.unknowns).ok()?;
+    let system = LoopSystem::of_rows(rows, layout.unknowns).ok()?;
     if system.condition.is_nan() || system.condition >= UNBOUNDED {
         return None;
     }
-    let balanced = |loads: &[Load]| -> Option<Balanced> {
+    let balanced = |loads: &[Load]| -> Option<LoadMultipliers> {
         let mut q = DVector::zeros(layout.unknowns);
         for load in loads {
             layout.body(scene, load.link, load.place)?.loaded(&mut q, load.wrench, layout.scale);
         }
-        Some(Balanced { scene, layout: &layout, rows: &system.rows, lambda: system.solve_transposed(&-q)? })
+        Some(LoadMultipliers { scene, layout: &layout, rows: &system.rows, lambda: system.solve_transposed(&-q)? })
     };
-    let whole = |mut loads: Vec<Load>| -> Option<Whole> {
+    let whole = |mut loads: Vec<Load>| -> Option<BalancedLoads> {
         let mut found = balanced(&loads)?;
         let drivers = found.drivers();
         let power = scene.drivers.iter().zip(&drivers).map(|(d, x)| x * d.rate.value).sum();
@@ -80,14 +80,14 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
             let all: Vec<Load> = loads.iter().chain(&teeth).copied().collect();
             found = balanced(&all)?;
         }
-        Some(Whole { loads, teeth, found, balance, power })
+        Some(BalancedLoads { loads, teeth, found, balance, power })
     };
-    let guides_of = |found: &Balanced| -> Vec<(GuideId, Wrench)> {
+    let guides_of = |found: &LoadMultipliers| -> Vec<(GuideId, Wrench)> {
         (0..scene.guides.len()).map(GuideId).filter_map(|g| Some((g, found.guide(g)?))).collect()
     };
     let smooth = whole(loads.clone())?;
     let (rubs, _) = rubbing(scene, at, solution)?;
-    let (smooth, Whole { loads, teeth, found, balance, power }) = if scene.loads.friction.is_empty() {
+    let (smooth, BalancedLoads { loads, teeth, found, balance, power }) = if scene.loads.friction.is_empty() {
         (None, smooth)
     } else {
         // Friction depends on reactions, which are not determined in this case.
@@ -95,7 +95,7 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
             return None;
         }
         let under = |friction: &[Load]| whole(loads.iter().chain(friction).copied().collect()).ok_or(());
-        let read = |w: &Whole| (w.found.pins(at), guides_of(&w.found));
+        let read = |w: &BalancedLoads| (w.found.pins(at), guides_of(&w.found));
         (Some(smooth.power), settled(scene, &rubs, under, read).ok()??)
     };
     let pins = found.pins(at);
@@ -114,7 +114,7 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
     Some(completed(scene, at, &loads, reactions))
 }
 
-impl Handle {
+impl BodyPoint {
     /// Adds a load at the point to the loads of the unknowns: a force divided by the scale of
     /// lengths, a couple unchanged.
     fn loaded(&self, q: &mut DVector<f64>, wrench: Wrench, scale: f64) {
@@ -130,23 +130,23 @@ impl Handle {
 
 /// Returns the force of a row on the first point of its relation, for λ = 1 in a mechanism of size
 /// one.
-fn on_first(relation: &Relation) -> Vec2 {
+fn on_first(relation: &PositionEquation) -> Vec2 {
     match *relation {
-        Relation::Meet { k, .. } | Relation::Along { k, .. } | Relation::Track { k, .. } => k,
-        Relation::Turn { .. } => Vec2::ZERO,
-        Relation::Distance { d, .. } => d * (1.0 / d.norm()),
-        Relation::Line { d, .. } => d.perp() * (1.0 / d.norm2()),
-        Relation::Roll { weights: [u, w], d, .. } => d.perp() * (-(u + w) / d.norm2()),
+        PositionEquation::Meet { k, .. } | PositionEquation::Along { k, .. } | PositionEquation::Track { k, .. } => k,
+        PositionEquation::Turn { .. } => Vec2::ZERO,
+        PositionEquation::Distance { d, .. } => d * (1.0 / d.norm()),
+        PositionEquation::Line { d, .. } => d.perp() * (1.0 / d.norm2()),
+        PositionEquation::Roll { weights: [u, w], d, .. } => d.perp() * (-(u + w) / d.norm2()),
     }
 }
 
-impl Balanced<'_> {
+impl LoadMultipliers<'_> {
     /// Returns the force (N) of a row on the first point of its relation.
     fn force(&self, k: usize) -> Vec2 {
         on_first(&self.rows[k].relation) * (self.lambda[k] * self.layout.scale)
     }
 
-    fn rows_of(&self, of: Pair) -> impl Iterator<Item = (usize, &Row)> {
+    fn rows_of(&self, of: EquationPair) -> impl Iterator<Item = (usize, &EquationRow)> {
         self.rows.iter().enumerate().filter(move |(_, row)| row.of == of)
     }
 
@@ -155,20 +155,20 @@ impl Balanced<'_> {
         let of = |d: usize| {
             let kind = &self.scene.drivers[d].kind;
             let (slides, stretches) = (kind.guide().is_some(), kind.ends().is_some());
-            let driven = |(k, row): (usize, &Row)| {
+            let driven = |(k, row): (usize, &EquationRow)| {
                 let scale = self.layout.scale;
                 // A rotary driver has rows of angles; along an arc s = ρψ, and the moment is
                 // divided by the radius.
                 let unit = match (row.relation, kind.turns()) {
-                    (Relation::Turn { .. }, true) => 1.0,
-                    (Relation::Along { .. }, false) if slides => scale,
-                    (Relation::Distance { .. }, false) if stretches => scale,
-                    (Relation::Line { d, .. }, false) if slides => scale / d.norm(),
+                    (PositionEquation::Turn { .. }, true) => 1.0,
+                    (PositionEquation::Along { .. }, false) if slides => scale,
+                    (PositionEquation::Distance { .. }, false) if stretches => scale,
+                    (PositionEquation::Line { d, .. }, false) if slides => scale / d.norm(),
                     (_, true | false) => return None,
                 };
                 Some(self.lambda[k] * unit)
             };
-            self.rows_of(Pair::Driver(d)).find_map(driven).unwrap_or(0.0)
+            self.rows_of(EquationPair::Driver(d)).find_map(driven).unwrap_or(0.0)
         };
         (0..self.scene.drivers.len()).map(of).collect()
     }
@@ -176,19 +176,19 @@ impl Balanced<'_> {
     /// Returns the force on the runner of a guide, and the couple on its slider.
     fn guide(&self, g: GuideId) -> Option<Wrench> {
         let slider = self.scene.guides[g.0].slider.and_then(|s| self.layout.first_of(s));
-        let mut rows = self.rows_of(Pair::Guide(g)).peekable();
+        let mut rows = self.rows_of(EquationPair::Guide(g)).peekable();
         rows.peek()?;
         Some(rows.fold(Wrench::zero(), |sum, (k, row)| {
-            let is_slider = |h: Handle| slider.is_some() && h.first == slider;
+            let is_slider = |h: BodyPoint| slider.is_some() && h.first == slider;
             let turned = match row.relation {
-                Relation::Turn { a, b, .. } => f64::from(u8::from(is_slider(a))) - f64::from(u8::from(is_slider(b))),
-                Relation::Line { body, .. } if is_slider(body) => -1.0,
-                Relation::Meet { .. }
-                | Relation::Along { .. }
-                | Relation::Distance { .. }
-                | Relation::Line { .. }
-                | Relation::Roll { .. }
-                | Relation::Track { .. } => 0.0,
+                PositionEquation::Turn { a, b, .. } => f64::from(u8::from(is_slider(a))) - f64::from(u8::from(is_slider(b))),
+                PositionEquation::Line { body, .. } if is_slider(body) => -1.0,
+                PositionEquation::Meet { .. }
+                | PositionEquation::Along { .. }
+                | PositionEquation::Distance { .. }
+                | PositionEquation::Line { .. }
+                | PositionEquation::Roll { .. }
+                | PositionEquation::Track { .. } => 0.0,
             };
             sum.plus(Wrench { force: self.force(k), couple: turned * self.lambda[k] })
         }))
@@ -197,7 +197,7 @@ impl Balanced<'_> {
     /// Returns the force of the first link of a rolling pair on the second along their common
     /// tangent.
     fn tangential(&self, r: RollingId) -> Option<Vec2> {
-        let (k, _) = self.rows_of(Pair::Rolling(r)).next()?;
+        let (k, _) = self.rows_of(EquationPair::Rolling(r)).next()?;
         matches!(self.scene.rolling[r.0].touch(), Touch::Point(_)).then(|| self.force(k))
     }
 
@@ -217,11 +217,11 @@ impl Balanced<'_> {
             let force = self.force(k);
             let mut guided = |g: GuideId| {
                 let guide = &self.scene.guides[g.0];
-                out.extend(guide.pin.filter(|_| !matches!(row.relation, Relation::Turn { .. })).map(|p| (p, guide.slider, force)));
+                out.extend(guide.pin.filter(|_| !matches!(row.relation, PositionEquation::Turn { .. })).map(|p| (p, guide.slider, force)));
             };
             match row.of {
-                Pair::Guide(g) => guided(g),
-                Pair::Driver(d) => {
+                EquationPair::Guide(g) => guided(g),
+                EquationPair::Driver(d) => {
                     let kind = &self.scene.drivers[d].kind;
                     if let Some(guide) = kind.guide() {
                         guided(guide);
@@ -231,7 +231,7 @@ impl Balanced<'_> {
                         out.extend([(b, part(1), force), (a, part(0), -force)]);
                     }
                 }
-                Pair::Pin(_) | Pair::Rolling(_) => {}
+                EquationPair::Pin(_) | EquationPair::Rolling(_) => {}
             }
         }
         out
@@ -252,12 +252,12 @@ impl Balanced<'_> {
             let mut sum = Vec2::ZERO;
             for l in carriers.iter().filter(|l| **l != self.scene.ground) {
                 let first = self.layout.first_of(*l);
-                let of_row = |(k, row): (usize, &Row)| {
-                    let Relation::Meet { p, q, k: u } = row.relation else { return Vec2::ZERO };
+                let of_row = |(k, row): (usize, &EquationRow)| {
+                    let PositionEquation::Meet { p, q, k: u } = row.relation else { return Vec2::ZERO };
                     let sign = f64::from(u8::from(p.first == first)) - f64::from(u8::from(q.first == first));
                     u * (sign * self.lambda[k] * self.layout.scale)
                 };
-                let mut force = self.rows_of(Pair::Pin(p)).fold(Vec2::ZERO, |sum, row| sum + of_row(row));
+                let mut force = self.rows_of(EquationPair::Pin(p)).fold(Vec2::ZERO, |sum, row| sum + of_row(row));
                 for (_, owner, x) in &here {
                     if self.layout.handle_of(self.scene, p) == Some(*l) {
                         force += *x;

@@ -14,7 +14,7 @@
 
 use super::Solution;
 use hodograph_base::geom::Vec2;
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{LinkId, PointId, Scene};

@@ -38,32 +38,32 @@ mod third;
 mod words;
 
 pub use fork::Decided;
-pub use pose::{Near, Refused, SingularKind, Singularity};
-pub use singular::Why;
+pub use pose::{NearSingular, RefusedPart, SingularKind, Singularity};
+pub use singular::RefusalReason;
 pub use third::third;
 
 use hodograph_base::budget::spend;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Passive};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::Forces;
 use hodograph_scene::{LinkId, PointId, Scene};
 use nalgebra::{DMatrix, DVector, Dyn, LU};
-use pose::Pose;
+use pose::PosedLayout;
 use singular::Blocks;
-use staged::{LARGE, Staged};
+use staged::{LARGE, StagedFactors};
 
 /// Velocities and accelerations of all links that the demand covers, each up to its requested
 /// level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    links: Vec<Option<LinkMotion>>,
+    links: Vec<Option<LinkRates>>,
     /// Velocities and accelerations of pins that are on no link.
     bare: [Vec<(PointId, Vec2)>; 2],
     /// For velocities and for accelerations, the first solved link that carries each point.
-    home: [Vec<Option<LinkId>>; 2],
+    point_links: [Vec<Option<LinkId>>; 2],
     /// Positions, for the vectors of further points.
     points: Vec<Option<Point>>,
     origins: Vec<Option<Point>>,
@@ -74,9 +74,9 @@ pub struct Solution {
     /// in solving order.
     pub singular: Vec<Singularity>,
     /// The parts without a motion in this pose (dead centres and the like), in solving order.
-    pub refused: Vec<Refused>,
+    pub refused: Vec<RefusedPart>,
     /// The parts that are nearly singular, the worst first; singular parts are not included.
-    pub near: Vec<Near>,
+    pub near: Vec<NearSingular>,
     /// Notes on the pose for the reader.
     pub notes: Vec<Diagnostic>,
     /// Number of unknowns, at velocity and at acceleration level.
@@ -87,7 +87,7 @@ pub struct Solution {
 
 /// Motion of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct LinkMotion {
+struct LinkRates {
     /// Velocity of the frame's origin (m/s).
     v: Vec2,
     /// ω (rad/s).
@@ -125,7 +125,7 @@ fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> 
     let mut solution = Solution {
         links: vec![None; scene.links.len()],
         bare: [Vec::new(), Vec::new()],
-        home: [Vec::new(), Vec::new()],
+        point_links: [Vec::new(), Vec::new()],
         points: Vec::new(),
         origins: Vec::new(),
         ground: scene.ground,
@@ -137,18 +137,18 @@ fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> 
         size: [0; 2],
         forces: None,
     };
-    solution.links[scene.ground.0] = Some(LinkMotion { v: Vec2::ZERO, omega: 0.0, second: Some((Vec2::ZERO, 0.0)) });
+    solution.links[scene.ground.0] = Some(LinkRates { v: Vec2::ZERO, omega: 0.0, second: Some((Vec2::ZERO, 0.0)) });
     if demand.level == Level::Position {
         return Ok(solution);
     }
-    let layout = rows::Layout::new(scene, m, at, demand, Level::Velocity);
+    let layout = rows::UnknownLayout::new(scene, m, at, demand, Level::Velocity);
     solution.points.clone_from(&at.points);
     if layout.unknowns > 0 {
-        let system = System::new(scene, at, &layout)?;
+        let system = LoopSystem::new(scene, at, &layout)?;
         solution.condition = system.condition;
         solution.size[0] = layout.unknowns;
         if system.condition > SUSPECT || system.condition.is_nan() {
-            let pose = Pose { scene, at, demand, layout: &layout };
+            let pose = PosedLayout { scene, at, demand, layout: &layout };
             let rounding = layout.rounding(at);
             let blocks = Blocks::new(&system.rows, layout.unknowns, rounding, |b| pose.blur(b, rounding));
             solution.near = pose.near(&system.rows, &blocks, rounding);
@@ -165,9 +165,9 @@ fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> 
             solution.size[1] = layout.unknowns;
         } else if demand.level >= Level::Acceleration {
             // Parts for which only the velocity is requested are not in the second system.
-            let part = rows::Layout::new(scene, m, at, demand, Level::Acceleration);
+            let part = rows::UnknownLayout::new(scene, m, at, demand, Level::Acceleration);
             if part.unknowns > 0 {
-                let system = System::new(scene, at, &part)?;
+                let system = LoopSystem::new(scene, at, &part)?;
                 let gamma = part.rates_from(scene, at, &layout, &rates).and_then(|q| system.solve(&system.gamma(&q)));
                 part.unpack_accelerations(&gamma.ok_or_else(|| overflow(scene, &part))?, &mut solution);
                 solution.size[1] = part.unknowns;
@@ -183,8 +183,8 @@ fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> 
 const SUSPECT: f64 = 1e3;
 
 /// The rows of a layout and its decomposed Jacobian.
-struct System {
-    rows: Vec<relation::Row>,
+struct LoopSystem {
+    rows: Vec<relation::EquationRow>,
     factors: Factors,
     condition: f64,
 }
@@ -192,32 +192,32 @@ struct System {
 /// A decomposed Jacobian.
 enum Factors {
     Whole { jacobian: DMatrix<f64>, lu: LU<f64, Dyn, Dyn> },
-    Staged(Staged),
+    Staged(StagedFactors),
 }
 
-impl System {
+impl LoopSystem {
     /// Creates the system of a layout.
     ///
     /// # Errors
     /// The number of rows differs from the number of unknowns.
-    fn new(scene: &Scene, at: &Configuration, layout: &rows::Layout) -> Result<System, Faults> {
-        System::of_rows(layout.rows(scene, at), layout.unknowns)
+    fn new(scene: &Scene, at: &Configuration, layout: &rows::UnknownLayout) -> Result<LoopSystem, Faults> {
+        LoopSystem::of_rows(layout.rows(scene, at), layout.unknowns)
     }
 
     /// Creates the system of some rows in `n` unknowns.
     ///
     /// # Errors
     /// The number of rows differs from the number of unknowns.
-    fn of_rows(rows: Vec<relation::Row>, n: usize) -> Result<System, Faults> {
+    fn of_rows(rows: Vec<relation::EquationRow>, n: usize) -> Result<LoopSystem, Faults> {
         if rows.len() != n {
             return Err(
                 Diagnostic::error("not-square", both!("{} equations for {n} unknowns", "{} 个方程，{n} 个未知数", rows.len())).into()
             );
         }
         if n >= LARGE {
-            let staged = Staged::new(&rows, n);
+            let staged = StagedFactors::new(&rows, n);
             let condition = staged.one_norm() * inverse_one_norm(&|b| staged.solve(b), &|b| staged.solve_transposed(b), n);
-            return Ok(System { rows, factors: Factors::Staged(staged), condition });
+            return Ok(LoopSystem { rows, factors: Factors::Staged(staged), condition });
         }
         let mut jacobian = DMatrix::zeros(n, n);
         for (i, row) in rows.iter().enumerate() {
@@ -228,7 +228,7 @@ impl System {
         let lu = jacobian.clone().lu();
         let solve_transposed = transposed(&lu);
         let condition = one_norm(&jacobian) * inverse_one_norm(&|b| lu.solve(b), &solve_transposed, n);
-        Ok(System { rows, factors: Factors::Whole { jacobian, lu }, condition })
+        Ok(LoopSystem { rows, factors: Factors::Whole { jacobian, lu }, condition })
     }
 
     /// Solves and refines once; the result is then as accurate as the data even if the matrix is
@@ -284,14 +284,14 @@ fn one_norm(m: &DMatrix<f64>) -> f64 {
 }
 
 /// A function that solves J x = b or Jᵀ x = b.
-type Solve<'a> = &'a dyn Fn(&DVector<f64>) -> Option<DVector<f64>>;
+type LinearSolve<'a> = &'a dyn Fn(&DVector<f64>) -> Option<DVector<f64>>;
 
 /// Returns ‖J⁻¹‖₁ by Hager's estimate.
 ///
 /// # Source
 /// W. W. Hager, *Condition estimates*, SIAM J. Sci. Stat. Comput. 5 (1984); N. J. Higham, *Accuracy
 /// and Stability*, §15.
-fn inverse_one_norm(solve: Solve, solve_transposed: Solve, n: usize) -> f64 {
+fn inverse_one_norm(solve: LinearSolve, solve_transposed: LinearSolve, n: usize) -> f64 {
     let mut x = DVector::from_element(n, 1.0 / n as f64);
     let mut estimate = 0.0f64;
     for _ in 0..5 {
@@ -312,7 +312,7 @@ fn inverse_one_norm(solve: Solve, solve_transposed: Solve, n: usize) -> f64 {
     estimate
 }
 
-fn overflow(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
+fn overflow(scene: &Scene, layout: &rows::UnknownLayout) -> Diagnostic {
     let names: Vec<_> = layout.links.iter().map(|l| scene.link_name(*l)).collect();
     Diagnostic::error(
         "overflow",
@@ -322,9 +322,9 @@ fn overflow(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
 
 impl Solution {
     /// Stores the origins of the links' vectors, and the link used for each point.
-    fn settle(&mut self, scene: &Scene, layout: &rows::Layout) {
+    fn settle(&mut self, scene: &Scene, layout: &rows::UnknownLayout) {
         self.origins.clone_from(&layout.origins);
-        self.home = [false, true].map(|second| self.homes(scene, second));
+        self.point_links = [false, true].map(|second| self.links_of_points(scene, second));
     }
 
     /// Returns the largest vector (m/s, m/s²) or the largest angular velocity or acceleration
@@ -334,7 +334,7 @@ impl Solution {
         let moving = || self.links.iter().flatten();
         let acceleration = level == Level::Acceleration;
         if turning {
-            let of = |m: &LinkMotion| if acceleration { m.second.map_or(0.0, |s| s.1.abs()).max(m.omega * m.omega) } else { m.omega.abs() };
+            let of = |m: &LinkRates| if acceleration { m.second.map_or(0.0, |s| s.1.abs()).max(m.omega * m.omega) } else { m.omega.abs() };
             return moving().map(of).fold(0.0, f64::max);
         }
         let of_points = (0..self.points.len()).filter_map(|p| self.vector(level, PointId(p), None)).map(Vec2::norm);
@@ -349,7 +349,7 @@ impl Solution {
         self.notes = words.map(|w| note(&w)).collect();
     }
 
-    fn homes(&self, scene: &Scene, second: bool) -> Vec<Option<LinkId>> {
+    fn links_of_points(&self, scene: &Scene, second: bool) -> Vec<Option<LinkId>> {
         let mut home = vec![None; scene.points.len()];
         // Points of the ground are exactly at rest.
         if self.links[scene.ground.0].is_some() {
@@ -368,7 +368,7 @@ impl Solution {
     /// Returns true if the motion of a pin is solved up to a level.
     pub fn reaches_pin(&self, level: Level, p: PointId) -> bool {
         let slot = usize::from(level == Level::Acceleration);
-        self.bare[slot].iter().any(|b| b.0 == p) || self.home[slot].get(p.0).is_some_and(|l| l.is_some())
+        self.bare[slot].iter().any(|b| b.0 == p) || self.point_links[slot].get(p.0).is_some_and(|l| l.is_some())
     }
 
     /// Returns true if the motion of a link is solved up to a level.
@@ -392,7 +392,7 @@ impl Solution {
     }
 }
 
-impl Source for Solution {
+impl MotionSource for Solution {
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2> {
         let slot = usize::from(level == Level::Acceleration);
         if on.is_none()
@@ -402,7 +402,7 @@ impl Source for Solution {
         }
         let link = match on {
             Some(l) => l,
-            None => (*self.home[slot].get(p.0)?)?,
+            None => (*self.point_links[slot].get(p.0)?)?,
         };
         if link == self.ground {
             return Some(Vec2::ZERO);

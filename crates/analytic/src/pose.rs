@@ -1,14 +1,14 @@
 //! Classification of singular and nearly singular poses, and the messages about them.
 
 use super::fork::{self, Decided};
-use super::relation::Row;
-use super::rows::Layout;
-use super::singular::{Blocks, Carried, Fork, Part, Passed, Refusal, Why};
-use super::{Solution, blocks::Block, words};
+use super::relation::EquationRow;
+use super::rows::UnknownLayout;
+use super::singular::{Blocks, ContinuedMotion, FactoredBlock, Fork, Passed, Refusal, RefusalReason};
+use super::{Solution, blocks::EquationBlock, words};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_mechanism::mechanism::{Demand, Level};
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::{LinkId, Place, PointId, Scene};
+use hodograph_scene::{LinkId, PointId, PointPlace, Scene};
 use nalgebra::DVector;
 
 /// A part of a mechanism that is singular in the pose but has a solution.
@@ -38,9 +38,9 @@ pub struct Singularity {
 /// A part of a mechanism without a determined motion in the pose; everything that depends on it has
 /// none either.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Refused {
+pub struct RefusedPart {
     /// The reason.
-    pub why: Why,
+    pub why: RefusalReason,
     /// The links without a motion (except those that depend on them).
     pub links: Vec<LinkId>,
     /// Pins of the part that are on no link.
@@ -64,16 +64,16 @@ pub enum SingularKind {
     Rest,
 }
 
-pub(super) struct Pose<'a> {
+pub(super) struct PosedLayout<'a> {
     pub scene: &'a Scene,
     pub at: &'a Configuration,
     pub demand: &'a Demand,
-    pub layout: &'a Layout,
+    pub layout: &'a UnknownLayout,
 }
 
 /// A part of a mechanism whose equations are nearly singular in the pose.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Near {
+pub struct NearSingular {
     /// The links of the part.
     pub links: Vec<LinkId>,
     /// Pins of the part that are on no link.
@@ -90,11 +90,11 @@ pub struct Near {
 /// compared with the largest.
 const SLIGHT: f64 = 2e-14;
 
-impl Pose<'_> {
+impl PosedLayout<'_> {
     /// Returns true if positions of a block follow from lengths: its pose near a limit is then
     /// accurate only to the square root of their rounding.
-    fn by_lengths(&self, block: &Block) -> bool {
-        let point = |p: PointId| matches!(self.scene.points[p.0].place, Place::At(_));
+    fn by_lengths(&self, block: &EquationBlock) -> bool {
+        let point = |p: PointId| matches!(self.scene.points[p.0].place, PointPlace::At(_));
         block.unknowns.iter().any(|u| match (self.layout.link_of(*u), self.layout.bare_of(*u)) {
             (Some(l), _) => !self.scene.links[l.0].points.iter().all(|p| point(*p)),
             (None, Some(p)) => !point(p),
@@ -103,16 +103,16 @@ impl Pose<'_> {
     }
 
     /// Returns the pivot up to which a block may be singular within the accuracy of its pose.
-    pub fn blur(&self, block: &Block, rounding: f64) -> f64 {
+    pub fn blur(&self, block: &EquationBlock, rounding: f64) -> f64 {
         if self.by_lengths(block) { (8.0 * rounding).sqrt() } else { 0.0 }
     }
 
     /// Returns the blocks that are nearly singular but not treated as singular, the worst first.
-    pub fn near(&self, system: &[Row], blocks: &Blocks, rounding: f64) -> Vec<Near> {
-        let loss = |p: &Part| rounding * p.factor.magnified / p.factor.ratio;
-        let mut near: Vec<&Part> = blocks.list.iter().filter(|p| p.deficiency == 0 && loss(p) > SLIGHT).collect();
+    pub fn near(&self, system: &[EquationRow], blocks: &Blocks, rounding: f64) -> Vec<NearSingular> {
+        let loss = |p: &FactoredBlock| rounding * p.factor.magnified / p.factor.ratio;
+        let mut near: Vec<&FactoredBlock> = blocks.list.iter().filter(|p| p.deficiency == 0 && loss(p) > SLIGHT).collect();
         near.sort_by(|a, b| loss(b).total_cmp(&loss(a)));
-        let told = |p: &Part| Near {
+        let told = |p: &FactoredBlock| NearSingular {
             links: words::links_of(self.layout, p),
             pins: self.bare_pins(p),
             words: words::held(self.scene, self.at, self.layout, system, p).text,
@@ -122,16 +122,16 @@ impl Pose<'_> {
     }
 
     /// Returns the motion through a singular pose, as far as it exists.
-    pub fn singular(&self, system: &[Row], blocks: &Blocks, mut empty: Solution) -> Solution {
+    pub fn singular(&self, system: &[EquationRow], blocks: &Blocks, mut empty: Solution) -> Solution {
         empty.condition = f64::INFINITY;
         // Drivers that start from rest, or stay at rest: with t² for t their accelerations take the
         // part of the rates elsewhere. Only if that gives a dead point (a driver at its own limit),
         // velocities arise immediately.
         let starts = system.iter().all(|r| r.relation.drive()[0] == 0.0);
         if starts {
-            let slow: Vec<Row> = system.iter().map(Row::started).collect();
+            let slow: Vec<EquationRow> = system.iter().map(EquationRow::started).collect();
             let slow = self.ways(&slow, blocks, &empty, true);
-            if slow.refused.iter().all(|r| r.why != Why::DeadPoint) {
+            if slow.refused.iter().all(|r| r.why != RefusalReason::DeadPoint) {
                 return self.with_notes(slow);
             }
         }
@@ -139,7 +139,7 @@ impl Pose<'_> {
     }
 
     /// Returns the selected motion, with the other motion at each change point.
-    fn ways(&self, rows: &[Row], blocks: &Blocks, empty: &Solution, from_rest: bool) -> Solution {
+    fn ways(&self, rows: &[EquationRow], blocks: &Blocks, empty: &Solution, from_rest: bool) -> Solution {
         let terms = if self.demand.level >= Level::Acceleration && !from_rest { 2 } else { 1 };
         let choose = |fork: &Fork| {
             let of = words::links_of(self.layout, &blocks.list[fork.block]);
@@ -175,11 +175,11 @@ impl Pose<'_> {
         solution
     }
 
-    fn refused(&self, rows: &[Row], blocks: &Blocks, refusal: &Refusal) -> Refused {
+    fn refused(&self, rows: &[EquationRow], blocks: &Blocks, refusal: &Refusal) -> RefusedPart {
         let part = &blocks.list[refusal.block];
         let held = words::held(self.scene, self.at, self.layout, rows, part);
         let diagnostic = words::refusal(self.scene, self.layout, part, refusal, &held);
-        Refused {
+        RefusedPart {
             why: refusal.why,
             links: words::links_of(self.layout, part),
             pins: self.bare_pins(part),
@@ -190,7 +190,7 @@ impl Pose<'_> {
     }
 
     /// Returns the pins of a block that are on no link.
-    fn bare_pins(&self, part: &Part) -> Vec<PointId> {
+    fn bare_pins(&self, part: &FactoredBlock) -> Vec<PointId> {
         let mut pins: Vec<PointId> = part.block.unknowns.iter().filter_map(|u| self.layout.bare_of(*u)).collect();
         pins.dedup();
         pins
@@ -198,7 +198,7 @@ impl Pose<'_> {
 
     fn singularity(
         &self,
-        rows: &[Row],
+        rows: &[EquationRow],
         blocks: &Blocks,
         passed: &Passed,
         decided: Option<Decided>,
@@ -228,7 +228,7 @@ impl Pose<'_> {
         out
     }
 
-    fn solution(&self, empty: &Solution, carried: &Carried, from_rest: bool) -> Solution {
+    fn solution(&self, empty: &Solution, carried: &ContinuedMotion, from_rest: bool) -> Solution {
         let n = self.layout.unknowns;
         let term = |k: usize| DVector::from_iterator(n, (0..n).map(|u| carried.motion.term(u, k)));
         let (rates, accelerations) = if from_rest { (DVector::zeros(n), term(1) * 2.0) } else { (term(1), term(2) * 2.0) };

@@ -4,10 +4,10 @@
 //! angles are then comparable, and scaling the scene by 2^k changes no digit.
 
 use super::cams::is_of_law;
-use super::relation::{Handle, Pair, Relation, Row, along_line, distance, projection};
-use super::{LinkMotion, Solution};
+use super::relation::{BodyPoint, EquationPair, EquationRow, PositionEquation, along_line, distance, projection};
+use super::{LinkRates, Solution};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_mechanism::mechanism::{Demand, Form, Item, Level, Mechanism, Opened, Runner, constraints_of};
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Opened, PairForm, PairItem, Runner, constraints_of};
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::met_at;
 use hodograph_scene::{GuideId, LinkId, PointId, Relation as Linear, RollingId, Scene};
@@ -15,7 +15,7 @@ use nalgebra::DVector;
 
 /// The way in which the other links at a point constrain a link there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Held {
+enum PinConstraint {
     /// Completely, as at every pin.
     Whole,
     /// Completely, but after all others there: the link only repeats their constraints.
@@ -27,7 +27,7 @@ enum Held {
 }
 
 /// The unknowns of one level: the links and pins that the demand covers there.
-pub(super) struct Layout {
+pub(super) struct UnknownLayout {
     pub links: Vec<LinkId>,
     pub bare: Vec<PointId>,
     pub unknowns: usize,
@@ -48,10 +48,10 @@ pub(super) struct Layout {
     together: Vec<(LinkId, LinkId, GuideId)>,
 }
 
-impl Layout {
+impl UnknownLayout {
     /// Creates the layout of everything that the demand requests at `level` (velocity or
     /// acceleration), with its prerequisites.
-    pub fn new(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, level: Level) -> Layout {
+    pub fn new(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, level: Level) -> UnknownLayout {
         let links = super::taking_part(scene, m, at, demand, level);
         let mut index = vec![None; scene.links.len()];
         for (i, l) in links.iter().enumerate() {
@@ -78,16 +78,16 @@ impl Layout {
         let opened = m.redundant.iter().map(|r| (r.opened.clone(), pins(&r.opened))).collect();
         let holds = scene.guides.iter().enumerate().map(|(g, guide)| m.guide_holds(guide, GuideId(g))).collect();
         let locked = m.constraints.iter().filter_map(|c| match c.item() {
-            Item::Guide(g) => c.form().locks().map(|(a, b)| (a, b, g)),
-            Item::Pin(..) | Item::Driver(_) | Item::Rolling(_) => None,
+            PairItem::Guide(g) => c.form().locks().map(|(a, b)| (a, b, g)),
+            PairItem::Pin(..) | PairItem::Driver(_) | PairItem::Rolling(_) => None,
         });
         let together = locked.filter(|(.., g)| scene.guides[g.0].slider.is_some_and(|s| !links.contains(&s)));
         let together = together.filter(|(a, b, _)| [a, b].iter().all(|l| **l == scene.ground || links.contains(l))).collect();
-        Layout { links, bare, unknowns, index, second, origins, scale, opened, holds, together }
+        UnknownLayout { links, bare, unknowns, index, second, origins, scale, opened, holds, together }
     }
 
     /// Returns the rates of this layout's unknowns, from those of a larger layout.
-    pub fn rates_from(&self, scene: &Scene, at: &Configuration, whole: &Layout, rates: &DVector<f64>) -> Option<DVector<f64>> {
+    pub fn rates_from(&self, scene: &Scene, at: &Configuration, whole: &UnknownLayout, rates: &DVector<f64>) -> Option<DVector<f64>> {
         let mut out = Vec::with_capacity(self.unknowns);
         for l in &self.links {
             let i = 3 * whole.index[l.0]?;
@@ -112,12 +112,12 @@ impl Layout {
         scene.carriers(p).find(|l| !bare && (*l == scene.ground || self.index[l.0].is_some()))
     }
 
-    pub(super) fn body(&self, scene: &Scene, l: LinkId, p: Point) -> Option<Handle> {
+    pub(super) fn body(&self, scene: &Scene, l: LinkId, p: Point) -> Option<BodyPoint> {
         if l == scene.ground {
-            return Some(Handle { first: None, turns: false, r: Vec2::ZERO });
+            return Some(BodyPoint { first: None, turns: false, r: Vec2::ZERO });
         }
         let i = self.index[l.0]?;
-        Some(Handle { first: Some(3 * i), turns: true, r: (p - self.origins[l.0]?) * self.scale })
+        Some(BodyPoint { first: Some(3 * i), turns: true, r: (p - self.origins[l.0]?) * self.scale })
     }
 
     /// Returns the link of an unknown; `None` for an unknown of a bare pin.
@@ -138,14 +138,14 @@ impl Layout {
     }
 
     /// Returns the moving body at a pin: a link that carries it, or the bare pin.
-    fn pin(&self, scene: &Scene, p: PointId, at: Point) -> Option<Handle> {
+    fn pin(&self, scene: &Scene, p: PointId, at: Point) -> Option<BodyPoint> {
         if let Some(i) = self.bare.iter().position(|q| *q == p) {
-            return Some(Handle { first: Some(3 * self.links.len() + 2 * i), turns: false, r: Vec2::ZERO });
+            return Some(BodyPoint { first: Some(3 * self.links.len() + 2 * i), turns: false, r: Vec2::ZERO });
         }
         scene.carriers(p).find_map(|l| self.body(scene, l, at))
     }
 
-    pub fn rows(&self, scene: &Scene, at: &Configuration) -> Vec<Row> {
+    pub fn rows(&self, scene: &Scene, at: &Configuration) -> Vec<EquationRow> {
         let mut rows = Vec::new();
         self.by_laws(scene, at, &mut rows);
         self.of_pairs(scene, at, |g| !is_of_law(scene, g), rows)
@@ -153,35 +153,35 @@ impl Layout {
 
     /// Returns the rows with which links press on each other: a cam with a law touches its
     /// follower, which the row of the law does not express.
-    pub fn rows_of_contacts(&self, scene: &Scene, at: &Configuration) -> Vec<Row> {
+    pub fn rows_of_contacts(&self, scene: &Scene, at: &Configuration) -> Vec<EquationRow> {
         self.of_pairs(scene, at, |_| true, Vec::new())
     }
 
-    fn of_pairs(&self, scene: &Scene, at: &Configuration, guides: impl Fn(GuideId) -> bool, by_laws: Vec<Row>) -> Vec<Row> {
+    fn of_pairs(&self, scene: &Scene, at: &Configuration, guides: impl Fn(GuideId) -> bool, by_laws: Vec<EquationRow>) -> Vec<EquationRow> {
         let mut rows = Vec::new();
         self.revolutes(scene, at, &mut rows);
         rows.extend(by_laws);
-        let demanded = |item: Item, of: Pair| constraints_of(scene, item).map(move |c| (c.form(), of));
+        let demanded = |item: PairItem, of: EquationPair| constraints_of(scene, item).map(move |c| (c.form(), of));
         for g in (0..scene.guides.len()).map(GuideId).filter(|g| self.holds[g.0] && guides(*g)) {
             let (turning, places): (Vec<_>, Vec<_>) =
-                demanded(Item::Guide(g), Pair::Guide(g)).partition(|(form, _)| matches!(form, Form::Angles { .. }));
+                demanded(PairItem::Guide(g), EquationPair::Guide(g)).partition(|(form, _)| matches!(form, PairForm::Angles { .. }));
             turning.into_iter().for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
             self.block_on_arc(scene, at, g, &mut rows);
             places.into_iter().for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
         }
-        rows.extend(self.together.iter().filter_map(|&(a, b, g)| self.lock(scene, a, b, [0.0; 2], Pair::Guide(g))));
+        rows.extend(self.together.iter().filter_map(|&(a, b, g)| self.lock(scene, a, b, [0.0; 2], EquationPair::Guide(g))));
         let rolling = (0..scene.rolling.len()).map(RollingId).filter(|r| self.keeps(&Opened::Rolling(*r)));
-        let rolling = rolling.flat_map(|r| demanded(Item::Rolling(r), Pair::Rolling(r)));
+        let rolling = rolling.flat_map(|r| demanded(PairItem::Rolling(r), EquationPair::Rolling(r)));
         rolling.for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
         for d in 0..scene.drivers.len() {
-            demanded(Item::Driver(d), Pair::Driver(d)).for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
+            demanded(PairItem::Driver(d), EquationPair::Driver(d)).for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
             self.parts(scene, at, d, &mut rows);
         }
         rows
     }
 
     /// Adds the rows of a form.
-    fn demand(&self, scene: &Scene, at: &Configuration, form: Form, of: Pair, rows: &mut Vec<Row>) {
+    fn demand(&self, scene: &Scene, at: &Configuration, form: PairForm, of: EquationPair, rows: &mut Vec<EquationRow>) {
         // First and second derivative prescribed by a driver; lengths are in the layout's unit.
         let drive = |unit: f64| match form.driver().map(|d| &scene.drivers[d]) {
             Some(driver) => [driver.rate.value * unit, driver.acceleration.as_ref().map_or(0.0, |a| a.value) * unit],
@@ -189,22 +189,22 @@ impl Layout {
         };
         match form {
             // The links at a pin are joined to one another, without the pin: see `revolutes`.
-            Form::Meet { .. } => {}
-            Form::Angles { of: a, against: b, .. } => {
+            PairForm::Meet { .. } => {}
+            PairForm::Angles { of: a, against: b, .. } => {
                 if self.links.contains(&a) || self.links.contains(&b) {
                     rows.extend(self.lock(scene, a, b, drive(1.0), of));
                 }
             }
-            Form::OnPath { runner, guide, on } => rows.extend(self.on_path(scene, at, (runner, guide, on), of)),
-            Form::AlongPath { runner, guide, on, .. } => {
+            PairForm::OnPath { runner, guide, on } => rows.extend(self.on_path(scene, at, (runner, guide, on), of)),
+            PairForm::AlongPath { runner, guide, on, .. } => {
                 rows.extend(self.along_path(scene, at, (runner, guide, on), drive(self.scale), of));
             }
-            Form::Distance { from, to, .. } => {
+            PairForm::Distance { from, to, .. } => {
                 let (Some(pa), Some(pb)) = (at.points[from.0], at.points[to.0]) else { return };
                 let (Some(ha), Some(hb)) = (self.pin(scene, from, pa), self.pin(scene, to, pb)) else { return };
                 rows.push(distance(hb, ha, (pb - pa) * self.scale, drive(self.scale), of));
             }
-            Form::Related { pair, .. } => rows.extend(self.rolling(scene, at, pair)),
+            PairForm::Related { pair, .. } => rows.extend(self.rolling(scene, at, pair)),
         }
     }
 
@@ -214,48 +214,55 @@ impl Layout {
     }
 
     /// Returns the way in which the other links at a point constrain a link there.
-    fn held_at(&self, l: LinkId, p: PointId) -> Held {
+    fn held_at(&self, l: LinkId, p: PointId) -> PinConstraint {
         match self.opened.iter().find(|(o, _)| *o == Opened::Link(l)).and_then(|(_, pins)| *pins) {
-            None => Held::Whole,
-            Some((a, _)) if a == p => Held::Last,
-            Some((a, b)) if b == p => Held::Across(a),
-            Some(_) => Held::Not,
+            None => PinConstraint::Whole,
+            Some((a, _)) if a == p => PinConstraint::Last,
+            Some((a, b)) if b == p => PinConstraint::Across(a),
+            Some(_) => PinConstraint::Not,
         }
     }
 
     /// All links at a pin have its velocity. A link that only repeats other constraints is held at
     /// its first pin, and at its second pin square to the line of both: along the line the other
     /// links hold it, which remains to be checked.
-    fn revolutes(&self, scene: &Scene, at: &Configuration, rows: &mut Vec<Row>) {
+    fn revolutes(&self, scene: &Scene, at: &Configuration, rows: &mut Vec<EquationRow>) {
         // Links in the order of the scene at each point, without those that take no part.
         let taking_part = |l: &LinkId| *l == scene.ground || self.index[l.0].is_some();
         let mut carried: Vec<(PointId, LinkId)> = (0..scene.links.len())
             .map(LinkId)
             .filter(taking_part)
             .flat_map(|l| scene.links[l.0].points.iter().map(move |p| (*p, l)))
-            .filter(|(p, l)| self.keeps(&Opened::Pin(*p, *l)) && self.held_at(*l, *p) != Held::Not)
+            .filter(|(p, l)| self.keeps(&Opened::Pin(*p, *l)) && self.held_at(*l, *p) != PinConstraint::Not)
             .collect();
         // Passive links come last at each point, so that all others stay joined without them.
-        carried.sort_by_key(|(p, l)| (p.0, self.held_at(*l, *p) != Held::Whole));
+        carried.sort_by_key(|(p, l)| (p.0, self.held_at(*l, *p) != PinConstraint::Whole));
         for pair in carried.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
             let [(p, a), (_, b)] = [pair[0], pair[1]];
             let Some(place) = at.points[p.0] else { continue };
             let (Some(a), Some(b)) = (self.body(scene, a, place), self.body(scene, b, place)) else { continue };
             let directions = match self.held_at(pair[1].1, p) {
-                Held::Across(from) => at.points[from.0].map_or(vec![], |from| vec![(place - from).perp() * (1.0 / (place - from).norm())]),
-                Held::Whole | Held::Last | Held::Not => vec![Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)],
+                PinConstraint::Across(from) => {
+                    at.points[from.0].map_or(vec![], |from| vec![(place - from).perp() * (1.0 / (place - from).norm())])
+                }
+                PinConstraint::Whole | PinConstraint::Last | PinConstraint::Not => vec![Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)],
             };
             for k in directions {
                 let mut c = Vec::new();
                 a.add(&mut c, k);
                 b.add(&mut c, -k);
-                rows.push(Row { coefficients: c, rate: 0.0, relation: Relation::Meet { p: a, q: b, k }, of: Pair::Pin(p) });
+                rows.push(EquationRow {
+                    coefficients: c,
+                    rate: 0.0,
+                    relation: PositionEquation::Meet { p: a, q: b, k },
+                    of: EquationPair::Pin(p),
+                });
             }
         }
     }
 
     /// ω_a − ω_b = rate.
-    pub(super) fn lock(&self, scene: &Scene, a: LinkId, b: LinkId, drive: [f64; 2], of: Pair) -> Option<Row> {
+    pub(super) fn lock(&self, scene: &Scene, a: LinkId, b: LinkId, drive: [f64; 2], of: EquationPair) -> Option<EquationRow> {
         let (ha, hb) = (self.body(scene, a, Point::ORIGIN)?, self.body(scene, b, Point::ORIGIN)?);
         let mut c = Vec::new();
         if let Some(i) = ha.first {
@@ -264,11 +271,11 @@ impl Layout {
         if let Some(i) = hb.first {
             c.push((i + 2, -1.0));
         }
-        Some(Row { coefficients: c, rate: drive[0], relation: Relation::Turn { a: ha, b: hb, drive }, of })
+        Some(EquationRow { coefficients: c, rate: drive[0], relation: PositionEquation::Turn { a: ha, b: hb, drive }, of })
     }
 
     /// Returns the runner of a guide, and its position.
-    fn runner(&self, scene: &Scene, at: &Configuration, runner: Runner, on: LinkId) -> Option<(Handle, Point)> {
+    fn runner(&self, scene: &Scene, at: &Configuration, runner: Runner, on: LinkId) -> Option<(BodyPoint, Point)> {
         match runner {
             Runner::Pin(p) => at.points[p.0].and_then(|x| Some((self.pin(scene, p, x)?, x))),
             Runner::Link(slider) => {
@@ -278,7 +285,13 @@ impl Layout {
         }
     }
 
-    fn on_path(&self, scene: &Scene, at: &Configuration, (runner, guide, on): (Runner, GuideId, LinkId), of: Pair) -> Option<Row> {
+    fn on_path(
+        &self,
+        scene: &Scene,
+        at: &Configuration,
+        (runner, guide, on): (Runner, GuideId, LinkId),
+        of: EquationPair,
+    ) -> Option<EquationRow> {
         let (path, (runner, place)) = (at.guides[guide.0]?, self.runner(scene, at, runner, on)?);
         match path {
             Path::Line { through, direction } => {
@@ -300,8 +313,8 @@ impl Layout {
         at: &Configuration,
         (runner, guide, on): (Runner, GuideId, LinkId),
         drive: [f64; 2],
-        of: Pair,
-    ) -> Option<Row> {
+        of: EquationPair,
+    ) -> Option<EquationRow> {
         let ((runner, place), path) = (self.runner(scene, at, runner, on)?, at.guides[guide.0]?);
         match path {
             Path::Line { through, direction } => {
@@ -319,7 +332,7 @@ impl Layout {
     }
 
     /// A block in a curved slot turns with the radius to its pin.
-    fn block_on_arc(&self, scene: &Scene, at: &Configuration, g: GuideId, rows: &mut Vec<Row>) {
+    fn block_on_arc(&self, scene: &Scene, at: &Configuration, g: GuideId, rows: &mut Vec<EquationRow>) {
         let guide = &scene.guides[g.0];
         let (Some(s), Some(Path::Arc { centre, .. }), Some(p)) = (guide.slider, at.guides[g.0], guide.pin) else { return };
         let Some(place) = at.points[p.0] else { return };
@@ -327,12 +340,12 @@ impl Layout {
             (self.body(scene, s, place), self.pin(scene, p, place), self.body(scene, guide.on, centre))
             && self.links.contains(&s)
         {
-            rows.push(along_line(body, pin, carrier, (place - centre) * self.scale, [0.0; 2], Pair::Guide(g)));
+            rows.push(along_line(body, pin, carrier, (place - centre) * self.scale, [0.0; 2], EquationPair::Guide(g)));
         }
     }
 
     /// Rolling without slip: ω₁ρ₁ + ω₂ρ₂ = ω_h(ρ₁ + ρ₂), h the line of centres (Willis); on a track ṡ + ρ(ω₂ − ω₁) = 0.
-    fn rolling(&self, scene: &Scene, at: &Configuration, r: RollingId) -> Option<Row> {
+    fn rolling(&self, scene: &Scene, at: &Configuration, r: RollingId) -> Option<EquationRow> {
         let pair = &scene.rolling[r.0];
         if !pair.links.iter().any(|l| self.links.contains(l)) {
             return None;
@@ -352,23 +365,23 @@ impl Layout {
                 p.add(&mut c, k);
                 q.add(&mut c, -k);
                 c.extend([a, b].iter().zip(weights).filter_map(|(h, w)| Some((h.first? + 2, w))));
-                Relation::Roll { bodies: [a, b], weights, p, q, d }
+                PositionEquation::Roll { bodies: [a, b], weights, p, q, d }
             }
             Linear::Slide { centre, guide } => {
                 let Some(Path::Line { through, direction }) = at.guides[guide.0] else { return None };
                 let place = at.points[centre.0]?;
                 let (p, q) = (self.body(scene, pair.links[1], place)?, self.body(scene, pair.links[0], through)?);
                 let (arm, rho) = ((place - through) * self.scale, r2 * self.scale);
-                c = projection(p, q, direction, arm, [0.0; 2], Pair::Rolling(r)).coefficients;
+                c = projection(p, q, direction, arm, [0.0; 2], EquationPair::Rolling(r)).coefficients;
                 c.extend([(b, rho), (a, -rho)].iter().filter_map(|(h, w)| Some((h.first? + 2, *w))));
-                Relation::Track { body: b, rho, p, q, k: direction, arm }
+                PositionEquation::Track { body: b, rho, p, q, k: direction, arm }
             }
         };
-        Some(Row { coefficients: c, rate: 0.0, relation, of: Pair::Rolling(r) })
+        Some(EquationRow { coefficients: c, rate: 0.0, relation, of: EquationPair::Rolling(r) })
     }
 
     /// Barrel and rod of a cylinder: each is on its end and turns with the line.
-    fn parts(&self, scene: &Scene, at: &Configuration, d: usize, rows: &mut Vec<Row>) {
+    fn parts(&self, scene: &Scene, at: &Configuration, d: usize, rows: &mut Vec<EquationRow>) {
         let Some([a, b]) = scene.drivers[d].kind.ends() else { return };
         let (Some(pa), Some(pb)) = (at.points[a.0], at.points[b.0]) else { return };
         let (Some(ha), Some(hb)) = (self.pin(scene, a, pa), self.pin(scene, b, pb)) else { return };
@@ -382,11 +395,11 @@ impl Layout {
                         let mut c = Vec::new();
                         body.add(&mut c, k);
                         end.add(&mut c, -k);
-                        let relation = Relation::Meet { p: body, q: end, k };
-                        rows.push(Row { coefficients: c, rate: 0.0, relation, of: Pair::Driver(d) });
+                        let relation = PositionEquation::Meet { p: body, q: end, k };
+                        rows.push(EquationRow { coefficients: c, rate: 0.0, relation, of: EquationPair::Driver(d) });
                     }
                 }
-                rows.push(along_line(body, hb, ha, (pb - pa) * self.scale, [0.0; 2], Pair::Driver(d)));
+                rows.push(along_line(body, hb, ha, (pb - pa) * self.scale, [0.0; 2], EquationPair::Driver(d)));
             }
         }
     }
@@ -411,7 +424,7 @@ impl Layout {
     /// Stores the velocities of the layout's links and pins.
     pub fn unpack_rates(&self, x: &DVector<f64>, out: &mut Solution) {
         for (i, l) in self.links.iter().enumerate() {
-            out.links[l.0] = Some(LinkMotion { v: self.vector(x, 3 * i), omega: x[3 * i + 2], second: None });
+            out.links[l.0] = Some(LinkRates { v: self.vector(x, 3 * i), omega: x[3 * i + 2], second: None });
         }
         for (i, p) in self.bare.iter().enumerate() {
             out.bare[0].push((*p, self.vector(x, 3 * self.links.len() + 2 * i)));

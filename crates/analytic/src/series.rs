@@ -3,52 +3,52 @@
 //! With c₁ = q̇ and c₂ = q̈/2, the orders t and t² repeat the equation's row and its γ. The higher
 //! orders determine the motion if the Jacobian is singular.
 
-use super::jet::Jet;
-use super::relation::{Handle, Relation};
+use super::jet::TaylorJet;
+use super::relation::{BodyPoint, PositionEquation};
 use hodograph_base::geom::Vec2;
 
 /// For each unknown the known coefficients of t, t², …
-pub(super) struct Motion {
+pub(super) struct MotionSeries {
     terms: Vec<Vec<f64>>,
 }
 
 /// A vector that changes with time.
-struct Moving {
-    x: Jet,
-    y: Jet,
+struct VectorSeries {
+    x: TaylorJet,
+    y: TaylorJet,
 }
 
-impl Moving {
-    fn constant(v: Vec2, order: usize) -> Moving {
-        Moving { x: Jet::constant(v.x, order), y: Jet::constant(v.y, order) }
+impl VectorSeries {
+    fn constant(v: Vec2, order: usize) -> VectorSeries {
+        VectorSeries { x: TaylorJet::constant(v.x, order), y: TaylorJet::constant(v.y, order) }
     }
 
     /// Returns a vector turned by the angle (cos, sin).
-    fn turned(v: Vec2, (c, s): &(Jet, Jet)) -> Moving {
-        Moving { x: c.scaled(v.x).minus(&s.scaled(v.y)), y: s.scaled(v.x).plus(&c.scaled(v.y)) }
+    fn turned(v: Vec2, (c, s): &(TaylorJet, TaylorJet)) -> VectorSeries {
+        VectorSeries { x: c.scaled(v.x).minus(&s.scaled(v.y)), y: s.scaled(v.x).plus(&c.scaled(v.y)) }
     }
 
-    fn plus(&self, o: &Moving) -> Moving {
-        Moving { x: self.x.plus(&o.x), y: self.y.plus(&o.y) }
+    fn plus(&self, o: &VectorSeries) -> VectorSeries {
+        VectorSeries { x: self.x.plus(&o.x), y: self.y.plus(&o.y) }
     }
 
-    fn minus(&self, o: &Moving) -> Moving {
-        Moving { x: self.x.minus(&o.x), y: self.y.minus(&o.y) }
+    fn minus(&self, o: &VectorSeries) -> VectorSeries {
+        VectorSeries { x: self.x.minus(&o.x), y: self.y.minus(&o.y) }
     }
 
-    fn dot(&self, o: &Moving) -> Jet {
+    fn dot(&self, o: &VectorSeries) -> TaylorJet {
         self.x.times(&o.x).plus(&self.y.times(&o.y))
     }
 
-    fn cross(&self, o: &Moving) -> Jet {
+    fn cross(&self, o: &VectorSeries) -> TaylorJet {
         self.x.times(&o.y).minus(&self.y.times(&o.x))
     }
 }
 
-impl Motion {
+impl MotionSeries {
     /// Returns a motion of `unknowns` unknowns with no known terms.
-    pub fn new(unknowns: usize) -> Motion {
-        Motion { terms: vec![Vec::new(); unknowns] }
+    pub fn new(unknowns: usize) -> MotionSeries {
+        MotionSeries { terms: vec![Vec::new(); unknowns] }
     }
 
     /// Returns the number of known terms of an unknown.
@@ -72,58 +72,58 @@ impl Motion {
         self.terms[unknown].clear();
     }
 
-    fn unknown(&self, i: usize, order: usize) -> Jet {
-        Jet::from_rest(self.terms[i].iter().copied(), order)
+    fn unknown(&self, i: usize, order: usize) -> TaylorJet {
+        TaylorJet::from_rest(self.terms[i].iter().copied(), order)
     }
 
     /// Returns the angle through which a body has turned.
-    fn angle(&self, h: Handle, order: usize) -> Jet {
+    fn angle(&self, h: BodyPoint, order: usize) -> TaylorJet {
         match h.first {
             Some(i) if h.turns => self.unknown(i + 2, order),
-            _ => Jet::constant(0.0, order),
+            _ => TaylorJet::constant(0.0, order),
         }
     }
 
     /// Returns the displacement of a point of a body.
-    fn way(&self, h: Handle, order: usize) -> Moving {
-        let Some(i) = h.first else { return Moving::constant(Vec2::ZERO, order) };
-        let origin = Moving { x: self.unknown(i, order), y: self.unknown(i + 1, order) };
+    fn way(&self, h: BodyPoint, order: usize) -> VectorSeries {
+        let Some(i) = h.first else { return VectorSeries::constant(Vec2::ZERO, order) };
+        let origin = VectorSeries { x: self.unknown(i, order), y: self.unknown(i + 1, order) };
         if !h.turns {
             return origin;
         }
-        let arm = Moving::turned(h.r, &self.angle(h, order).cos_sin());
-        origin.plus(&arm.minus(&Moving::constant(h.r, order)))
+        let arm = VectorSeries::turned(h.r, &self.angle(h, order).cos_sin());
+        origin.plus(&arm.minus(&VectorSeries::constant(h.r, order)))
     }
 
     /// Returns the residual of an equation in t^n, n from 1 on: the row times the terms c_n, plus
     /// the contributions of the lower terms and the drivers.
-    pub fn residual(&self, relation: &Relation, n: usize) -> f64 {
-        let driven = |drive: [f64; 2]| Jet::from_rest([drive[0], 0.5 * drive[1]].into_iter(), n);
-        let from = |d: Vec2, p: Handle, q: Handle| Moving::constant(d, n).plus(&self.way(p, n).minus(&self.way(q, n)));
+    pub fn residual(&self, relation: &PositionEquation, n: usize) -> f64 {
+        let driven = |drive: [f64; 2]| TaylorJet::from_rest([drive[0], 0.5 * drive[1]].into_iter(), n);
+        let from = |d: Vec2, p: BodyPoint, q: BodyPoint| VectorSeries::constant(d, n).plus(&self.way(p, n).minus(&self.way(q, n)));
         let left = match *relation {
-            Relation::Meet { p, q, k } => from(Vec2::ZERO, p, q).dot(&Moving::constant(k, n)),
-            Relation::Turn { a, b, drive } => self.angle(a, n).minus(&self.angle(b, n)).minus(&driven(drive)),
-            Relation::Along { p, q, k, arm, drive } => {
-                let k = Moving::turned(k, &self.angle(q, n).cos_sin());
+            PositionEquation::Meet { p, q, k } => from(Vec2::ZERO, p, q).dot(&VectorSeries::constant(k, n)),
+            PositionEquation::Turn { a, b, drive } => self.angle(a, n).minus(&self.angle(b, n)).minus(&driven(drive)),
+            PositionEquation::Along { p, q, k, arm, drive } => {
+                let k = VectorSeries::turned(k, &self.angle(q, n).cos_sin());
                 from(arm, p, q).dot(&k).minus(&driven(drive))
             }
-            Relation::Distance { p, q, d, drive } => {
+            PositionEquation::Distance { p, q, d, drive } => {
                 // (|P − Q|² − l(t)²) / 2l.
                 let (now, l) = (from(d, p, q), d.norm());
-                let length = Jet::constant(l, n).plus(&driven(drive));
+                let length = TaylorJet::constant(l, n).plus(&driven(drive));
                 now.dot(&now).minus(&length.times(&length)).scaled(0.5 / l)
             }
-            Relation::Roll { bodies: [a, b], weights: [u, w], p, q, d } => {
+            PositionEquation::Roll { bodies: [a, b], weights: [u, w], p, q, d } => {
                 let theta = self.angle(a, n).scaled(u / (u + w)).plus(&self.angle(b, n).scaled(w / (u + w)));
-                let line = Moving::turned(d, &theta.cos_sin());
+                let line = VectorSeries::turned(d, &theta.cos_sin());
                 line.cross(&from(d, p, q)).scaled(-(u + w) / d.norm2())
             }
-            Relation::Track { body, rho, p, q, k, arm } => {
-                let k = Moving::turned(k, &self.angle(q, n).cos_sin());
+            PositionEquation::Track { body, rho, p, q, k, arm } => {
+                let k = VectorSeries::turned(k, &self.angle(q, n).cos_sin());
                 from(arm, p, q).dot(&k).plus(&self.angle(body, n).minus(&self.angle(q, n)).scaled(rho))
             }
-            Relation::Line { body, p, q, d, drive } => {
-                let line = Moving::turned(d, &self.angle(body, n).plus(&driven(drive)).cos_sin());
+            PositionEquation::Line { body, p, q, d, drive } => {
+                let line = VectorSeries::turned(d, &self.angle(body, n).plus(&driven(drive)).cos_sin());
                 line.cross(&from(d, p, q)).scaled(1.0 / d.norm2())
             }
         };
@@ -133,8 +133,8 @@ impl Motion {
 
 #[cfg(test)]
 mod tests {
-    use super::{Motion, Relation};
-    use crate::rows::Layout;
+    use super::{MotionSeries, PositionEquation};
+    use crate::rows::UnknownLayout;
     use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
     use hodograph_scene::{read, templates};
     use nalgebra::DVector;
@@ -148,8 +148,8 @@ mod tests {
             let m = Mechanism::new(&scene).unwrap().value;
             let demand = Demand::of(&scene, &m);
             let at = hodograph_mechanism::position::configure(&scene, &m, &demand).unwrap().value;
-            let layout = Layout::new(&scene, &m, &at, &demand, Level::Velocity);
-            let mut motion = Motion::new(layout.unknowns);
+            let layout = UnknownLayout::new(&scene, &m, &at, &demand, Level::Velocity);
+            let mut motion = MotionSeries::new(layout.unknowns);
             // Any rates and accelerations are suitable; these repeat after a prime number.
             let rate = |u: usize| ((7 * u + 3) % 13) as f64 / 13.0 - 0.5;
             let acceleration = |u: usize| ((5 * u + 1) % 11) as f64 / 11.0 - 0.4;
@@ -165,17 +165,17 @@ mod tests {
                 let [one, two] = [1, 2].map(|n| motion.residual(&row.relation, n));
                 let size = 1.0 + first.abs() + second.abs() + row.rate.abs() + row.acceleration(&rates).abs();
                 // Along a driven arc the hand-written γ omits d·v, which another row makes zero.
-                let slides = matches!(row.relation, Relation::Line { drive, .. } if drive != [0.0; 2]);
+                let slides = matches!(row.relation, PositionEquation::Line { drive, .. } if drive != [0.0; 2]);
                 assert!((one - first).abs() < 1e-13 * size, "{}: {one} {first}", t.name);
                 assert!(slides || (two - second).abs() < 1e-13 * size, "{}: {two} {second}", t.name);
                 kinds[match row.relation {
-                    Relation::Meet { .. } => 0,
-                    Relation::Turn { .. } => 1,
-                    Relation::Along { .. } => 2,
-                    Relation::Distance { .. } => 3,
-                    Relation::Line { .. } => 4,
-                    Relation::Roll { .. } => 5,
-                    Relation::Track { .. } => 6,
+                    PositionEquation::Meet { .. } => 0,
+                    PositionEquation::Turn { .. } => 1,
+                    PositionEquation::Along { .. } => 2,
+                    PositionEquation::Distance { .. } => 3,
+                    PositionEquation::Line { .. } => 4,
+                    PositionEquation::Roll { .. } => 5,
+                    PositionEquation::Track { .. } => 6,
                 }] += 1;
             }
         }

@@ -1,6 +1,6 @@
 //! The motion through a pose with a singular Jacobian: dead point, change point, limit of a driver.
 //!
-//! The unknown motion is a power series in time ([`Motion`]). A block whose Jacobian has a left
+//! The unknown motion is a power series in time ([`MotionSeries`]). A block whose Jacobian has a left
 //! null vector l and a right null vector z leaves one number open in every order, q̇ = p + y z, and
 //! its equations must satisfy a condition before they can be solved:
 //! - first order: l·Φ_t = 0, otherwise no velocity is finite: a *dead point*;
@@ -17,21 +17,21 @@
 //! analysis of kinematic singularities of lower pair linkages and serial manipulators*, J. Mech.
 //! Robotics 10 (2018).
 
-use super::blocks::{Block, blocks};
+use super::blocks::{EquationBlock, blocks};
 use super::factor::Factor;
-use super::relation::Row;
-use super::series::Motion;
+use super::relation::EquationRow;
+use super::series::MotionSeries;
 use nalgebra::{DMatrix, DVector};
 
 /// The system in its blocks, each factored.
 pub(super) struct Blocks {
     n: usize,
-    pub list: Vec<Part>,
+    pub list: Vec<FactoredBlock>,
 }
 
 /// A block with its factors and its rank.
-pub(super) struct Part {
-    pub block: Block,
+pub(super) struct FactoredBlock {
+    pub block: EquationBlock,
     pub factor: Factor,
     /// Number of its equations that follow from the others, within rounding.
     pub deficiency: usize,
@@ -41,7 +41,7 @@ pub(super) struct Part {
 
 /// The reason why a pose has no finite motion, or no unique one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Why {
+pub enum RefusalReason {
     /// The motion of the drivers contradicts the pose: velocities grow without bound.
     DeadPoint,
     /// The pose can be assembled, but not left in the given sense.
@@ -58,7 +58,7 @@ pub enum Why {
 #[derive(Clone, Debug)]
 pub(super) struct Refusal {
     pub block: usize,
-    pub why: Why,
+    pub why: RefusalReason,
 }
 
 /// Two possible motions of a block.
@@ -67,7 +67,7 @@ pub(super) struct Fork<'a> {
     /// Rates of all unknowns on each; zero for those that are not solved yet.
     pub ways: [DVector<f64>; 2],
     /// The motion solved so far, including the block.
-    pub motion: &'a Motion,
+    pub motion: &'a MotionSeries,
     /// True if the drivers are at rest, so that the motions differ by the sense of time only.
     pub turning: bool,
 }
@@ -86,8 +86,8 @@ pub(super) struct Passed {
 }
 
 /// The motion and the singular blocks that it passes.
-pub(super) struct Carried {
-    pub motion: Motion,
+pub(super) struct ContinuedMotion {
+    pub motion: MotionSeries,
     pub passed: Vec<Passed>,
     pub refused: Vec<Refusal>,
 }
@@ -95,7 +95,7 @@ pub(super) struct Carried {
 impl Blocks {
     /// Decomposes and factors a system. `data` is the relative rounding of the coefficients;
     /// `bound_of` may return a larger bound for a block with a less accurate pose.
-    pub fn new(rows: &[Row], n: usize, data: f64, bound_of: impl Fn(&Block) -> f64) -> Blocks {
+    pub fn new(rows: &[EquationRow], n: usize, data: f64, bound_of: impl Fn(&EquationBlock) -> f64) -> Blocks {
         let list = blocks(rows, n)
             .into_iter()
             .map(|block| {
@@ -114,7 +114,7 @@ impl Blocks {
                 // A few rounding units of each coefficient add up over the unknowns.
                 let data = 4.0 * size as f64 * data * factor.magnified;
                 let deficiency = factor.deficiency(data.max(bound_of(&block)));
-                Part { block, factor, deficiency, data }
+                FactoredBlock { block, factor, deficiency, data }
             })
             .collect();
         Blocks { n, list }
@@ -131,9 +131,9 @@ impl Blocks {
     ///
     /// A block without a motion is refused and left without terms, as is everything that depends on
     /// it; the other blocks continue.
-    pub fn carry(&self, rows: &[Row], terms: usize, mut pick: impl FnMut(&Fork) -> usize) -> Carried {
+    pub fn carry(&self, rows: &[EquationRow], terms: usize, mut pick: impl FnMut(&Fork) -> usize) -> ContinuedMotion {
         let singular = self.list.iter().filter(|p| p.deficiency > 0).count();
-        let mut out = Carried { motion: Motion::new(self.n), passed: Vec::new(), refused: Vec::new() };
+        let mut out = ContinuedMotion { motion: MotionSeries::new(self.n), passed: Vec::new(), refused: Vec::new() };
         for (i, part) in self.list.iter().enumerate() {
             let known = known_before(rows, part, &out.motion).unwrap_or(terms + singular);
             if known == 0 {
@@ -144,12 +144,12 @@ impl Blocks {
             } else {
                 self.pass(rows, i, known, &mut out.motion, &mut pick).and_then(|passed| {
                     out.passed.push(passed);
-                    if out.motion.order(part.block.unknowns[0]) < terms { Err(Why::NoAcceleration) } else { Ok(()) }
+                    if out.motion.order(part.block.unknowns[0]) < terms { Err(RefusalReason::NoAcceleration) } else { Ok(()) }
                 })
             };
             if let Err(why) = done {
                 // Velocities remain valid if only the accelerations do not follow.
-                if why != Why::NoAcceleration {
+                if why != RefusalReason::NoAcceleration {
                     part.block.unknowns.iter().for_each(|u| out.motion.forget(*u));
                 }
                 out.refused.push(Refusal { block: i, why });
@@ -160,23 +160,23 @@ impl Blocks {
 
     fn pass(
         &self,
-        rows: &[Row],
+        rows: &[EquationRow],
         index: usize,
         known: usize,
-        motion: &mut Motion,
+        motion: &mut MotionSeries,
         pick: &mut impl FnMut(&Fork) -> usize,
-    ) -> Result<Passed, Why> {
+    ) -> Result<Passed, RefusalReason> {
         let part = &self.list[index];
         if part.deficiency > 1 {
-            return Err(Why::Several);
+            return Err(RefusalReason::Several);
         }
         if known < 2 {
-            return Err(Why::NoAcceleration);
+            return Err(RefusalReason::NoAcceleration);
         }
-        let z = part.factor.right().ok_or(Why::Several)?;
+        let z = part.factor.right().ok_or(RefusalReason::Several)?;
         let l = part.factor.left();
         let first = residuals(rows, part, motion, 1);
-        let p = part.factor.solve(&-&first, true).ok_or(Why::Several)?;
+        let p = part.factor.solve(&-&first, true).ok_or(RefusalReason::Several)?;
         let still = first.amax() == 0.0;
 
         // Rates of the size of the driving rates; if nothing moves yet, of the size that the
@@ -202,7 +202,7 @@ impl Blocks {
 
         if still && at_p.amax() == 0.0 && (3..=known).all(|n| residuals(rows, part, motion, n).amax() == 0.0) {
             if no_a {
-                return Err(Why::Loose);
+                return Err(RefusalReason::Loose);
             }
             for n in 1..=known {
                 set(part, motion, n, &DVector::zeros(z.len()));
@@ -218,7 +218,7 @@ impl Blocks {
         let agrees = g.abs() <= part.data * first.amax()
             || (d.abs() > blur * size && (g * g * a / d).abs() <= part.data && (g * b / d).abs() <= blur);
         if !agrees {
-            return Err(Why::DeadPoint);
+            return Err(RefusalReason::DeadPoint);
         }
         let mut rates = |y: f64| {
             set(part, motion, 1, &(&p + &z * y));
@@ -227,13 +227,13 @@ impl Blocks {
         let y = if no_a {
             match (no_b, no_c) {
                 (false, _) => -c / b,
-                (true, false) => return Err(Why::DeadPoint),
-                (true, true) => return Err(Why::Loose),
+                (true, false) => return Err(RefusalReason::DeadPoint),
+                (true, true) => return Err(RefusalReason::Loose),
             }
         } else if d.abs() <= blur * size {
             -b / (2.0 * a)
         } else if d < 0.0 {
-            return Err(Why::Locked);
+            return Err(RefusalReason::Locked);
         } else {
             // The larger sum first, so that no digits cancel.
             let s = -0.5 * (b + d.sqrt().copysign(b));
@@ -245,7 +245,7 @@ impl Blocks {
         let slope = 2.0 * a * y + b;
         if slope.abs() > blur * (a * y).abs().max(b.abs()) {
             for n in 2..known {
-                let p = part.factor.solve(&-residuals(rows, part, motion, n), true).ok_or(Why::Several)?;
+                let p = part.factor.solve(&-residuals(rows, part, motion, n), true).ok_or(RefusalReason::Several)?;
                 set(part, motion, n, &p);
                 let y = -l.dot(&residuals(rows, part, motion, n + 1)) / slope;
                 set(part, motion, n, &(p + &z * y));
@@ -257,15 +257,15 @@ impl Blocks {
 }
 
 /// Continues the motion through a block that determines it.
-fn follow(rows: &[Row], part: &Part, known: usize, motion: &mut Motion) -> Result<(), Why> {
+fn follow(rows: &[EquationRow], part: &FactoredBlock, known: usize, motion: &mut MotionSeries) -> Result<(), RefusalReason> {
     for n in 1..=known {
-        let c = part.factor.solve(&-residuals(rows, part, motion, n), false).ok_or(Why::Several)?;
+        let c = part.factor.solve(&-residuals(rows, part, motion, n), false).ok_or(RefusalReason::Several)?;
         set(part, motion, n, &c);
     }
     Ok(())
 }
 
-fn set(part: &Part, motion: &mut Motion, n: usize, c: &DVector<f64>) {
+fn set(part: &FactoredBlock, motion: &mut MotionSeries, n: usize, c: &DVector<f64>) {
     for (u, value) in part.block.unknowns.iter().zip(c.iter()) {
         motion.set(*u, n, *value);
     }
@@ -273,18 +273,18 @@ fn set(part: &Part, motion: &mut Motion, n: usize, c: &DVector<f64>) {
 
 /// Returns the number of known terms of the unknowns on which a block depends; `None` if it depends
 /// on none.
-fn known_before(rows: &[Row], part: &Part, motion: &Motion) -> Option<usize> {
+fn known_before(rows: &[EquationRow], part: &FactoredBlock, motion: &MotionSeries) -> Option<usize> {
     let of = part.block.rows.iter().flat_map(|r| &rows[*r].coefficients).map(|c| c.0);
     of.filter(|u| part.block.unknowns.binary_search(u).is_err()).map(|u| motion.order(u)).min()
 }
 
 /// Returns the residuals of the block's equations in t^n.
-fn residuals(rows: &[Row], part: &Part, motion: &Motion, n: usize) -> DVector<f64> {
+fn residuals(rows: &[EquationRow], part: &FactoredBlock, motion: &MotionSeries, n: usize) -> DVector<f64> {
     DVector::from_iterator(part.block.rows.len(), part.block.rows.iter().map(|r| motion.residual(&rows[*r].relation, n)))
 }
 
 /// Returns the residuals of the block in t² with the rates `c` and no acceleration of its own.
-fn second(rows: &[Row], part: &Part, motion: &mut Motion, c: &DVector<f64>) -> DVector<f64> {
+fn second(rows: &[EquationRow], part: &FactoredBlock, motion: &mut MotionSeries, c: &DVector<f64>) -> DVector<f64> {
     set(part, motion, 1, c);
     let left = residuals(rows, part, motion, 2);
     for u in &part.block.unknowns {
@@ -296,28 +296,28 @@ fn second(rows: &[Row], part: &Part, motion: &mut Motion, c: &DVector<f64>) -> D
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::System;
-    use crate::rows::Layout;
+    use crate::LoopSystem;
+    use crate::rows::UnknownLayout;
     use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
     use hodograph_mechanism::position::configure;
     use hodograph_scene as scene;
 
     /// Returns the result for a four-bar in line whose pin C is offset by `off` from the line, with
     /// poses known to 1e-6.
-    fn carried(link: u8, d: f64, off: f64) -> Carried {
+    fn carried(link: u8, d: f64, off: f64) -> ContinuedMotion {
         carried_in(&format!(
             r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "0": ["A", "D"]}}, "ground": "0", "units": {{"length": "m"}},
             "points": {{"A": [0, 0], "B": [1, 0], "C": [4, {off:e}], "D": [3, {d}]}}, "driver": {{"link": "{link}", "omega": "1 rad/s"}}, "find": ["omega_2"]}}"#
         ))
     }
 
-    fn carried_in(text: &str) -> Carried {
+    fn carried_in(text: &str) -> ContinuedMotion {
         let scene = scene::read(text).unwrap().value;
         let m = Mechanism::new(&scene).unwrap().value;
         let demand = Demand::of(&scene, &m);
         let at = configure(&scene, &m, &demand).unwrap().value;
-        let layout = Layout::new(&scene, &m, &at, &demand, Level::Velocity);
-        let Ok(system) = System::new(&scene, &at, &layout) else { panic!("{text}") };
+        let layout = UnknownLayout::new(&scene, &m, &at, &demand, Level::Velocity);
+        let Ok(system) = LoopSystem::new(&scene, &at, &layout) else { panic!("{text}") };
         Blocks::new(&system.rows, layout.unknowns, 1e-15, |_| 1e-6).carry(&system.rows, 2, |_| 0)
     }
 
@@ -332,7 +332,7 @@ mod tests {
             assert!(off == 0.0 || through.passed[0].off > 0.0, "{off}");
             // The rocker's drive at its limit: only A, B and C are in line.
             let dead = carried(3, -2.0, off);
-            assert_eq!(dead.refused.iter().map(|r| r.why).collect::<Vec<_>>(), [Why::DeadPoint], "{off}");
+            assert_eq!(dead.refused.iter().map(|r| r.why).collect::<Vec<_>>(), [RefusalReason::DeadPoint], "{off}");
         }
     }
 
@@ -346,7 +346,11 @@ mod tests {
                 "guides": [{{"pin": "A", "on": "0", "angle": "0 deg"}}, {{"pin": "B", "on": "0", "angle": "0 deg"}}],
                 "driver": {{"slide": "A", "velocity": "1 m/s"}}, "find": ["v_B", "a_B"]}}"#
             ));
-            assert_eq!((one.passed.len(), one.refused.iter().map(|r| r.why).collect::<Vec<_>>()), (1, vec![Why::NoAcceleration]), "{off}");
+            assert_eq!(
+                (one.passed.len(), one.refused.iter().map(|r| r.why).collect::<Vec<_>>()),
+                (1, vec![RefusalReason::NoAcceleration]),
+                "{off}"
+            );
         }
     }
 }

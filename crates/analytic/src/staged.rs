@@ -4,30 +4,30 @@
 //! The cost of factoring grows with the number of blocks, not with the cube of the number of
 //! unknowns.
 
-use super::blocks::{Block, blocks};
-use super::relation::Row;
+use super::blocks::{EquationBlock, blocks};
+use super::relation::EquationRow;
 use nalgebra::{DMatrix, DVector, Dyn, LU, PermutationSequence};
 
 /// Number of unknowns (some fifty links) from which a system is solved in stages.
 pub(super) const LARGE: usize = 150;
 
 /// The factors of a system's blocks.
-pub(super) struct Staged {
+pub(super) struct StagedFactors {
     coefficients: Vec<Vec<(usize, f64)>>,
-    parts: Vec<Part>,
+    parts: Vec<StagedBlock>,
 }
 
 /// A block and its factors.
-struct Part {
-    block: Block,
+struct StagedBlock {
+    block: EquationBlock,
     lu: LU<f64, Dyn, Dyn>,
     l: DMatrix<f64>,
     u: DMatrix<f64>,
     p: PermutationSequence<Dyn>,
 }
 
-impl Part {
-    fn new(block: Block, coefficients: &[Vec<(usize, f64)>]) -> Part {
+impl StagedBlock {
+    fn new(block: EquationBlock, coefficients: &[Vec<(usize, f64)>]) -> StagedBlock {
         let n = block.rows.len();
         let mut a = DMatrix::zeros(n, n);
         for (i, row) in block.rows.iter().enumerate() {
@@ -39,7 +39,7 @@ impl Part {
         }
         let lu = a.lu();
         let (l, u, p) = (lu.l(), lu.u(), lu.p().clone());
-        Part { block, lu, l, u, p }
+        StagedBlock { block, lu, l, u, p }
     }
 
     fn has(&self, unknown: usize) -> bool {
@@ -47,16 +47,16 @@ impl Part {
     }
 }
 
-impl Staged {
+impl StagedFactors {
     /// Factors the equations of `n` unknowns, which must be `n` in number.
-    pub fn new(rows: &[Row], n: usize) -> Staged {
-        Staged::of(rows.iter().map(|r| r.coefficients.clone()).collect(), blocks(rows, n))
+    pub fn new(rows: &[EquationRow], n: usize) -> StagedFactors {
+        StagedFactors::of(rows.iter().map(|r| r.coefficients.clone()).collect(), blocks(rows, n))
     }
 
     /// Factors the given blocks.
-    fn of(coefficients: Vec<Vec<(usize, f64)>>, blocks: Vec<Block>) -> Staged {
-        let parts = blocks.into_iter().map(|block| Part::new(block, &coefficients)).collect();
-        Staged { coefficients, parts }
+    fn of(coefficients: Vec<Vec<(usize, f64)>>, blocks: Vec<EquationBlock>) -> StagedFactors {
+        let parts = blocks.into_iter().map(|block| StagedBlock::new(block, &coefficients)).collect();
+        StagedFactors { coefficients, parts }
     }
 
     /// Returns the largest column sum of magnitudes.
@@ -129,7 +129,7 @@ mod tests {
             let coefficients = chain(count);
             let n = coefficients.len();
             let lists: Vec<Vec<usize>> = coefficients.iter().map(|row| row.iter().map(|c| c.0).collect()).collect();
-            let staged = Staged::of(coefficients.clone(), of_lists(&lists, n));
+            let staged = StagedFactors::of(coefficients.clone(), of_lists(&lists, n));
             // The work is that of this many small blocks.
             assert!(staged.parts.len() == count && staged.parts.iter().all(|p| p.block.rows.len() == 3));
             let mut whole = DMatrix::<f64>::zeros(n, n);

@@ -5,9 +5,9 @@
 //! of the lower terms to each equation ([`super::series`]). Drivers keep their accelerations
 //! constant; followers of cams with a law have the third derivative of the law.
 
-use super::rows::Layout;
-use super::series::Motion;
-use super::{Solution, System};
+use super::rows::UnknownLayout;
+use super::series::MotionSeries;
+use super::{LoopSystem, Solution};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
@@ -16,11 +16,18 @@ use nalgebra::DVector;
 
 /// The third derivatives of a link: of the position of a point of it (m/s³), and of its angle
 /// (rad/s³).
-type Third = (Vec2, f64);
+type ThirdDerivatives = (Vec2, f64);
 
 /// Returns the third derivatives of all links that are requested up to their accelerations, at the
 /// link's point at `place`; `None` for the other links, and for all links in a singular pose.
-pub fn third(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, solution: &Solution, place: Point) -> Vec<Option<Third>> {
+pub fn third(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    demand: &Demand,
+    solution: &Solution,
+    place: Point,
+) -> Vec<Option<ThirdDerivatives>> {
     let mut out = vec![None; scene.links.len()];
     out[scene.ground.0] = Some((Vec2::ZERO, 0.0));
     if let Some(found) = solved(scene, m, at, demand, solution) {
@@ -31,21 +38,27 @@ pub fn third(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, 
     out
 }
 
-fn solved(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, solution: &Solution) -> Option<Vec<(LinkId, Third)>> {
+fn solved(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    demand: &Demand,
+    solution: &Solution,
+) -> Option<Vec<(LinkId, ThirdDerivatives)>> {
     if !solution.singular.is_empty() || !solution.refused.is_empty() {
         return None;
     }
-    let layout = Layout::new(scene, m, at, demand, Level::Acceleration);
+    let layout = UnknownLayout::new(scene, m, at, demand, Level::Acceleration);
     if layout.unknowns == 0 {
         return None;
     }
-    let mut motion = Motion::new(layout.unknowns);
+    let mut motion = MotionSeries::new(layout.unknowns);
     let [rates, accelerations] = [Level::Velocity, Level::Acceleration].map(|level| packed(&layout, solution, level));
     for (u, (rate, acceleration)) in rates?.into_iter().zip(accelerations?).enumerate() {
         motion.set(u, 1, rate);
         motion.set(u, 2, 0.5 * acceleration);
     }
-    let system = System::new(scene, at, &layout).ok()?;
+    let system = LoopSystem::new(scene, at, &layout).ok()?;
     let left = system.rows.iter().map(|row| layout.third_by_law(scene, row.of) / 6.0 - motion.residual(&row.relation, 3));
     let terms = system.solve(&DVector::from_iterator(system.rows.len(), left))? * 6.0;
     Some(
@@ -60,7 +73,7 @@ fn solved(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, sol
 
 /// Returns the rates of a level for the unknowns of a layout, from a solution; `None` if the
 /// solution does not contain them.
-fn packed(layout: &Layout, from: &Solution, level: Level) -> Option<Vec<f64>> {
+fn packed(layout: &UnknownLayout, from: &Solution, level: Level) -> Option<Vec<f64>> {
     let mut x = Vec::with_capacity(layout.unknowns);
     let second = level == Level::Acceleration;
     for l in &layout.links {
@@ -83,7 +96,7 @@ impl Solution {
 
     /// Returns the third derivative at a point of a link, from that at its origin: (D³ e^{iθ}) r =
     /// (i θ⃛ − 3 ω α − i ω³) r.
-    fn moved_to(&self, link: LinkId, place: Point, (of_origin, turning): Third) -> Option<Third> {
+    fn moved_to(&self, link: LinkId, place: Point, (of_origin, turning): ThirdDerivatives) -> Option<ThirdDerivatives> {
         let motion = self.links[link.0]?;
         let (omega, (_, alpha)) = (motion.omega, motion.second?);
         let r = place - self.origins[link.0]?;

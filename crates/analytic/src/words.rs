@@ -5,9 +5,9 @@
 //! an external load: along links in line, or from a bar into a guide that it meets at a right
 //! angle. The description names the links and joints that these forces load.
 
-use super::relation::{Pair, Row};
-use super::rows::Layout;
-use super::singular::{Part, Refusal, Why};
+use super::relation::{EquationPair, EquationRow};
+use super::rows::UnknownLayout;
+use super::singular::{FactoredBlock, Refusal, RefusalReason};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::mover_words;
@@ -16,7 +16,7 @@ use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
 /// The loaded part of a singular block.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Held {
+pub(super) struct LoadedPart {
     /// The loaded links, including those that lead into the block if all are in one line.
     pub links: Vec<LinkId>,
     /// A joint between two of the links.
@@ -30,16 +30,16 @@ pub(super) struct Held {
 const LOADED: f64 = 1e-6;
 
 /// Returns the links and joints that a block's left null vector loads.
-pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[Row], part: &Part) -> Held {
+pub(super) fn held(scene: &Scene, at: &Configuration, layout: &UnknownLayout, rows: &[EquationRow], part: &FactoredBlock) -> LoadedPart {
     let loads = part.factor.left();
     let loaded = |i: usize| loads[i].abs() > LOADED * loads.amax();
     let (mut pins, mut guides, mut drivers): (Vec<PointId>, Vec<GuideId>, Vec<usize>) = Default::default();
     for of in part.block.rows.iter().enumerate().filter(|(i, _)| loaded(*i)).map(|(_, r)| rows[*r].of) {
         match of {
-            Pair::Pin(p) if !pins.contains(&p) => pins.push(p),
-            Pair::Guide(g) if !guides.contains(&g) => guides.push(g),
-            Pair::Driver(d) if !drivers.contains(&d) => drivers.push(d),
-            Pair::Pin(_) | Pair::Guide(_) | Pair::Driver(_) | Pair::Rolling(_) => {}
+            EquationPair::Pin(p) if !pins.contains(&p) => pins.push(p),
+            EquationPair::Guide(g) if !guides.contains(&g) => guides.push(g),
+            EquationPair::Driver(d) if !drivers.contains(&d) => drivers.push(d),
+            EquationPair::Pin(_) | EquationPair::Guide(_) | EquationPair::Driver(_) | EquationPair::Rolling(_) => {}
         }
     }
     // A runner that is driven along its guide is held like a pin; any other runner is held square
@@ -131,7 +131,7 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
             )
         }
     };
-    Held { links, joint, text }
+    LoadedPart { links, joint, text }
 }
 
 fn collinear(places: &[hodograph_base::geom::Point], extent: f64) -> bool {
@@ -151,7 +151,7 @@ fn coincident(scene: &Scene, at: &Configuration, pins: &[PointId]) -> Both {
 }
 
 /// Returns the links with unknowns in a block, in the order of the scene.
-pub(super) fn links_of(layout: &Layout, part: &Part) -> Vec<LinkId> {
+pub(super) fn links_of(layout: &UnknownLayout, part: &FactoredBlock) -> Vec<LinkId> {
     let mut links: Vec<LinkId> = part.block.unknowns.iter().filter_map(|u| layout.link_of(*u)).collect();
     links.sort_unstable();
     links.dedup();
@@ -166,12 +166,12 @@ fn moving_drivers(scene: &Scene) -> Both {
 }
 
 /// Returns the diagnostic about a part without a motion.
-pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Refusal, held: &Held) -> Diagnostic {
+pub(super) fn refusal(scene: &Scene, layout: &UnknownLayout, part: &FactoredBlock, refused: &Refusal, held: &LoadedPart) -> Diagnostic {
     let drivers = moving_drivers(scene);
     let free = free_links(scene, layout, part);
     let text = &held.text;
     let d = match refused.why {
-        Why::DeadPoint => Diagnostic::warning(
+        RefusalReason::DeadPoint => Diagnostic::warning(
             "dead-centre",
             both!(
                 "dead centre: {}, and {} cannot move them through this pose: the velocities of {} are unbounded",
@@ -185,7 +185,7 @@ pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Ref
             "drive another link, or choose a pose nearby; a machine is carried through by its flywheel",
             "请换原动件，或取附近的位置；实际机器靠飞轮的惯性通过死点"
         )),
-        Why::Locked => Diagnostic::warning(
+        RefusalReason::Locked => Diagnostic::warning(
             "locked",
             both!(
                 "{}: the links can be assembled in this pose, but {} cannot move on from it as asked",
@@ -198,7 +198,7 @@ pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Ref
             "choose another pose or other lengths; at the limit of its range a driver can only turn back",
             "请改变位置或长度；原动件在极限位置只能折返"
         )),
-        Why::Loose => Diagnostic::warning(
+        RefusalReason::Loose => Diagnostic::warning(
             "undetermined",
             both!(
                 "{}: {} can move while the drivers stand, and nothing determines that motion",
@@ -211,7 +211,7 @@ pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Ref
             "choose another pose or other lengths: coincident joints leave a link free to turn",
             "请改变位置或长度：铰链重合时构件可自由转动"
         )),
-        Why::Several => Diagnostic::warning(
+        RefusalReason::Several => Diagnostic::warning(
             "singular",
             both!(
                 "{}: more than one freedom is open in this pose, and which motion follows is not decided",
@@ -220,7 +220,7 @@ pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Ref
             ),
         )
         .help(both!("choose another pose, or drive another link", "请改变位置或换原动件")),
-        Why::NoAcceleration => Diagnostic::warning(
+        RefusalReason::NoAcceleration => Diagnostic::warning(
             "acceleration-undetermined",
             both!(
                 "{}: the velocities are finite in this pose, but no finite accelerations of {} follow from them",
@@ -238,7 +238,7 @@ pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Ref
 }
 
 /// Returns the links that the open freedom moves: `link 1 and link 2`.
-fn free_links(scene: &Scene, layout: &Layout, part: &Part) -> Both {
+fn free_links(scene: &Scene, layout: &UnknownLayout, part: &FactoredBlock) -> Both {
     let z = part.factor.right();
     let moved = |u: usize| z.as_ref().is_none_or(|z| z[u].abs() > LOADED * z.amax());
     let mut links: Vec<LinkId> =

@@ -42,9 +42,9 @@ thread_local! {
 }
 
 /// Restores the outer budget, also when the work unwinds.
-struct Outer(Option<Budget>);
+struct OuterBudget(Option<Budget>);
 
-impl Drop for Outer {
+impl Drop for OuterBudget {
     fn drop(&mut self) {
         HERE.set(self.0.take());
     }
@@ -68,7 +68,7 @@ impl Budget {
     /// # Errors
     /// `stopped` if the deadline passes or the flag is set before the computation ends.
     pub fn run<T>(&self, work: impl FnOnce() -> T) -> Result<T, Diagnostic> {
-        match catch_unwind(AssertUnwindSafe(|| Here(Some(self.clone())).enter(work))) {
+        match catch_unwind(AssertUnwindSafe(|| ThreadBudget(Some(self.clone())).enter(work))) {
             Ok(value) => Ok(value),
             Err(thrown) => match thrown.downcast_ref::<Spent>() {
                 Some(spent) => Err(spent.diagnostic()),
@@ -104,20 +104,20 @@ pub fn spend() {
 }
 
 /// Returns the budget of the computation on this thread, to be passed to other threads.
-pub fn here() -> Here {
-    Here(HERE.with_borrow(Option::clone))
+pub fn here() -> ThreadBudget {
+    ThreadBudget(HERE.with_borrow(Option::clone))
 }
 
 /// The budget of one thread, passed to another thread.
 #[derive(Clone, Debug)]
-pub struct Here(Option<Budget>);
+pub struct ThreadBudget(Option<Budget>);
 
-impl Here {
+impl ThreadBudget {
     /// Runs a part of the computation on the calling thread under this budget. A thread that waits
     /// for another computation may run the part, so a part without a budget suspends the budget of
     /// that thread.
     pub fn enter<T>(&self, work: impl FnOnce() -> T) -> T {
-        let _outer = Outer(HERE.replace(self.0.clone()));
+        let _outer = OuterBudget(HERE.replace(self.0.clone()));
         work()
     }
 }

@@ -4,21 +4,21 @@
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::geom::Point;
 
-use hodograph_paper::paper::drawing::Part;
-use hodograph_paper::paper::item::Item;
+use hodograph_paper::paper::drawing::DrawingPart;
+use hodograph_paper::paper::item::FigureItem;
 
 /// The parts of a sheet.
-pub(super) struct Pieces {
+pub(super) struct SheetPieces {
     /// The title.
-    pub title: Option<Part>,
+    pub title: Option<DrawingPart>,
     /// Mechanism and polygons, with their captions.
-    pub drawings: Vec<Part>,
+    pub drawings: Vec<DrawingPart>,
     /// The heading and the equations of each polygon.
-    pub equations: Vec<(Part, Vec<Part>)>,
+    pub equations: Vec<(DrawingPart, Vec<DrawingPart>)>,
     /// The results.
-    pub results: Part,
+    pub results: DrawingPart,
     /// For each group of forces: the separated links, the force polygon and the text.
-    pub forces: Vec<[Part; 3]>,
+    pub forces: Vec<[DrawingPart; 3]>,
 }
 
 /// Gap between drawings, and between drawings and text.
@@ -34,7 +34,7 @@ const EMPTY_COST: f64 = 0.35;
 
 /// The direction in which the children of a box are placed.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Along {
+pub(super) enum BoxDirection {
     Row,
     Column,
 }
@@ -46,7 +46,7 @@ pub(super) enum Tree {
     /// Vertical space in a column (mm).
     Air(f64),
     Group {
-        along: Along,
+        along: BoxDirection,
         gap_mm: f64,
         children: Vec<Tree>,
         centred: bool,
@@ -55,23 +55,23 @@ pub(super) enum Tree {
 
 impl Tree {
     pub fn row(children: Vec<Tree>) -> Tree {
-        Tree::Group { along: Along::Row, gap_mm: GAP_MM, children, centred: true }
+        Tree::Group { along: BoxDirection::Row, gap_mm: GAP_MM, children, centred: true }
     }
 
     pub fn text_row(children: Vec<Tree>) -> Tree {
-        Tree::Group { along: Along::Row, gap_mm: GAP_MM, children, centred: false }
+        Tree::Group { along: BoxDirection::Row, gap_mm: GAP_MM, children, centred: false }
     }
 
     pub fn column(children: Vec<Tree>) -> Tree {
-        Tree::Group { along: Along::Column, gap_mm: GAP_MM, children, centred: true }
+        Tree::Group { along: BoxDirection::Column, gap_mm: GAP_MM, children, centred: true }
     }
 
     pub fn text_column(children: Vec<Tree>) -> Tree {
-        Tree::Group { along: Along::Column, gap_mm: LINE_GAP_MM, children, centred: false }
+        Tree::Group { along: BoxDirection::Column, gap_mm: LINE_GAP_MM, children, centred: false }
     }
 
     /// Returns width and height (mm).
-    pub fn size(&self, parts: &[Part]) -> [f64; 2] {
+    pub fn size(&self, parts: &[DrawingPart]) -> [f64; 2] {
         match self {
             Tree::Leaf(k) => [parts[*k].bounds.width_mm(), parts[*k].bounds.height_mm()],
             Tree::Air(mm) => [0.0, *mm],
@@ -81,15 +81,15 @@ impl Tree {
                 let sum = |k: usize| sizes.iter().map(|s| s[k]).sum::<f64>();
                 let max = |k: usize| sizes.iter().map(|s| s[k]).fold(0.0, f64::max);
                 match along {
-                    Along::Row => [sum(0) + gaps, max(1)],
-                    Along::Column => [max(0), sum(1) + gaps],
+                    BoxDirection::Row => [sum(0) + gaps, max(1)],
+                    BoxDirection::Column => [max(0), sum(1) + gaps],
                 }
             }
         }
     }
 
     /// Places the parts in a box with its upper left corner at `at`.
-    pub fn put(&self, parts: &mut [Part], at: Point) {
+    pub fn put(&self, parts: &mut [DrawingPart], at: Point) {
         match self {
             Tree::Leaf(k) => parts[*k].stand_at(at),
             Tree::Air(_) => {}
@@ -103,11 +103,11 @@ impl Tree {
                     }
                     let part = if *centred { 0.5 } else { 0.0 };
                     match along {
-                        Along::Row => {
+                        BoxDirection::Row => {
                             c.put(parts, Point::new(here.x, at.y - (height - h) * part));
                             here.x += w + gap_mm;
                         }
-                        Along::Column => {
+                        BoxDirection::Column => {
                             c.put(parts, Point::new(at.x + (width - w) * part, here.y));
                             here.y -= h + gap_mm;
                         }
@@ -122,8 +122,8 @@ impl Tree {
 ///
 /// # Errors
 /// `paper-too-small` when a fixed paper does not hold the best arrangement.
-pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -> Result<(Vec<Item>, [f64; 2]), Faults> {
-    let layout = Layout::of(pieces);
+pub(super) fn arrange(pieces: SheetPieces, paper: Option<[f64; 2]>, margin_mm: f64) -> Result<(Vec<FigureItem>, [f64; 2]), Faults> {
+    let layout = SheetLayout::of(pieces);
     let aim = paper.map_or(AIM_MM, |[w, h]| [w - 2.0 * margin_mm, h - 2.0 * margin_mm]);
     let best = layout.candidates().into_iter().min_by(|a, b| layout.cost(a, aim).total_cmp(&layout.cost(b, aim)));
     let best = best.expect("there is always an arrangement");
@@ -151,8 +151,8 @@ pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -
 /// Arranges the parts within a width at the least height. The candidates are the textbook
 /// arrangements, and rows filled like lines of text. If nothing is narrow enough, the narrowest
 /// candidate is taken. Returns all items and the size that they take, without a border.
-pub(super) fn arrange_in(pieces: Pieces, width_mm: f64) -> (Vec<Item>, [f64; 2]) {
-    let layout = Layout::of(pieces);
+pub(super) fn arrange_in(pieces: SheetPieces, width_mm: f64) -> (Vec<FigureItem>, [f64; 2]) {
+    let layout = SheetLayout::of(pieces);
     let cost = |tree: &Tree| {
         let [w, h] = tree.size(&layout.parts);
         if w <= width_mm { (0.0, h) } else { (w, h) }
@@ -169,7 +169,7 @@ pub(super) fn arrange_in(pieces: Pieces, width_mm: f64) -> (Vec<Item>, [f64; 2])
 /// Breaks blocks, the first `drawings` of them drawings, into rows of at most this width with the
 /// least total height: the shortest path from the first block to the last. A wider block gets a row
 /// of its own.
-fn lines(blocks: Vec<Tree>, drawings: usize, width_mm: f64, parts: &[Part]) -> Vec<Tree> {
+fn lines(blocks: Vec<Tree>, drawings: usize, width_mm: f64, parts: &[DrawingPart]) -> Vec<Tree> {
     let sizes: Vec<[f64; 2]> = blocks.iter().map(|tree| tree.size(parts)).collect();
     // For each number of blocks: the least height of their rows, and the index at which the last
     // row begins.
@@ -204,13 +204,13 @@ fn lines(blocks: Vec<Tree>, drawings: usize, width_mm: f64, parts: &[Part]) -> V
 }
 
 /// Places the parts as the tree says and joins them into one.
-pub(super) fn put_together(tree: Tree, mut parts: Vec<Part>) -> Part {
+pub(super) fn put_together(tree: Tree, mut parts: Vec<DrawingPart>) -> DrawingPart {
     tree.put(&mut parts, Point::ORIGIN);
-    Part::of(parts.into_iter().flat_map(|p| p.items).collect())
+    DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect())
 }
 
 /// Returns the equations of all polygons one below the other, or `None` if there are none.
-pub(super) fn column(equations: Vec<(Part, Vec<Part>)>) -> Option<Part> {
+pub(super) fn column(equations: Vec<(DrawingPart, Vec<DrawingPart>)>) -> Option<DrawingPart> {
     let mut parts = Vec::new();
     let mut tree = Vec::new();
     for (heading, lines) in equations.into_iter().filter(|(_, lines)| !lines.is_empty()) {
@@ -226,8 +226,8 @@ pub(super) fn column(equations: Vec<(Part, Vec<Part>)>) -> Option<Part> {
     (!all.items.is_empty()).then_some(all)
 }
 
-struct Layout {
-    parts: Vec<Part>,
+struct SheetLayout {
+    parts: Vec<DrawingPart>,
     title: Option<usize>,
     drawings: Vec<usize>,
     equations: Vec<Vec<usize>>,
@@ -235,10 +235,10 @@ struct Layout {
     forces: Vec<[usize; 3]>,
 }
 
-impl Layout {
-    fn of(pieces: Pieces) -> Layout {
+impl SheetLayout {
+    fn of(pieces: SheetPieces) -> SheetLayout {
         let mut parts = Vec::new();
-        let mut add = |part: Part| {
+        let mut add = |part: DrawingPart| {
             parts.push(part);
             parts.len() - 1
         };
@@ -252,7 +252,7 @@ impl Layout {
             .collect();
         let results = add(pieces.results);
         let forces = pieces.forces.into_iter().map(|group| group.map(&mut add)).collect();
-        Layout { parts, title, drawings, equations, results, forces }
+        SheetLayout { parts, title, drawings, equations, results, forces }
     }
 
     /// The parts in their order, in rows: the drawings; the equations, either one column for each

@@ -6,23 +6,23 @@ use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::{Edge, Polygon};
 use hodograph_board::plan::VertexId;
-use hodograph_board::plan::text::{Writer, vertex_name};
+use hodograph_board::plan::text::{PlanWriter, vertex_name};
 use hodograph_methods::attempts::{Attempt, wanted};
-use hodograph_paper::paper::phrase::{Phrase, Piece};
-use hodograph_report::attempts::{Words, gap_symbol};
+use hodograph_paper::paper::phrase::{Phrase, PhrasePiece};
+use hodograph_report::attempts::{AttemptWords, gap_symbol};
 use hodograph_scene::{DiagramKind, Scene};
 use hodograph_worked::certified::certify;
 use hodograph_worked::worked::Worked;
 use unicode_width::UnicodeWidthChar;
 
 use super::arrange::Tree;
-use super::list::{Entry, Extras, Pages, Wanted};
+use super::list::{Extras, FigureEntry, FigureInput, Pages};
 use super::polygon;
 use super::polygon::aside::lane;
-use super::sheet::{Maker, Options};
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use super::sheet::{SheetDrafter, SheetOptions};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, Item, Shape, Stroke};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::{Captioned, Style};
@@ -30,10 +30,11 @@ use hodograph_paper::paper::text::set;
 use hodograph_report::amount::scale_formula;
 
 /// Each wrong solution on its own page.
-pub const ENTRY: Entry =
-    Entry {
-        name: "attempts", about: ["Wrong solutions over the right one, a page for each", "错误解法与正确解法对照，每种一页"], draw
-    };
+pub const ENTRY: FigureEntry = FigureEntry {
+    name: "attempts",
+    about: ["Wrong solutions over the right one, a page for each", "错误解法与正确解法对照，每种一页"],
+    draw,
+};
 
 /// Colour of the wrong parts.
 const RED: Colour = Colour::rgb(200, 20, 30);
@@ -48,10 +49,10 @@ const TABLE_MM: [f64; 2] = [7.0, 6.0];
 /// Maximum width of a line of text.
 const PAGE_MM: f64 = 150.0;
 
-fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let all = wanted(w.scene, w.worked, false)?;
     let certified = certify(w.scene, w.worked, w.options.digits);
-    let words = Words {
+    let words = AttemptWords {
         scene: w.scene,
         worked: w.worked,
         certified: &certified,
@@ -65,8 +66,8 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
 }
 
 /// Draws the page of one wrong solution.
-fn figure(w: &Wanted, words: &Words, a: &Attempt) -> Figure {
-    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+fn figure(w: &FigureInput, words: &AttemptWords, a: &Attempt) -> Figure {
+    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let mut parts = vec![text(w, &[words.heading_set(a)], "heading", w.options.style.caption_mm)];
     if let Some(part) = overlay(w, &maker, words, a) {
         parts.push(part);
@@ -75,20 +76,20 @@ fn figure(w: &Wanted, words: &Words, a: &Attempt) -> Figure {
     parts.push(text(w, &folded(&w.options.style, &words.lines(a)), "line", w.options.style.small_mm));
     let tree = Tree::column((0..parts.len()).map(Tree::Leaf).collect());
     tree.put(&mut parts, Point::ORIGIN);
-    let mut figure = maker.alone(Part::of(parts.into_iter().flat_map(|p| p.items).collect()));
+    let mut figure = maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
     let said: Vec<String> = words.lines(a).iter().map(Phrase::plain).collect();
     figure.desc = format!("{}. {}", words.heading(a), said.join("; "));
     figure
 }
 
 /// Draws the right polygon with the wrong one over it.
-fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part> {
+fn overlay(w: &FigureInput, maker: &SheetDrafter, words: &AttemptWords, a: &Attempt) -> Option<DrawingPart> {
     let on = a.gap.on;
     let (right, wrong) = (a.right.worked.construction.polygon(on)?, a.wrong.worked.construction.polygon(on)?);
     let [right_words, wrong_words] = words.writers(a);
     let mut d = polygon::drawing(&w.options.style, &right_words, right, false);
     let style = &w.options.style;
-    let stroke = Stroke { dash: Dash::Dashed, colour: RED, ..style.vector };
+    let stroke = LineStroke { dash: Dash::Dashed, colour: RED, ..style.vector };
     let mut lettered: Vec<Point> = right.images.iter().flatten().copied().chain([Point::ORIGIN]).collect();
     let whole = right.images.iter().flatten().map(|tip| (Point::ORIGIN, *tip));
     let right_edges: Vec<(Point, Point)> = right.edges.iter().map(|e| (e.from.1, e.to.1)).chain(whole).collect();
@@ -142,7 +143,7 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
         let label = Label::math(format!("{}*", wrong_words.image(on, v)));
         d.label(&name, "wrong", LabelRequest::at_point(label, style.label_mm, at, style.dot_radius_mm));
     }
-    let gap = Stroke { width_mm: style.vector.width_mm * 1.6, colour: RED, ..style.vector };
+    let gap = LineStroke { width_mm: style.vector.width_mm * 1.6, colour: RED, ..style.vector };
     let (from, to) = beside(&mut d, "gap", (tips[0], tips[1]), gap.width_mm);
     let owner = d.shape("gap", "gap", Shape::Line { from, to, stroke: gap });
     let label = Label::math(gap_symbol(&wrong_words, a));
@@ -153,11 +154,11 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
     Some(maker.titled(d.finish(), Label::text(caption), &scale_formula(&w.scene.book, on, right.mu), "attempt"))
 }
 
-fn symbol(e: &Edge, w: &Writer, on: DiagramKind) -> String {
+fn symbol(e: &Edge, w: &PlanWriter, on: DiagramKind) -> String {
     e.terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + ")
 }
 
-fn key(e: &Edge, w: &Writer, on: DiagramKind) -> String {
+fn key(e: &Edge, w: &PlanWriter, on: DiagramKind) -> String {
     e.terms.iter().map(|t| w.key(on, t)).collect::<Vec<_>>().join("-and-")
 }
 
@@ -166,7 +167,7 @@ fn gap_tips(right: &Polygon, wrong: &Polygon, a: &Attempt) -> Option<[Point; 2]>
 }
 
 /// The equation with the wrong column framed, or the statement in a frame.
-fn equation(w: &Wanted, words: &Words, a: &Attempt) -> Option<Part> {
+fn equation(w: &FigureInput, words: &AttemptWords, a: &Attempt) -> Option<DrawingPart> {
     let style = &w.options.style;
     let cell = |label: Label, size_mm: f64, anchor: Anchor, id: String| {
         Some(Cell { label: label.in_fonts(&style.fonts), size_mm, anchor, class: "attempt table".into(), id })
@@ -196,33 +197,33 @@ fn equation(w: &Wanted, words: &Words, a: &Attempt) -> Option<Part> {
     let rows: Vec<Row> = [symbols].into_iter().chain(both).zip(heights).map(|(cells, height_mm)| Row { cells, height_mm }).collect();
     let mut items = grid::set(&rows, 1.6);
     for k in columns.iter().enumerate().filter(|(_, f)| f.framed).map(|(k, _)| k) {
-        let of = |i: &&Item| ["symbol", "magnitude", "direction"].iter().any(|what| i.id == format!("attempt-{what}-{k}"));
-        let column: Vec<Item> = items.iter().filter(of).cloned().collect();
+        let of = |i: &&FigureItem| ["symbol", "magnitude", "direction"].iter().any(|what| i.id == format!("attempt-{what}-{k}"));
+        let column: Vec<FigureItem> = items.iter().filter(of).cloned().collect();
         items.push(frame(&column));
     }
     Some(noted(w, words, a, items))
 }
 
-fn frame(around: &[Item]) -> Item {
-    let b = Part::of(around.to_vec()).bounds.grown(FRAME_MM);
+fn frame(around: &[FigureItem]) -> FigureItem {
+    let b = DrawingPart::of(around.to_vec()).bounds.grown(FRAME_MM);
     let points = vec![b.min, Point::new(b.max.x, b.min.y), b.max, Point::new(b.min.x, b.max.y)];
-    let stroke = Stroke::new(0.35).coloured(RED);
-    Item::new("attempt frame", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None })
+    let stroke = LineStroke::new(0.35).coloured(RED);
+    FigureItem::new("attempt frame", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None })
 }
 
 /// Adds the meaning of the frame below the items.
-fn noted(w: &Wanted, words: &Words, a: &Attempt, mut items: Vec<Item>) -> Part {
+fn noted(w: &FigureInput, words: &AttemptWords, a: &Attempt, mut items: Vec<FigureItem>) -> DrawingPart {
     let style = &w.options.style;
-    let low = Part::of(items.clone()).bounds.min.y;
+    let low = DrawingPart::of(items.clone()).bounds.min.y;
     let label = Label::text(words.frame(a)).in_fonts(&style.fonts);
     let shape =
         Shape::Label { at: Point::new(0.0, low - ROW_MM), label, size_mm: style.small_mm, anchor: Anchor::Start, colour: Colour::BLACK };
-    items.push(Item::new("attempt remark", shape).with_id("attempt-frame"));
-    Part::of(items)
+    items.push(FigureItem::new("attempt remark", shape).with_id("attempt-frame"));
+    DrawingPart::of(items)
 }
 
 /// Sets lines of text.
-fn text(w: &Wanted, lines: &[Phrase], what: &str, size_mm: f64) -> Part {
+fn text(w: &FigureInput, lines: &[Phrase], what: &str, size_mm: f64) -> DrawingPart {
     let style = &w.options.style;
     let row = |(i, line): (usize, &Phrase)| {
         let cell = Cell {
@@ -235,20 +236,20 @@ fn text(w: &Wanted, lines: &[Phrase], what: &str, size_mm: f64) -> Part {
         Row { cells: vec![Some(cell)], height_mm: ROW_MM }
     };
     let rows: Vec<Row> = lines.iter().enumerate().map(row).collect();
-    Part::of(grid::set(&rows, 0.0))
+    DrawingPart::of(grid::set(&rows, 0.0))
 }
 
 /// Breaks sentences into lines no wider than a page: at spaces, between Chinese characters, and
 /// beside formulas.
 fn folded(style: &Style, lines: &[Phrase]) -> Vec<Phrase> {
-    let width = |p: &Piece| set(&Phrase::of_pieces(vec![p.clone()]).label().in_fonts(&style.fonts)).width_em * style.small_mm;
+    let width = |p: &PhrasePiece| set(&Phrase::of_pieces(vec![p.clone()]).label().in_fonts(&style.fonts)).width_em * style.small_mm;
     let mut out = Vec::new();
     for line in lines {
-        let (mut here, mut used): (Vec<Piece>, f64) = (Vec::new(), 0.0);
+        let (mut here, mut used): (Vec<PhrasePiece>, f64) = (Vec::new(), 0.0);
         for piece in line.pieces().iter().flat_map(parted) {
             let wide = width(&piece);
             // Punctuation does not begin a line.
-            let stop = matches!(&piece, Piece::Words(w) if w.starts_with(['，', '。', '；', '：', '）', '、', '.', ',', ';', ')']));
+            let stop = matches!(&piece, PhrasePiece::Words(w) if w.starts_with(['，', '。', '；', '：', '）', '、', '.', ',', ';', ')']));
             if used + wide > PAGE_MM && !here.is_empty() && !stop {
                 out.push(Phrase::of_pieces(std::mem::take(&mut here)));
                 used = 0.0;
@@ -262,8 +263,8 @@ fn folded(style: &Style, lines: &[Phrase]) -> Vec<Phrase> {
 }
 
 /// Splits a piece into the pieces between which a line may break.
-fn parted(piece: &Piece) -> Vec<Piece> {
-    let Piece::Words(words) = piece else { return vec![piece.clone()] };
+fn parted(piece: &PhrasePiece) -> Vec<PhrasePiece> {
+    let PhrasePiece::Words(words) = piece else { return vec![piece.clone()] };
     let mut out: Vec<String> = vec![String::new()];
     for c in words.chars() {
         let breaks = out.last().is_some_and(|w: &String| w.ends_with(' ') && c != ' ') || !c.is_ascii() && c.width() == Some(2);
@@ -274,13 +275,13 @@ fn parted(piece: &Piece) -> Vec<Piece> {
             last.push(c);
         }
     }
-    out.into_iter().map(Piece::Words).collect()
+    out.into_iter().map(PhrasePiece::Words).collect()
 }
 
 /// Draws the polygon of a wrong solution as its author would draw it, without any mark of the
 /// error.
-pub fn as_printed(a: &Attempt, options: &Options) -> Option<Figure> {
-    let maker = Maker { scene: &a.wrong.scene, worked: &a.wrong.worked, options, certified: Vec::new() };
+pub fn as_printed(a: &Attempt, options: &SheetOptions) -> Option<Figure> {
+    let maker = SheetDrafter { scene: &a.wrong.scene, worked: &a.wrong.worked, options, certified: Vec::new() };
     let on = a.gap.on;
     let part = maker.captioned(maker.polygon(a.wrong.worked.construction.polygon(on)?), "", on);
     let mut figure = maker.alone(part);
@@ -289,8 +290,9 @@ pub fn as_printed(a: &Attempt, options: &Options) -> Option<Figure> {
 }
 
 /// Draws the page of a wrong solution for documents.
-pub fn page_of(scene: &Scene, worked: &Worked, options: &Options, a: &Attempt) -> Figure {
+pub fn page_of(scene: &Scene, worked: &Worked, options: &SheetOptions, a: &Attempt) -> Figure {
     let certified = certify(scene, worked, options.digits);
-    let words = Words { scene, worked, certified: &certified, notation: &options.notation, lang: options.lang, digits: options.digits };
-    figure(&Wanted { scene, worked, options, extras: &Extras::default() }, &words, a)
+    let words =
+        AttemptWords { scene, worked, certified: &certified, notation: &options.notation, lang: options.lang, digits: options.digits };
+    figure(&FigureInput { scene, worked, options, extras: &Extras::default() }, &words, a)
 }

@@ -8,16 +8,16 @@ use hodograph_scene::DiagramKind;
 use hodograph_synthesis::cognates::Cognates;
 use std::f64::consts::TAU;
 
-use super::list::{Entry, Pages, Wanted, page};
+use super::list::{FigureEntry, FigureInput, Pages, page};
 use super::mechanism;
-use super::sheet::Maker;
-use hodograph_paper::paper::item::{Cap, Dash, Shape, Stroke};
+use super::sheet::SheetDrafter;
+use hodograph_paper::paper::item::{Cap, Dash, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::symbols as sym;
 
 /// The cognates.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: FigureEntry = FigureEntry {
     name: "cognates",
     about: ["The cognates of a four-bar with a coupler point, with their construction", "四杆机构的同源机构及其作图"],
     draw,
@@ -26,7 +26,7 @@ pub const ENTRY: Entry = Entry {
 /// Chords of the coupler curve.
 const STEPS: usize = 360;
 
-fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let at = &w.worked.configuration;
     let found = Cognates::of_scene(w.scene, at, w.extras.points.first().copied()).map_err(|d: Diagnostic| Faults::from(d))?;
     let diagram = &w.worked.construction.diagram;
@@ -37,7 +37,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let pivot = to_paper(found.given.d);
     let [a1, p1] = found.left.map(to_paper);
     let [d1, p2] = found.right.map(to_paper);
-    let link = Stroke { width_mm: style.link.width_mm * 0.6, dash: Dash::Solid, cap: Cap::Round, ..style.link };
+    let link = LineStroke { width_mm: style.link.width_mm * 0.6, dash: Dash::Solid, cap: Cap::Round, ..style.link };
     let cognates = [("left", [a, a1, p1, f], [a1, p1, e]), ("right", [pivot, d1, p2, f], [d1, p2, e])];
     d.behind(|d| {
         for (name, _, triangle) in cognates {
@@ -67,7 +67,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     }
     d.draw("F", "cognate", sym::fixed_pivot(style, f, Vec2::new(0.0, -1.0)));
     d.label("F", "cognate", LabelRequest::at_point(Label::math("F"), style.label_mm, f, style.pin_radius_mm));
-    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let (_, mu) = maker.caption(DiagramKind::Plane);
     let words = tr(w.options.lang, "Cognates (Roberts–Chebyshev): ", "同源机构（罗伯茨–切比雪夫）：");
     let caption = Label::text(words).then(Label::math("ABCD,\\quad AA_{1}P_{1}F,\\quad DD_{1}P_{2}F"));

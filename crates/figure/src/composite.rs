@@ -6,30 +6,30 @@
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
-use hodograph_methods::composite::{Solved, Staged, level, name_of};
-use hodograph_report::composite::{Words, symbol};
+use hodograph_methods::composite::{ChoiceSolution, ContactScene, level, name_of};
+use hodograph_report::composite::{CompositeWords, symbol};
 use hodograph_scene::quantity::Frame;
-use hodograph_scene::quantity::composite::Part as Piece;
+use hodograph_scene::quantity::composite::CompositePart as Piece;
 use hodograph_scene::{DiagramKind, Kind, Scene};
 use hodograph_worked::worked::Worked;
 
 use super::arrange::AIM_MM;
-use super::list::{Entry, Pages, Wanted, page};
-use super::mechanism::{self, Composed, Vector};
-use super::sheet::{MARGIN_MM, Maker};
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use super::list::{FigureEntry, FigureInput, Pages, page};
+use super::mechanism::{self, Composed, ComposedVector};
+use super::sheet::{MARGIN_MM, SheetDrafter};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Figure, Item, Shape};
+use hodograph_paper::paper::item::{Anchor, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_paper::paper::shown::{Length, Shown};
+use hodograph_paper::paper::shown::{ShownLength, ShownQuantity};
 use hodograph_paper::paper::style::Captioned;
 use hodograph_report::amount::scale_formula;
 
 /// The parallelograms and the components of the accelerations.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: FigureEntry = FigureEntry {
     name: "composite",
     about: ["Composite motion of a point: its parallelogram and its parts", "点的合成运动：动点处的速度平行四边形和加速度各分量"],
     draw,
@@ -50,25 +50,25 @@ const TYPE_MM: f64 = 2.3;
 /// Minimum length of a vector that is drawn.
 const SHORTEST_MM: f64 = mechanism::SHORTEST_MM;
 
-fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
-    let staged = Staged::new(w.scene);
+fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
+    let staged = ContactScene::new(w.scene);
     let choices = staged.shown(w.scene, MOST);
     if choices.is_empty() {
         return page(ENTRY.name, None);
     }
     let Warned { value: (worked, each), .. } = staged.solved(&choices, level(w.scene))?;
-    let staged = Wanted { scene: &staged.scene, ..*w };
+    let staged = FigureInput { scene: &staged.scene, ..*w };
     page(ENTRY.name, (!each.is_empty()).then(|| figure(&staged, &worked, &each)))
 }
 
 /// The scales of all columns (SI units per mm).
-struct Scales {
+struct CompositeScales {
     velocity: f64,
     acceleration: Option<f64>,
 }
 
-impl Scales {
-    fn of(w: &Wanted, each: &[Solved]) -> Scales {
+impl CompositeScales {
+    fn of(w: &FigureInput, each: &[ChoiceSolution]) -> CompositeScales {
         let one = |kind: Kind, all: Vec<Vec2>| {
             let most = all.iter().fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
             scale::choose_in(w.scene.paper.unit(kind), most, [VECTOR_MM, VECTOR_MM])
@@ -76,16 +76,16 @@ impl Scales {
         let velocities = each.iter().flat_map(|s| s.velocity).collect();
         let accelerations: Vec<Vec2> = each.iter().flat_map(|s| s.acceleration.iter().map(|a| a.1)).collect();
         let any = !accelerations.is_empty();
-        Scales { velocity: one(Kind::Velocity, velocities), acceleration: any.then(|| one(Kind::Acceleration, accelerations)) }
+        CompositeScales { velocity: one(Kind::Velocity, velocities), acceleration: any.then(|| one(Kind::Acceleration, accelerations)) }
     }
 }
 
-fn figure(w: &Wanted, worked: &Worked, each: &[Solved]) -> Figure {
-    let maker = Maker { scene: w.scene, worked, options: w.options, certified: Vec::new() };
-    let scales = Scales::of(w, each);
-    let words = Words { scene: w.scene, lang: w.options.lang, notation: &w.options.notation };
-    let mut parts: Vec<Part> = Vec::new();
-    let mut add = |part: Part| {
+fn figure(w: &FigureInput, worked: &Worked, each: &[ChoiceSolution]) -> Figure {
+    let maker = SheetDrafter { scene: w.scene, worked, options: w.options, certified: Vec::new() };
+    let scales = CompositeScales::of(w, each);
+    let words = CompositeWords { scene: w.scene, lang: w.options.lang, notation: &w.options.notation };
+    let mut parts: Vec<DrawingPart> = Vec::new();
+    let mut add = |part: DrawingPart| {
         parts.push(part);
         parts.len() - 1
     };
@@ -101,7 +101,7 @@ fn figure(w: &Wanted, worked: &Worked, each: &[Solved]) -> Figure {
         columns.push(column);
     }
     arrange(&mut parts, &columns, w.options.style.small_mm);
-    let mut figure = maker.alone(Part::of(parts.into_iter().flat_map(|p| p.items).collect()));
+    let mut figure = maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
     let told = each.iter().flat_map(|s| words.lines(s)).map(|l| l.plain()).collect::<Vec<_>>();
     figure.desc = told.join("; ");
     figure
@@ -110,7 +110,7 @@ fn figure(w: &Wanted, worked: &Worked, each: &[Solved]) -> Figure {
 /// Arranges one solution across a page: drawings in a row, text below; in shorter rows if a long
 /// mechanism would make the type on the page too small. Several solutions are side by side, or one
 /// below the other if that would make the type too small.
-fn arrange(parts: &mut [Part], columns: &[Vec<usize>], type_mm: f64) {
+fn arrange(parts: &mut [DrawingPart], columns: &[Vec<usize>], type_mm: f64) {
     let [one] = columns else {
         let row = |k: usize| columns.iter().map(|column| column[k]).collect();
         let beside: Vec<Vec<usize>> = (0..columns[0].len()).map(row).collect();
@@ -140,7 +140,7 @@ fn arrange(parts: &mut [Part], columns: &[Vec<usize>], type_mm: f64) {
 }
 
 /// Reduction factor at which the parts fit on A4 with its margins, portrait or landscape.
-fn printed(parts: &[Part]) -> f64 {
+fn printed(parts: &[DrawingPart]) -> f64 {
     let Some(all) = parts.iter().map(|p| p.bounds).reduce(Rect::union) else { return 1.0 };
     let [width, height] = [all.width_mm(), all.height_mm()].map(|side| side + 2.0 * MARGIN_MM);
     let [long, short] = AIM_MM;
@@ -150,7 +150,7 @@ fn printed(parts: &[Part]) -> f64 {
 
 /// Places parts in rows and columns: each row as high as its highest part, each column as wide as
 /// its widest.
-fn stand(parts: &mut [Part], rows: &[Vec<usize>]) {
+fn stand(parts: &mut [DrawingPart], rows: &[Vec<usize>]) {
     let many = rows.iter().map(Vec::len).max().unwrap_or(0);
     // A row of one part does not widen the first column of the others.
     let counts = |r: &&Vec<usize>| r.len() > 1 || many == 1;
@@ -173,12 +173,13 @@ fn stand(parts: &mut [Part], rows: &[Vec<usize>]) {
 }
 
 /// The vectors of a polygon on paper, the absolute one first.
-fn vectors(w: &Wanted, s: &Solved, on: DiagramKind, mu: f64) -> Vec<Vector> {
+fn vectors(w: &FigureInput, s: &ChoiceSolution, on: DiagramKind, mu: f64) -> Vec<ComposedVector> {
     let notation = &w.options.notation;
     let vector = |part: Option<Piece>, v: Vec2| {
         let mm = v * (1.0 / mu);
-        let shown = Shown { names: vec![quantity(w.scene, s, part, on)], length: Some(Length { mm: mm.norm(), si: v.norm() }) };
-        Vector { symbol: symbol(part, on, notation), key: key(part).into(), shown, mm, absolute: part.is_none() }
+        let shown =
+            ShownQuantity { names: vec![quantity(w.scene, s, part, on)], length: Some(ShownLength { mm: mm.norm(), si: v.norm() }) };
+        ComposedVector { symbol: symbol(part, on, notation), key: key(part).into(), shown, mm, absolute: part.is_none() }
     };
     match on {
         DiagramKind::Acceleration => s.acceleration.iter().map(|(part, v)| vector(*part, *v)).collect(),
@@ -204,7 +205,7 @@ fn key(part: Option<Piece>) -> &'static str {
 }
 
 /// A component of the motion in the notation of `find`: `ve_A/2`, `a_A`.
-fn quantity(scene: &Scene, s: &Solved, part: Option<Piece>, on: DiagramKind) -> String {
+fn quantity(scene: &Scene, s: &ChoiceSolution, part: Option<Piece>, on: DiagramKind) -> String {
     let letters = match part {
         None => "",
         Some(Piece::TransportVelocity | Piece::Transport) => "e",
@@ -224,7 +225,14 @@ fn quantity(scene: &Scene, s: &Solved, part: Option<Piece>, on: DiagramKind) -> 
     format!("{letter}{letters}_{}{seen}", name_of(scene, &s.choice.of))
 }
 
-fn velocities(w: &Wanted, maker: &Maker, scales: &Scales, s: &Solved, heading: Label, k: usize) -> Part {
+fn velocities(
+    w: &FigureInput,
+    maker: &SheetDrafter,
+    scales: &CompositeScales,
+    s: &ChoiceSolution,
+    heading: Label,
+    k: usize,
+) -> DrawingPart {
     let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, DiagramKind::Velocity, scales.velocity), parallelogram: true };
     let part = mechanism::composed(&w.options.style, w.scene, maker.worked, &w.options.notation, &composed);
     let mu =
@@ -232,7 +240,7 @@ fn velocities(w: &Wanted, maker: &Maker, scales: &Scales, s: &Solved, heading: L
     named(maker.titled(part, heading, &mu, "velocities"), "velocities", k)
 }
 
-fn accelerations(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
+fn accelerations(w: &FigureInput, maker: &SheetDrafter, mu: f64, s: &ChoiceSolution, k: usize) -> DrawingPart {
     let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, DiagramKind::Acceleration, mu), parallelogram: false };
     let part = mechanism::composed(&w.options.style, w.scene, maker.worked, &w.options.notation, &composed);
     let words = maker.words().composite_acceleration;
@@ -245,19 +253,19 @@ fn accelerations(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Pa
 
 /// Draws the components one after another from the pole, and the absolute vector from the pole to
 /// their end.
-fn polygon(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
+fn polygon(w: &FigureInput, maker: &SheetDrafter, mu: f64, s: &ChoiceSolution, k: usize) -> DrawingPart {
     let style = &w.options.style;
     let mut d = Drawing::new("composite", style.clone());
     let all = vectors(w, s, DiagramKind::Acceleration, mu);
     let pole = Point::ORIGIN;
     let mut at = pole;
-    let arrow = |d: &mut Drawing, from: Point, v: &Vector| {
+    let arrow = |d: &mut Drawing, from: Point, v: &ComposedVector| {
         if v.mm.norm() <= SHORTEST_MM {
             return;
         }
         let to = from + v.mm;
         let width_mm = if v.absolute { style.vector.width_mm } else { style.vector.width_mm * 0.7 };
-        let stroke = hodograph_paper::paper::item::Stroke { width_mm, ..style.vector };
+        let stroke = hodograph_paper::paper::item::LineStroke { width_mm, ..style.vector };
         let owner = d.vector(&v.key, "edge", Shape::Arrow { from, to, stroke, head: style.head }, v.shown.clone());
         let request = LabelRequest::along(Label::math(&v.symbol), style.label_mm, from, to, width_mm / 2.0);
         d.label(&v.key, "edge", request.owned(owner));
@@ -279,7 +287,7 @@ fn polygon(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
 }
 
 /// The text below the drawings.
-fn text(w: &Wanted, words: &Words, s: &Solved, k: usize) -> Part {
+fn text(w: &FigureInput, words: &CompositeWords, s: &ChoiceSolution, k: usize) -> DrawingPart {
     let style = &w.options.style;
     let row = |(i, line): (usize, hodograph_paper::paper::phrase::Phrase)| {
         let (label, id) = (line.label().in_fonts(&style.fonts), format!("composite-{}-line-{}", k + 1, i + 1));
@@ -287,12 +295,12 @@ fn text(w: &Wanted, words: &Words, s: &Solved, k: usize) -> Part {
         Row { cells: vec![Some(cell)], height_mm: ROW_MM }
     };
     let rows: Vec<Row> = words.body(s, PER_LINE).into_iter().enumerate().map(row).collect();
-    Part::of(grid::set(&rows, 0.0))
+    DrawingPart::of(grid::set(&rows, 0.0))
 }
 
 /// Prefixes the ids of a part, so that they differ between columns.
-fn named(mut part: Part, what: &str, k: usize) -> Part {
-    let name = |item: &mut Item| {
+fn named(mut part: DrawingPart, what: &str, k: usize) -> DrawingPart {
+    let name = |item: &mut FigureItem| {
         if !item.id.is_empty() {
             item.id = format!("{what}-{}-{}", k + 1, item.id);
         }

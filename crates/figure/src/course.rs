@@ -14,14 +14,14 @@ use hodograph_mechanism::position::{Path, Pose};
 use hodograph_scene::{Guide, LinkId, Scene};
 use hodograph_worked::worked::Worked;
 
-use super::mechanism::Course;
+use super::mechanism::SeriesFeatures;
 use hodograph_paper::paper::style::Style;
 
 /// Returns the course of each pose.
-pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) -> Vec<Course> {
+pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) -> Vec<SeriesFeatures> {
     let here = here();
-    let of_one = |(scene, worked): &(&Scene, &Worked)| here.enter(|| Course::of_one(style, scene, worked, notation));
-    let alone: Vec<Course> = poses.par_iter().map(of_one).collect();
+    let of_one = |(scene, worked): &(&Scene, &Worked)| here.enter(|| SeriesFeatures::of_one(style, scene, worked, notation));
+    let alone: Vec<SeriesFeatures> = poses.par_iter().map(of_one).collect();
     let (mut supports, mut guides) = (BTreeMap::new(), BTreeMap::new());
     for ((scene, _), course) in poses.iter().zip(&alone) {
         for (point, side) in scene.points.iter().zip(&course.supports) {
@@ -33,7 +33,7 @@ pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) 
     }
     let supports: BTreeMap<&str, Vec2> = supports.into_iter().filter_map(|(name, sides)| Some((name, usual(sides.into_iter())?))).collect();
     let guides: BTreeMap<Runs, _> = guides.into_iter().map(|(runs, sides)| (runs, (way(poses, runs), usual(sides.into_iter())))).collect();
-    let of_pose = |(k, (scene, _)): (usize, &(&Scene, &Worked))| Course {
+    let of_pose = |(k, (scene, _)): (usize, &(&Scene, &Worked))| SeriesFeatures {
         travel_mm: scene.guides.iter().map(|g| travel(&guides[&Runs::of(scene, g)].0, k)).collect(),
         supports: scene.points.iter().map(|p| supports[p.name.as_str()]).collect(),
         hatched: scene.guides.iter().map(|g| guides[&Runs::of(scene, g)].1).collect(),

@@ -1,7 +1,7 @@
 //! Describes a figure for readers who cannot see it: the drawings on it, with the links of the
 //! mechanism and the vectors of the polygons.
 
-use hodograph_paper::paper::item::{Item, Shape};
+use hodograph_paper::paper::item::{FigureItem, Shape};
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Lang, Scene};
 
@@ -9,7 +9,7 @@ use hodograph_scene::{Lang, Scene};
 const TOLD: usize = 16;
 
 /// Returns a sentence that gives the title and the drawings that these items show.
-pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[Item]) -> String {
+pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[FigureItem]) -> String {
     let first = |kind: &str| items.iter().any(|i| i.class.split(' ').next() == Some(kind));
     let word = |what: &str| items.iter().any(|i| i.class.split(' ').any(|w| w == what));
     let mut shown = Vec::new();
@@ -48,7 +48,7 @@ pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[Item]) -> Stri
 }
 
 /// The symbols of a polygon's vectors, taken from its labels.
-fn vectors(items: &[Item], kind: &str) -> Vec<String> {
+fn vectors(items: &[FigureItem], kind: &str) -> Vec<String> {
     let mut out: Vec<String> = Vec::new();
     for item in items {
         let Shape::Label { label, .. } = &item.shape else { continue };

@@ -12,8 +12,8 @@ use hodograph_scene::{ByKind, DiagramKind, Scene};
 use hodograph_worked::worked::{Scope, Worked, work};
 
 use super::forces;
-use super::list::{Entry, Extras, Pages, USUAL, Wanted};
-use super::sheet::{Fewer, Options, drawing, sheet_in};
+use super::list::{Extras, FigureEntry, FigureInput, Pages, USUAL};
+use super::sheet::{Fewer, SheetOptions, drawing, sheet_in};
 use hodograph_paper::paper::extent::{bounds, translate};
 use hodograph_paper::paper::item::Figure;
 
@@ -84,7 +84,7 @@ impl Room {
 ///
 /// # Errors
 /// The errors of [`pages`].
-pub fn drawn(entry: &Entry, w: &Wanted, width_mm: Option<f64>) -> Result<Warned<Pages>, Faults> {
+pub fn drawn(entry: &FigureEntry, w: &FigureInput, width_mm: Option<f64>) -> Result<Warned<Pages>, Faults> {
     if let Some(width_mm) = width_mm {
         return pages(entry, w, Room::Column(width_mm));
     }
@@ -105,18 +105,18 @@ pub fn drawn(entry: &Entry, w: &Wanted, width_mm: Option<f64>) -> Result<Warned<
 /// figure itself.
 ///
 /// ```
-/// use hodograph_figure::{fit::{Room, pages}, list::{Extras, Wanted, named}, sheet::Options};
+/// use hodograph_figure::{fit::{Room, pages}, list::{Extras, FigureInput, named}, sheet::SheetOptions};
 /// use hodograph_scene::{self as scene, Lang, templates};
 /// use hodograph_worked::worked::{Scope, work};
 /// let scene = scene::read(templates::get("slider-crank").unwrap())?.value;
 /// let worked = work(&scene, Scope::Figure)?.value;
-/// let (options, extras) = (Options::of_language(Lang::En), Extras::default());
-/// let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &extras };
+/// let (options, extras) = (SheetOptions::of_language(Lang::En), Extras::default());
+/// let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
 /// let made = pages(named("mechanism").unwrap(), &wanted, Room::Column(80.0))?.value;
 /// assert_eq!(made[0].1.width_mm, 80.0);
 /// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
-pub fn pages(entry: &Entry, w: &Wanted, room: Room) -> Result<Warned<Pages>, Faults> {
+pub fn pages(entry: &FigureEntry, w: &FigureInput, room: Room) -> Result<Warned<Pages>, Faults> {
     let mut needs = [0.0_f64; 2];
     let of_sheet = entry.name == USUAL.name && w.extras.poses == 0;
     for part in PARTS {
@@ -146,7 +146,7 @@ pub fn pages(entry: &Entry, w: &Wanted, room: Room) -> Result<Warned<Pages>, Fau
 ///
 /// # Errors
 /// `paper-too-small` if the smallest legible pages are wider than the column.
-pub fn steps(w: &Wanted, width_mm: Option<f64>) -> Result<Pages, Faults> {
+pub fn steps(w: &FigureInput, width_mm: Option<f64>) -> Result<Pages, Faults> {
     let named = |all: Vec<Figure>| -> Pages { (1..).zip(all).map(|(k, figure)| (format!("step-{k:02}"), figure)).collect() };
     let Some(room) = width_mm.map(Room::Column) else { return Ok(named(super::steps::figures(w.scene, w.worked, w.options))) };
     first_that_fits("steps", w, room, |w, stacked| {
@@ -172,9 +172,9 @@ pub struct Within {
 /// `paper-too-small` if the smallest legible one does not fit; and the errors of `draw`.
 pub fn first_that_fits<T>(
     name: &str,
-    w: &Wanted,
+    w: &FigureInput,
     room: Room,
-    draw: impl Fn(&Wanted, bool) -> Result<Result<T, [f64; 2]>, Faults>,
+    draw: impl Fn(&FigureInput, bool) -> Result<Result<T, [f64; 2]>, Faults>,
 ) -> Result<T, Faults> {
     let mut needs = [0.0_f64; 2];
     let beside = PARTS.into_iter().filter(|part| *part >= LEAST_TYPE).map(|part| (part, false));
@@ -215,7 +215,7 @@ fn alike(mut figures: Pages, room: Room) -> Result<Pages, [f64; 2]> {
 }
 
 /// The sheet at this size factor, if it fits.
-fn sheet_of(w: &Wanted, part: f64, room: Room) -> Result<Warned<Pages>, [f64; 2]> {
+fn sheet_of(w: &FigureInput, part: f64, room: Room) -> Result<Warned<Pages>, [f64; 2]> {
     let (figure, out) = sheet_in(w.scene, w.worked, w.options, room.inner()[0], fewer(part));
     let figure = room.page(figure)?;
     Ok(Warned { value: vec![(String::new(), figure)], notes: left_out(&out, room).into_iter().collect() })
@@ -224,7 +224,7 @@ fn sheet_of(w: &Wanted, part: f64, room: Room) -> Result<Warned<Pages>, [f64; 2]
 /// The sheet at this size factor in a column of free height, with each drawing as large as the
 /// column holds by itself. `None` if the space is not a column, nothing can be enlarged, or
 /// everything together becomes too wide.
-fn grown(w: &Wanted, part: f64, room: Room) -> Result<Option<Warned<Pages>>, Faults> {
+fn grown(w: &FigureInput, part: f64, room: Room) -> Result<Option<Warned<Pages>>, Faults> {
     let Room::Column(_) = room else { return Ok(None) };
     let mut parts = ByKind::default();
     for on in DiagramKind::OF_MOTION {
@@ -307,9 +307,10 @@ fn left_out(what: &[Both], room: Room) -> Option<Diagnostic> {
 
 /// Returns the scene at scales at which everything has at most this size factor, except scales that
 /// the scene fixes; `None` if the solution fails at these scales.
-pub fn to_part(scene: &Scene, worked: &Worked, options: &Options, part: f64) -> Option<(Scene, Worked)> {
+pub fn to_part(scene: &Scene, worked: &Worked, options: &SheetOptions, part: f64) -> Option<(Scene, Worked)> {
     let extras = Extras::default();
-    let Smaller { scene, worked, .. } = Smaller::of(&Wanted { scene, worked, options, extras: &extras }, part, &ByKind::default()).ok()?;
+    let Smaller { scene, worked, .. } =
+        Smaller::of(&FigureInput { scene, worked, options, extras: &extras }, part, &ByKind::default()).ok()?;
     Some((scene, worked?))
 }
 
@@ -318,16 +319,16 @@ struct Smaller {
     scene: Scene,
     worked: Option<Worked>,
     before: Worked,
-    options: Options,
+    options: SheetOptions,
 }
 
 impl Smaller {
     /// Reduces the ink to this factor, and all diagrams except those with a factor in `others`.
-    fn of(w: &Wanted, part: f64, others: &ByKind) -> Result<Smaller, Faults> {
+    fn of(w: &FigureInput, part: f64, others: &ByKind) -> Result<Smaller, Faults> {
         let mut scene = w.scene.clone();
         // The size of the paper is checked here, so the sheet itself has no fixed size.
         scene.paper.size_mm = None;
-        let options = Options { style: w.options.style.reduced(part), ..w.options.clone() };
+        let options = SheetOptions { style: w.options.style.reduced(part), ..w.options.clone() };
         if part < 1.0 {
             let drawn = |on: DiagramKind| match on {
                 DiagramKind::Force => w.worked.equilibrium.as_ref().map(|of| of.mu()),
@@ -347,7 +348,7 @@ impl Smaller {
         Ok(Smaller { scene, worked, before: w.worked.clone(), options })
     }
 
-    fn wanted<'a>(&'a self, extras: &'a Extras) -> Wanted<'a> {
-        Wanted { scene: &self.scene, worked: self.worked.as_ref().unwrap_or(&self.before), options: &self.options, extras }
+    fn wanted<'a>(&'a self, extras: &'a Extras) -> FigureInput<'a> {
+        FigureInput { scene: &self.scene, worked: self.worked.as_ref().unwrap_or(&self.before), options: &self.options, extras }
     }
 }

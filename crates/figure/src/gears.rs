@@ -15,12 +15,12 @@ use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;
 use hodograph_board::plan::names::name_label;
-use hodograph_methods::gears::{Basic, Mate, Pair, distance_of, operating, standard, sum_of_shifts};
+use hodograph_methods::gears::{Basic, GearPair, Mate, distance_of, operating, standard, sum_of_shifts};
 use hodograph_scene::{Flanks, LinkId, Normal, Rolling, Scene, Touch};
 
 use super::list::Pages;
-use super::sheet::Maker;
-use hodograph_paper::paper::drawing::Part;
+use super::sheet::SheetDrafter;
+use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::Figure;
 
 /// Relative difference up to which two lengths in a file are equal.
@@ -33,7 +33,7 @@ const TABLE_MM: f64 = 14.0;
 /// # Errors
 /// `gear-no-teeth` if pairs have radii only; `gear-shift` if both profile shifts are given but do
 /// not fit the centre distance; `gear-teeth` if the given sizes allow no teeth.
-pub(super) fn pairs(maker: &Maker) -> Result<Warned<Pages>, Faults> {
+pub(super) fn pairs(maker: &SheetDrafter) -> Result<Warned<Pages>, Faults> {
     let scene = maker.scene;
     let all: Vec<(&Rolling, &Flanks)> = scene.rolling.iter().filter_map(|r| Some((r, r.flanks.as_ref()?))).collect();
     let one = all.len() == 1;
@@ -51,7 +51,7 @@ pub(super) fn pairs(maker: &Maker) -> Result<Warned<Pages>, Faults> {
             Ok(pair) => {
                 notes.extend(remarks(scene, rolling, &pair));
                 let name = if one { String::new() } else { format!("-{}", scene.point_name(rolling.at[0])) };
-                pages.push((format!("gears{name}"), Drawn { maker, rolling, pair, order: order(scene, rolling) }.figure()));
+                pages.push((format!("gears{name}"), DrawnGears { maker, rolling, pair, order: order(scene, rolling) }.figure()));
             }
             Err(fault) => faults.push(fault),
         }
@@ -81,7 +81,7 @@ fn order(scene: &Scene, rolling: &Rolling) -> [usize; 2] {
 }
 
 /// The pair that a scene defines, at the distance of its centres (m).
-fn meant(maker: &Maker, rolling: &Rolling, flanks: &Flanks) -> Result<Pair, Diagnostic> {
+fn meant(maker: &SheetDrafter, rolling: &Rolling, flanks: &Flanks) -> Result<GearPair, Diagnostic> {
     let scene = maker.scene;
     let fault = |code, message| Diagnostic::error(code, message).at(rolling.span);
     let impossible = || {
@@ -140,11 +140,11 @@ fn meant(maker: &Maker, rolling: &Rolling, flanks: &Flanks) -> Result<Pair, Diag
             (module, given)
         }
     };
-    Pair::new(unit(module), mate, teeth, shifts, distance).ok_or_else(impossible)
+    GearPair::new(unit(module), mate, teeth, shifts, distance).ok_or_else(impossible)
 }
 
 /// Warnings for the manufacture of the gears.
-fn remarks(scene: &Scene, rolling: &Rolling, pair: &Pair) -> Vec<Diagnostic> {
+fn remarks(scene: &Scene, rolling: &Rolling, pair: &GearPair) -> Vec<Diagnostic> {
     let at = scene.point_name(rolling.at[0]);
     let note = |code, message| Diagnostic::warning(code, message).at(rolling.span);
     let mut out = Vec::new();
@@ -209,21 +209,21 @@ fn remarks(scene: &Scene, rolling: &Rolling, pair: &Pair) -> Vec<Diagnostic> {
 }
 
 /// A pair to be drawn.
-struct Drawn<'a> {
-    maker: &'a Maker<'a>,
+struct DrawnGears<'a> {
+    maker: &'a SheetDrafter<'a>,
     rolling: &'a Rolling,
-    pair: Pair,
+    pair: GearPair,
     /// The order in which the two links are drawn.
     order: [usize; 2],
 }
 
-impl Drawn<'_> {
+impl DrawnGears<'_> {
     fn figure(&self) -> Figure {
         let mut part = self.drawing();
         let mut table = self.table();
         table.stand_at(Point::new(part.bounds.max.x + TABLE_MM, part.bounds.max.y));
         part.items.extend(table.items);
-        self.maker.alone(Part::of(part.items))
+        self.maker.alone(DrawingPart::of(part.items))
     }
 
     /// The name of a gear's link; index 0 is the driver.
@@ -240,8 +240,8 @@ impl Drawn<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sheet::Options;
-    use hodograph_paper::paper::item::{Item, Shape};
+    use crate::sheet::SheetOptions;
+    use hodograph_paper::paper::item::{FigureItem, Shape};
     use hodograph_scene::{Lang, read};
     use hodograph_worked::certified::certify;
     use hodograph_worked::worked::{Scope, work};
@@ -257,8 +257,8 @@ mod tests {
     fn drawn(gear: &str, distance: f64, lang: Lang) -> Result<Warned<Pages>, Faults> {
         let scene = read(text(gear, distance)).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
-        let options = Options::of_language(lang);
-        pairs(&Maker { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) })
+        let options = SheetOptions::of_language(lang);
+        pairs(&SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) })
     }
 
     #[test]
@@ -275,7 +275,7 @@ mod tests {
             for wanted in ["27.96°", "1.801", "1.201", "47.000 mm", "50.000 mm", "N_{2}", "B_{3}"] {
                 assert!(labels.contains(&wanted), "{wanted} is not among {labels:?}");
             }
-            assert!(figure.items.iter().all(Item::is_finite));
+            assert!(figure.items.iter().all(FigureItem::is_finite));
         }
     }
 
@@ -300,15 +300,17 @@ mod tests {
         let tight = text(r#""teeth": [40, 44], "ring": "3", "module": "2 mm", "shift": [0, 0]"#, 4.0);
         let scene = read(tight).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
-        let options = Options::of_language(Lang::En);
-        let pages = pairs(&Maker { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) }).unwrap();
+        let options = SheetOptions::of_language(Lang::En);
+        let pages =
+            pairs(&SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) }).unwrap();
         assert!(pages.notes.iter().any(|n| n.code == "gear-overlap"), "{:?}", pages.notes);
         let rack = hodograph_scene::templates::get("rack-stroke-doubler").unwrap();
         let scene = read(rack).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
-        let pages = pairs(&Maker { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) }).unwrap();
+        let pages =
+            pairs(&SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) }).unwrap();
         assert_eq!(pages.value.len(), 2);
-        assert!(pages.value.iter().all(|(_, f)| teeth(f) == 2 && f.items.iter().all(Item::is_finite)));
+        assert!(pages.value.iter().all(|(_, f)| teeth(f) == 2 && f.items.iter().all(FigureItem::is_finite)));
         // Pairs with radii have no teeth: the diagnostic states the missing field.
         let bare = drawn(r#""radii": [13.5, 27]"#, 40.5, Lang::En).unwrap_err();
         assert_eq!(bare.list[0].code, "gear-no-teeth");

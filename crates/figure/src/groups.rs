@@ -2,12 +2,12 @@
 //! pose with its class, from left to right in solving order. The number in front counts from the
 //! far end, in the order in which groups are removed.
 
-use super::mechanism::{Piece, apart};
+use super::mechanism::{MechanismPiece, apart};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::notation::Notation;
 use hodograph_mechanism::mechanism::Assur;
-use hodograph_paper::paper::drawing::Part;
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph_paper::paper::drawing::DrawingPart;
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::style::Style;
@@ -28,17 +28,17 @@ const MARGIN_MM: f64 = 8.0;
 /// Draws the figure; `worked` must hold all positions.
 pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation, lang: Lang) -> Figure {
     let parts = apart(style, scene, worked, notation);
-    let groups = parts.iter().filter(|(piece, _)| matches!(piece, Piece::Group(_))).count();
+    let groups = parts.iter().filter(|(piece, _)| matches!(piece, MechanismPiece::Group(_))).count();
     let mut number = groups;
     let mut named = Vec::new();
     for (piece, drawing) in parts {
         let name = match piece {
-            Piece::Driven => tr(lang, "driver and ground", "原动件和机架").to_owned(),
-            Piece::Group(g) => {
+            MechanismPiece::Driven => tr(lang, "driver and ground", "原动件和机架").to_owned(),
+            MechanismPiece::Group(g) => {
                 number -= 1;
                 format!("{}. {}", number + 1, group_name(&g, lang))
             }
-            Piece::Repeats => tr(lang, "virtual constraint", "虚约束").to_owned(),
+            MechanismPiece::Repeats => tr(lang, "virtual constraint", "虚约束").to_owned(),
         };
         let (mut part, baseline) = with_name(drawing.finish(), &name, style);
         // A pair between two parts is shown in both, with separate ids.
@@ -51,7 +51,7 @@ pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation
     let label = Label::text(heading).in_fonts(&style.fonts);
     let at = Point::new(width_mm / 2.0, height_mm - MARGIN_MM - style.caption_mm);
     let shape = Shape::Label { at, label, size_mm: style.caption_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
-    items.insert(0, Item::new("heading", shape).with_id("heading"));
+    items.insert(0, FigureItem::new("heading", shape).with_id("heading"));
     let title = match scene.title.get(lang) {
         "" => heading.to_owned(),
         title => format!("{title}{}{heading}", tr(lang, ": ", "：")),
@@ -75,19 +75,19 @@ fn group_name(g: &Assur, lang: Lang) -> String {
 }
 
 /// The part with its name below, and the baseline of the name.
-fn with_name(part: Part, name: &str, style: &Style) -> (Part, f64) {
+fn with_name(part: DrawingPart, name: &str, style: &Style) -> (DrawingPart, f64) {
     let label = Label::text(name).in_fonts(&style.fonts);
     let at = Point::new(part.bounds.centre().x, part.bounds.min.y - NAME_MM);
     let shape = Shape::Label { at, label, size_mm: style.small_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
     let mut items = part.items;
-    items.push(Item::new("caption", shape).with_id("caption"));
-    (Part::of(items), at.y)
+    items.push(FigureItem::new("caption", shape).with_id("caption"));
+    (DrawingPart::of(items), at.y)
 }
 
 /// Arranges the parts side by side, their names on one line, in as many rows as needed; returns the
 /// items and the size of the figure.
-fn rows(parts: Vec<(Part, f64)>) -> (Vec<Item>, f64, f64) {
-    let mut lines: Vec<Vec<(Part, f64)>> = Vec::new();
+fn rows(parts: Vec<(DrawingPart, f64)>) -> (Vec<FigureItem>, f64, f64) {
+    let mut lines: Vec<Vec<(DrawingPart, f64)>> = Vec::new();
     let mut width = f64::INFINITY;
     for part in parts {
         let own = part.0.bounds.width_mm();
@@ -100,7 +100,7 @@ fn rows(parts: Vec<(Part, f64)>) -> (Vec<Item>, f64, f64) {
         }
         lines.last_mut().expect("a line was begun").push(part);
     }
-    let width_of = |line: &Vec<(Part, f64)>| line.iter().map(|p| p.0.bounds.width_mm() + GAP_MM).sum::<f64>() - GAP_MM;
+    let width_of = |line: &Vec<(DrawingPart, f64)>| line.iter().map(|p| p.0.bounds.width_mm() + GAP_MM).sum::<f64>() - GAP_MM;
     let widest = lines.iter().map(width_of).fold(0.0, f64::max);
     let (mut items, mut y) = (Vec::new(), MARGIN_MM);
     for line in lines.into_iter().rev() {

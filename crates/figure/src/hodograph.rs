@@ -10,11 +10,11 @@ use hodograph_board::construct::scale;
 use hodograph_scene::{Book, DiagramKind};
 
 use super::plot::over;
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::{Colour, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_paper::paper::shown::{Shown, question_id};
+use hodograph_paper::paper::shown::{ShownQuantity, question_id};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 
@@ -99,7 +99,7 @@ fn edge(inner: Vec2, outer: Vec2, most: f64) -> Vec2 {
 }
 
 /// Draws a hodograph with the pole at the origin.
-pub fn hodograph(style: &Style, h: &Hodograph) -> Part {
+pub fn hodograph(style: &Style, h: &Hodograph) -> DrawingPart {
     let mut d = Drawing::new("hodograph", style.clone());
     let key = question_id(h.quantity);
     let (runs, _) = runs(h.curve, h.closed, h.most);
@@ -117,7 +117,7 @@ pub fn hodograph(style: &Style, h: &Hodograph) -> Part {
         let name = format!("{key}-{}", k + 1);
         if tip.to_vec2().norm() > SHORTEST_MM {
             let shape = Shape::Arrow { from: Point::ORIGIN, to: tip, stroke: style.thin, head: style.thin_head };
-            d.vector(&name, "vector", shape, Shown::vector(h.quantity, Point::ORIGIN, tip, h.mu));
+            d.vector(&name, "vector", shape, ShownQuantity::vector(h.quantity, Point::ORIGIN, tip, h.mu));
         }
         d.draw(&name, "position", sym::dot(style, tip));
         let request = LabelRequest::at_point(Label::math((k + 1).to_string()), style.small_mm, tip, style.dot_radius_mm);

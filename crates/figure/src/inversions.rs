@@ -7,16 +7,16 @@ use hodograph_methods::inversions::{Inversion, inversions};
 use hodograph_report::inversions as report;
 use hodograph_scene::DiagramKind;
 
-use super::list::{Entry, Pages, Wanted};
+use super::list::{FigureEntry, FigureInput, Pages};
 use super::mechanism;
-use super::sheet::Maker;
-use hodograph_paper::paper::drawing::Part;
-use hodograph_paper::paper::item::{Figure, Item};
+use super::sheet::SheetDrafter;
+use hodograph_paper::paper::drawing::DrawingPart;
+use hodograph_paper::paper::item::{Figure, FigureItem};
 use hodograph_paper::paper::label::Label;
 
 /// All inversions.
-pub const ENTRY: Entry =
-    Entry {
+pub const ENTRY: FigureEntry =
+    FigureEntry {
         name: "inversions", about: ["Each link of the chain as ground in turn", "机构的倒置：依次以各构件为机架"], draw
     };
 
@@ -29,7 +29,7 @@ const FEWER: usize = 4;
 /// Drawings per row: four in rows of two, six in rows of three.
 const PER_ROW: [usize; 2] = [2, 3];
 
-fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let Warned { value: all, notes } = inversions(w.scene)?;
     let numbered: Vec<(usize, &Inversion)> = all.iter().enumerate().collect();
     // Pages of equal size: twelve drawings as three pages of four.
@@ -44,19 +44,19 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
 }
 
 /// Draws some of the inversions on a page.
-fn sheet(w: &Wanted, some: &[(usize, &Inversion)]) -> Figure {
-    let mut parts: Vec<Part> = some.iter().map(|(k, i)| part(w, i, *k)).collect();
+fn sheet(w: &FigureInput, some: &[(usize, &Inversion)]) -> Figure {
+    let mut parts: Vec<DrawingPart> = some.iter().map(|(k, i)| part(w, i, *k)).collect();
     let columns = PER_ROW[usize::from(parts.len() > 4)];
     stand(&mut parts, columns);
-    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
-    let mut figure = maker.alone(Part::of(parts.into_iter().flat_map(|p| p.items).collect()));
+    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    let mut figure = maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
     figure.desc = some.iter().map(|(_, i)| report::line(i, w.options.lang)).collect::<Vec<_>>().join("; ");
     figure
 }
 
 /// Draws one inversion, with its name.
-fn part(w: &Wanted, i: &Inversion, k: usize) -> Part {
-    let maker = Maker { scene: &i.scene, worked: &i.worked, options: w.options, certified: Vec::new() };
+fn part(w: &FigureInput, i: &Inversion, k: usize) -> DrawingPart {
+    let maker = SheetDrafter { scene: &i.scene, worked: &i.worked, options: w.options, certified: Vec::new() };
     let drawing = mechanism::numbered(&w.options.style, &i.scene, &i.worked, &w.options.notation).finish();
     let (_, mu) = maker.caption(DiagramKind::Plane);
     let caption = format!("({}) {}", k + 1, report::heading(i, w.options.lang));
@@ -67,14 +67,14 @@ fn part(w: &Wanted, i: &Inversion, k: usize) -> Part {
 }
 
 /// Prefixes the id of an item, so that it differs between drawings.
-fn named(item: &mut Item, k: usize) {
+fn named(item: &mut FigureItem, k: usize) {
     if !item.id.is_empty() {
         item.id = format!("inversion-{}-{}", k + 1, item.id);
     }
 }
 
 /// Arranges parts in rows: captions of a row on one line, columns as wide as their widest part.
-fn stand(parts: &mut [Part], columns: usize) {
+fn stand(parts: &mut [DrawingPart], columns: usize) {
     let width = |k: usize| parts.iter().skip(k).step_by(columns).map(|p| p.bounds.width_mm()).fold(0.0, f64::max);
     let widths: Vec<f64> = (0..columns).map(width).collect();
     let mut y = 0.0;

@@ -13,15 +13,15 @@ use std::f64::consts::TAU;
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::{name_label, point_label};
-use hodograph_methods::trains::{Train, Turns, trains};
+use hodograph_methods::trains::{GearTrain, TrainSpeeds, trains};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_report::trains::{number, omega, table, turns};
 use hodograph_scene::{DiagramKind, Kind, LinkId, PointId};
 
-use super::sheet::Maker;
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use super::sheet::SheetDrafter;
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Dash, Figure, Item, Shape};
+use hodograph_paper::paper::item::{Anchor, Dash, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_report::amount::{scale, scale_formula};
@@ -47,7 +47,7 @@ const GAP_MM: f64 = 5.0;
 const ROW_MM: f64 = 7.2;
 
 /// A point on the line of centres, on paper.
-struct Station {
+struct KutzbachPoint {
     name: String,
     /// The position along the line (mm).
     s: f64,
@@ -57,25 +57,25 @@ struct Station {
 
 /// Draws the plan of each train of the scene, with the name of its arm. Trains with centres that
 /// are not collinear, or with a moving axis, have only their table.
-pub(super) fn plans(maker: &Maker) -> Vec<(String, Figure)> {
+pub(super) fn plans(maker: &SheetDrafter) -> Vec<(String, Figure)> {
     let scene = maker.scene;
     let all = trains(scene);
     let one = all.len() == 1;
-    let figure = |t: &Train| {
+    let figure = |t: &GearTrain| {
         let turns = turns(scene, maker.worked, t)?;
         let name = if one { String::new() } else { format!("-{}", scene.link_name(t.arm)) };
-        Some((name, Plan { maker, train: t, turns }.figure()))
+        Some((name, KutzbachPlan { maker, train: t, turns }.figure()))
     };
     all.iter().filter_map(figure).collect()
 }
 
-struct Plan<'a> {
-    maker: &'a Maker<'a>,
-    train: &'a Train,
-    turns: Turns,
+struct KutzbachPlan<'a> {
+    maker: &'a SheetDrafter<'a>,
+    train: &'a GearTrain,
+    turns: TrainSpeeds,
 }
 
-impl Plan<'_> {
+impl KutzbachPlan<'_> {
     fn figure(&self) -> Figure {
         let table = self.table();
         match self.drawing() {
@@ -84,7 +84,7 @@ impl Plan<'_> {
                 let mut beside = table;
                 beside.stand_at(Point::new(part.bounds.max.x + TABLE_MM, part.bounds.max.y));
                 part.items.extend(beside.items);
-                self.maker.alone(Part::of(part.items))
+                self.maker.alone(DrawingPart::of(part.items))
             }
         }
     }
@@ -96,7 +96,7 @@ impl Plan<'_> {
 
     /// Centres and contacts on the line of centres, measured from the axis; `None` if they are not
     /// collinear.
-    fn stations(&self) -> Option<Vec<Station>> {
+    fn stations(&self) -> Option<Vec<KutzbachPoint>> {
         let (scene, worked, train) = (self.maker.scene, self.maker.worked, self.train);
         let place = |p: PointId| worked.configuration.points[p.0];
         let (origin, mu_l) = (place(train.axis)?, worked.construction.diagram.mu);
@@ -105,7 +105,7 @@ impl Plan<'_> {
         }
         let other = train.gears.iter().find(|g| g.centre != train.axis)?.centre;
         let u = (place(other)? - origin).unit()?;
-        let mut all: Vec<Station> = Vec::new();
+        let mut all: Vec<KutzbachPoint> = Vec::new();
         let mut add = |p: PointId, links: &[LinkId]| {
             let d = (place(p)? - origin) * (1.0 / mu_l);
             if u.cross(d).abs() > IN_LINE_MM {
@@ -118,7 +118,7 @@ impl Plan<'_> {
                         s.links.push(*l)
                     }
                 }),
-                None => all.push(Station { name, s: u.dot(d), links: links.to_vec() }),
+                None => all.push(KutzbachPoint { name, s: u.dot(d), links: links.to_vec() }),
             }
             Some(())
         };
@@ -132,7 +132,7 @@ impl Plan<'_> {
         Some(all)
     }
 
-    fn drawing(&self) -> Option<Part> {
+    fn drawing(&self) -> Option<DrawingPart> {
         let (maker, train) = (self.maker, self.train);
         let style = &maker.options.style;
         let stations = self.stations()?;
@@ -217,14 +217,14 @@ impl Plan<'_> {
 
     /// Velocity of a link's point on the line of centres, positive to the left, in mm of paper
     /// times rad/s.
-    fn speed(&self, stations: &[Station], link: LinkId, s: f64) -> f64 {
+    fn speed(&self, stations: &[KutzbachPoint], link: LinkId, s: f64) -> f64 {
         let centre = self.train.gear(link).map(|g| self.maker.scene.point_name(self.train.gears[g].centre));
         let at = centre.and_then(|c| stations.iter().find(|t| t.name == c)).map_or(0.0, |t| t.s);
         self.turns.arm * at + self.rate(link) * (s - at)
     }
 
     /// The two circles of a mesh: link, height of the centre, radius.
-    fn circles(&self, stations: &[Station], mesh: usize) -> Vec<(LinkId, f64, f64)> {
+    fn circles(&self, stations: &[KutzbachPoint], mesh: usize) -> Vec<(LinkId, f64, f64)> {
         let scene = self.maker.scene;
         let pair = &scene.rolling[mesh];
         let height = |p: PointId| stations.iter().find(|s| s.name == scene.point_name(p)).map(|s| s.s);
@@ -283,7 +283,7 @@ impl Plan<'_> {
     }
 
     /// Willis' table, with its results below.
-    fn table(&self) -> Part {
+    fn table(&self) -> DrawingPart {
         let (maker, style, lang) = (self.maker, &self.maker.options.style, self.maker.options.lang);
         let table = table(maker.scene, self.train, self.turns, lang, maker.options.digits);
         let cell = |label: Label, size_mm: f64, anchor: Anchor, id: String| {
@@ -297,7 +297,7 @@ impl Plan<'_> {
             anchor: Anchor::Start,
             colour: hodograph_paper::paper::item::Colour::BLACK,
         };
-        let mut items = vec![Item::new("willis heading", shape).with_id("willis-heading")];
+        let mut items = vec![FigureItem::new("willis heading", shape).with_id("willis-heading")];
         let head = std::iter::once(None).chain(
             table.head.iter().enumerate().map(|(k, h)| cell(Label::math(h), style.label_mm, Anchor::Middle, format!("willis-head-{k}"))),
         );
@@ -310,9 +310,9 @@ impl Plan<'_> {
         }
         items.extend(grid::set(&rows, GAP_MM));
         let mut y = -(ROW_MM * (rows.len() as f64 + 1.0) + 2.0);
-        let mut with = format!("x = {}", self.told(self.turns.first));
+        let mut with = format!("x = {}", self.rate_text(self.turns.first));
         if self.train.arm != maker.scene.ground {
-            with = format!("{with},\\quad y = {}", self.told(self.turns.arm));
+            with = format!("{with},\\quad y = {}", self.rate_text(self.turns.arm));
         }
         for (k, line) in std::iter::once(&with).chain(&table.results).enumerate() {
             let label = Label::math(line).in_fonts(&style.fonts);
@@ -323,13 +323,13 @@ impl Plan<'_> {
                 anchor: Anchor::Start,
                 colour: hodograph_paper::paper::item::Colour::BLACK,
             };
-            items.push(Item::new("willis result", shape).with_id(format!("willis-result-{k}")));
+            items.push(FigureItem::new("willis result", shape).with_id(format!("willis-result-{k}")));
             y -= ROW_MM;
         }
-        Part::of(items)
+        DrawingPart::of(items)
     }
 
-    fn told(&self, rate: f64) -> String {
+    fn rate_text(&self, rate: f64) -> String {
         let book = &self.maker.scene.book;
         book.label(Kind::Omega, &number(book.value(Kind::Omega, rate), self.maker.options.digits))
     }
@@ -338,7 +338,7 @@ impl Plan<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sheet::Options;
+    use crate::sheet::SheetOptions;
     use hodograph_scene::{Lang, read};
     use hodograph_worked::certified::certify;
     use hodograph_worked::worked::{Scope, work};
@@ -353,10 +353,10 @@ mod tests {
     fn rays_meet_where_pitch_circles_touch() {
         let scene = read(TRAIN).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
-        let options = Options::of_language(Lang::En);
-        let maker = Maker { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) };
+        let options = SheetOptions::of_language(Lang::En);
+        let maker = SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) };
         let all = trains(&scene);
-        let plan = Plan { maker: &maker, train: &all[0], turns: turns(&scene, &worked, &all[0]).unwrap() };
+        let plan = KutzbachPlan { maker: &maker, train: &all[0], turns: turns(&scene, &worked, &all[0]).unwrap() };
         let stations = plan.stations().unwrap();
         assert_eq!(stations.len(), 4);
         let largest = stations.iter().flat_map(|s| s.links.iter().map(|l| plan.speed(&stations, *l, s.s).abs())).fold(0.0, f64::max);
@@ -371,20 +371,20 @@ mod tests {
         let scene = read(TRAIN).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
         for lang in [Lang::En, Lang::Zh] {
-            let options = Options::of_language(lang);
-            let maker = Maker { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) };
+            let options = SheetOptions::of_language(lang);
+            let maker = SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) };
             let pages = plans(&maker);
             assert_eq!(pages.len(), 1);
             let items = &pages[0].1.items;
             for part in ["kutzbach-ray-4", "kutzbach-rate-4", "willis-0-3", "willis-result-2"] {
                 assert!(items.iter().any(|i| i.id == part), "{part}");
             }
-            assert!(items.iter().all(Item::is_finite));
+            assert!(items.iter().all(FigureItem::is_finite));
         }
         let scene = read(hodograph_scene::templates::get("crank-rocker").unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
-        let options = Options::of_language(Lang::En);
-        let maker = Maker { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) };
+        let options = SheetOptions::of_language(Lang::En);
+        let maker = SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) };
         assert!(plans(&maker).is_empty());
     }
 }

@@ -11,8 +11,8 @@ mod plate;
 use hodograph_base::diag::{Both, Diagnostic};
 use hodograph_base::geom::Point;
 use hodograph_base::notation::Notation;
-use hodograph_methods::particle::board::{Arrow, Drawn, Views};
-use hodograph_methods::particle::{Problem, Solved};
+use hodograph_methods::particle::board::{Arrow, MotionDrawing, Views};
+use hodograph_methods::particle::{ParticleProblem, ParticleSolution};
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_report::amount::scale_formula;
 use hodograph_report::answers::DIGITS;
@@ -21,13 +21,13 @@ use hodograph_scene::{Book, DiagramKind, Lang};
 
 use super::arrange::Tree;
 use super::sheet::MARGIN_MM;
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape, Stroke, distinct};
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, LineStroke, Shape, distinct};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_paper::paper::shown::Shown;
+use hodograph_paper::paper::shown::ShownQuantity;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_paper::paper::words::words;
@@ -39,11 +39,11 @@ const CAPTION_MM: f64 = 6.0;
 const SCALE_MM: f64 = 5.6;
 
 /// The data common to all drawings.
-pub struct Maker<'a> {
+pub struct ParticleDrafter<'a> {
     /// The problem.
-    pub problem: &'a Problem,
+    pub problem: &'a ParticleProblem,
     /// The solution: the end of a pursuit.
-    pub solved: &'a Solved,
+    pub solved: &'a ParticleSolution,
     /// Line widths, sizes and fonts.
     pub style: &'a Style,
     /// The language of the notation.
@@ -56,17 +56,17 @@ pub struct Maker<'a> {
 pub const ALONE: [Vec<Point>; 2] = [Vec::new(), Vec::new()];
 
 /// A view of a motion, in its own coordinates.
-pub struct View {
+pub struct ParticleView {
     /// The drawing; items that a step of the construction adds have its number in their class
     /// (`step-2`).
-    pub part: Part,
+    pub part: DrawingPart,
     /// The caption.
     pub caption: Both,
     /// The scales.
     pub scales: Vec<(DiagramKind, f64)>,
 }
 
-impl View {
+impl ParticleView {
     /// Returns the scales in a line, in the label language.
     pub fn scale(&self, book: &Book) -> String {
         let told: Vec<String> = self.scales.iter().map(|(on, mu)| scale_formula(book, *on, *mu)).collect();
@@ -80,14 +80,14 @@ impl View {
 /// # Errors
 /// A law without a value during the motion.
 pub fn figures(
-    problem: &Problem,
-    solved: &Solved,
-    board: &[Drawn],
+    problem: &ParticleProblem,
+    solved: &ParticleSolution,
+    board: &[MotionDrawing],
     style: &Style,
     lang: Lang,
 ) -> Result<Vec<(String, Figure)>, Diagnostic> {
-    let maker = Maker { problem, solved, style, lang, also: &ALONE };
-    let name = |d: &Drawn| if board.len() == 1 { String::new() } else { problem.motions[d.motion].point.clone() };
+    let maker = ParticleDrafter { problem, solved, style, lang, also: &ALONE };
+    let name = |d: &MotionDrawing| if board.len() == 1 { String::new() } else { problem.motions[d.motion].point.clone() };
     board.iter().map(|d| Ok((name(d), maker.figure(d, true)?))).collect()
 }
 
@@ -95,8 +95,14 @@ pub fn figures(
 ///
 /// # Errors
 /// A law without a value during the motion.
-pub fn within_text(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &Style, lang: Lang) -> Result<Figure, Diagnostic> {
-    Maker { problem, solved, style, lang, also: &ALONE }.figure(drawn, false)
+pub fn within_text(
+    problem: &ParticleProblem,
+    solved: &ParticleSolution,
+    drawn: &MotionDrawing,
+    style: &Style,
+    lang: Lang,
+) -> Result<Figure, Diagnostic> {
+    ParticleDrafter { problem, solved, style, lang, also: &ALONE }.figure(drawn, false)
 }
 
 /// Draws the motion as a problem gives it, without any unknowns: the start of a pursuit with the
@@ -104,18 +110,24 @@ pub fn within_text(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &St
 ///
 /// # Errors
 /// A law without a value during the motion.
-pub fn as_given(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &Style, lang: Lang) -> Result<Figure, Diagnostic> {
-    let maker = Maker { problem, solved, style, lang, also: &ALONE };
+pub fn as_given(
+    problem: &ParticleProblem,
+    solved: &ParticleSolution,
+    drawn: &MotionDrawing,
+    style: &Style,
+    lang: Lang,
+) -> Result<Figure, Diagnostic> {
+    let maker = ParticleDrafter { problem, solved, style, lang, also: &ALONE };
     let views = match &drawn.views {
         Views::Chase { .. } => maker.start(drawn).into_iter().collect(),
         Views::Plate { .. } => vec![maker.on_plate(drawn, DiagramKind::Plane, &[])?, maker.along_axis(drawn, DiagramKind::Plane, &[])],
     };
-    let mut parts: Vec<Part> = views.into_iter().map(|v| maker.captioned(v)).collect();
+    let mut parts: Vec<DrawingPart> = views.into_iter().map(|v| maker.captioned(v)).collect();
     let tree = Tree::row((0..parts.len()).map(Tree::Leaf).collect());
     let size = tree.size(&parts);
     let page = [size[0] + 2.0 * MARGIN_MM, size[1] + 2.0 * MARGIN_MM];
     tree.put(&mut parts, Point::new(MARGIN_MM, page[1] - MARGIN_MM));
-    let mut items: Vec<Item> = parts.into_iter().flat_map(|p| p.items).collect();
+    let mut items: Vec<FigureItem> = parts.into_iter().flat_map(|p| p.items).collect();
     distinct(&mut items);
     let title = lang.of(&problem.title).to_owned();
     let tag = words(lang).tag.into();
@@ -129,7 +141,7 @@ pub fn notation(style: &Style, lang: Lang) -> Notation {
     style.marks.over(&Notation::of_language(lang))
 }
 
-impl Maker<'_> {
+impl ParticleDrafter<'_> {
     fn notation(&self) -> Notation {
         notation(self.style, self.lang)
     }
@@ -143,7 +155,7 @@ impl Maker<'_> {
     ///
     /// # Errors
     /// A law without a value during the motion.
-    pub fn views(&self, d: &Drawn) -> Result<Vec<View>, Diagnostic> {
+    pub fn views(&self, d: &MotionDrawing) -> Result<Vec<ParticleView>, Diagnostic> {
         match &d.views {
             Views::Chase { .. } => Ok(self.course(d, true).into_iter().chain(self.polygons(d)).collect()),
             Views::Plate { velocities, accelerations, .. } => {
@@ -156,8 +168,8 @@ impl Maker<'_> {
         }
     }
 
-    fn figure(&self, d: &Drawn, whole: bool) -> Result<Figure, Diagnostic> {
-        let mut parts: Vec<Part> = self.views(d)?.into_iter().map(|v| self.captioned(v)).collect();
+    fn figure(&self, d: &MotionDrawing, whole: bool) -> Result<Figure, Diagnostic> {
+        let mut parts: Vec<DrawingPart> = self.views(d)?.into_iter().map(|v| self.captioned(v)).collect();
         // A pursuit: its course above the two polygons; a plate: both views in a row.
         let first = if matches!(d.views, Views::Chase { .. }) { 1 } else { 2 };
         let row = |range: std::ops::Range<usize>| Tree::row(range.map(Tree::Leaf).collect());
@@ -171,7 +183,7 @@ impl Maker<'_> {
         let head = if whole { 12.0 } else { 0.0 };
         let page = [size[0] + 2.0 * MARGIN_MM, size[1] + 2.0 * MARGIN_MM + head];
         tree.put(&mut parts, Point::new(MARGIN_MM, page[1] - MARGIN_MM - head));
-        let mut items: Vec<Item> = parts.into_iter().flat_map(|p| p.items).collect();
+        let mut items: Vec<FigureItem> = parts.into_iter().flat_map(|p| p.items).collect();
         let title = self.lang.of(&self.problem.title).to_owned();
         if whole {
             items.push(self.words(
@@ -189,13 +201,13 @@ impl Maker<'_> {
         Ok(figure)
     }
 
-    fn words(&self, class: &str, at: Point, label: Label, size_mm: f64) -> Item {
+    fn words(&self, class: &str, at: Point, label: Label, size_mm: f64) -> FigureItem {
         let label = label.in_fonts(&self.style.fonts);
-        Item::new(class, Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK })
+        FigureItem::new(class, Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK })
     }
 
     /// Adds the caption of a view, and its scales below.
-    fn captioned(&self, view: View) -> Part {
+    fn captioned(&self, view: ParticleView) -> DrawingPart {
         let scale = view.scale(&self.problem.book);
         let part = view.part;
         let (x, y) = (part.bounds.centre().x, part.bounds.min.y - CAPTION_MM);
@@ -210,10 +222,10 @@ impl Maker<'_> {
         items.extend(
             below.map(|(what, y, label, size)| self.words(what, Point::new(x, y), label, size).with_id(format!("{what}-{}", on.prefix()))),
         );
-        Part::of(items)
+        DrawingPart::of(items)
     }
 
-    fn text(&self) -> Part {
+    fn text(&self) -> DrawingPart {
         let style = self.style;
         let lines = self.lines();
         let labels = lines.iter().flat_map(|l| wrapped(l, TEXT_MM, style.small_mm, &style.fonts));
@@ -221,7 +233,7 @@ impl Maker<'_> {
             cells: vec![Some(Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: "answer".into(), id: String::new() })],
             height_mm: style.small_mm * 1.6,
         };
-        Part::of(grid::set(&labels.map(row).collect::<Vec<_>>(), 0.0))
+        DrawingPart::of(grid::set(&labels.map(row).collect::<Vec<_>>(), 0.0))
     }
 
     /// Draws a vector to a scale (SI units per mm); `on_plate` is the point of a plate to which the
@@ -232,7 +244,7 @@ impl Maker<'_> {
         if a.from.distance(a.to) <= 0.3 {
             return;
         }
-        let stroke = Stroke { width_mm, ..style.vector };
+        let stroke = LineStroke { width_mm, ..style.vector };
         let class = format!("vector {}", step(a.step));
         let id = match on_plate {
             Some(_) => a.symbol.replace(['_', '^'], "-").replace('\'', "-seen"),
@@ -240,7 +252,7 @@ impl Maker<'_> {
         };
         let arrow = Shape::Arrow { from: a.from, to: a.to, stroke, head: style.head };
         let owner = match quantity(&a.symbol, on_plate) {
-            Some(name) => d.vector(&id, &class, arrow, Shown::vector(&name, a.from, a.to, mu)),
+            Some(name) => d.vector(&id, &class, arrow, ShownQuantity::vector(&name, a.from, a.to, mu)),
             None => d.shape(&id, &class, arrow),
         };
         let symbol = report::marked(&a.symbol, &self.notation());
@@ -248,7 +260,7 @@ impl Maker<'_> {
     }
 
     /// Draws a line; its name is the first word of its class.
-    fn line(&self, d: &mut Drawing, class: &str, points: Vec<Point>, stroke: Stroke) {
+    fn line(&self, d: &mut Drawing, class: &str, points: Vec<Point>, stroke: LineStroke) {
         let name = class.split(' ').next().unwrap_or(class);
         d.shape(name, class, Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None });
     }
@@ -258,7 +270,7 @@ impl Maker<'_> {
         d.label_at(name, "point", name, at, self.style.dot_radius_mm, None);
     }
 
-    fn scales(&self, drawn: &Drawn, on: DiagramKind) -> Vec<(DiagramKind, f64)> {
+    fn scales(&self, drawn: &MotionDrawing, on: DiagramKind) -> Vec<(DiagramKind, f64)> {
         let shown = [DiagramKind::Plane, on];
         shown[usize::from(on == DiagramKind::Plane)..].iter().map(|on| (*on, drawn.scale(*on))).collect()
     }

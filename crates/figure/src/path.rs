@@ -13,22 +13,22 @@ use hodograph_board::construct::scale::{self, Boxes};
 use hodograph_board::plan::names::point_label;
 use hodograph_paper::paper::phrase::{Phrase, capital, fill, tr};
 use hodograph_scene::{DiagramKind, Kind, Lang, PointId, Scene, Swept};
-use hodograph_sweep::points::{Moment, Motion, alone, at_equal_steps, bounded, motion, questions};
+use hodograph_sweep::points::{PathMotion, PointMoment, alone, at_equal_steps, bounded, motion, questions};
 use hodograph_worked::worked::{Worked, work_motion, work_placed};
 
 use super::arrange::{AIM_MM, Tree};
 use super::hodograph::{Hodograph, hodograph, runs};
-use super::mechanism::{Overlay, Track, overlaid};
+use super::mechanism::{Overlay, PointTrack, overlaid};
 use super::plot::over;
-use super::sheet::{MARGIN_MM, Maker, Options, swept_symbol};
-use hodograph_paper::paper::drawing::Part;
+use super::sheet::{MARGIN_MM, SheetDrafter, SheetOptions, swept_symbol};
+use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Figure, Item};
+use hodograph_paper::paper::item::{Anchor, Figure, FigureItem};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::shown::escaped;
 use hodograph_report::amount::scale_formula;
 use hodograph_report::amount::{number, symbol};
-use hodograph_sweep::follow::Follower;
+use hodograph_sweep::follow::PoseFollower;
 
 /// Default number of numbered positions: 12, common in textbooks' course work.
 pub const MARKS: usize = 12;
@@ -44,7 +44,7 @@ const COLUMN_MM: f64 = 3.2;
 
 /// The content of the figure of a motion.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wanted {
+pub struct PathContent {
     /// The points with their paths drawn.
     pub points: Vec<PointId>,
     /// The moving driver, or time; other drivers are at rest.
@@ -62,18 +62,18 @@ pub struct Wanted {
 /// pose.
 ///
 /// ```
-/// use hodograph_figure::{path, sheet::Options};
+/// use hodograph_figure::{path, sheet::SheetOptions};
 /// use hodograph_scene::{self as scene, Lang, Swept, PointId, templates};
 /// use hodograph_worked::worked::{Scope, work};
 /// let scene = scene::read(templates::get("crank-rocker").unwrap())?.value;
 /// let worked = work(&scene, Scope::Figure)?.value;
 /// let e = PointId(scene.points.iter().position(|p| p.name == "E").unwrap());
-/// let wanted = path::Wanted { points: vec![e], swept: Swept::Driver(0), marks: 12, poses: 0 };
-/// let figure = path::figure(&scene, &worked, &Options::of_language(Lang::En), &wanted)?.value;
+/// let wanted = path::PathContent { points: vec![e], swept: Swept::Driver(0), marks: 12, poses: 0 };
+/// let figure = path::figure(&scene, &worked, &SheetOptions::of_language(Lang::En), &wanted)?.value;
 /// assert!(figure.title.starts_with("Crank-rocker"));
 /// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
-pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Figure>, Faults> {
+pub fn figure(scene: &Scene, worked: &Worked, options: &SheetOptions, wanted: &PathContent) -> Result<Warned<Figure>, Faults> {
     check(scene, wanted)?;
     let motion_of_cams = work_motion(scene)?;
     let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
@@ -88,7 +88,7 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
         &wanted.points,
         wanted.marks.clamp(1, MOST_MARKS),
     );
-    Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept)
+    PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept)
         .proved(moved.moments.iter().chain(&moved.marks).map(|m| &m.configuration))?;
     if moved.moments.len() < 2 {
         let d = Diagnostic::error(
@@ -106,8 +106,8 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     let mu = scale::fitted(&scene.paper, Kind::Length, scale::extent(ghosts.chain(places)), boxes.diagram);
     fitted.paper.scales.set(Kind::Length, Some(mu));
     let worked = &work_placed(&fitted, worked.mechanism.clone(), worked.demand.clone(), worked.configuration.clone())?.value;
-    let maker = Maker { scene: &fitted, worked, options, certified: Vec::new() };
-    let mut page = Page { maker, moved: &moved, swept: wanted.swept, cut: false };
+    let maker = SheetDrafter { scene: &fitted, worked, options, certified: Vec::new() };
+    let mut page = PathPage { maker, moved: &moved, swept: wanted.swept, cut: false };
 
     let mut drawings = vec![page.mechanism(poses)];
     drawings.extend(page.hodographs(&boxes));
@@ -128,7 +128,7 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     Ok(Warned { value: figure, notes })
 }
 
-fn check(scene: &Scene, wanted: &Wanted) -> Result<(), Faults> {
+fn check(scene: &Scene, wanted: &PathContent) -> Result<(), Faults> {
     let mut faults = Faults::default();
     if let Swept::Driver(driver) = wanted.swept
         && driver >= scene.drivers.len()
@@ -150,32 +150,32 @@ fn check(scene: &Scene, wanted: &Wanted) -> Result<(), Faults> {
 }
 
 /// The mechanism in other positions.
-fn poses(scene: &Scene, worked: &Worked, wanted: &Wanted) -> Vec<hodograph_mechanism::position::Configuration> {
+fn poses(scene: &Scene, worked: &Worked, wanted: &PathContent) -> Vec<hodograph_mechanism::position::Configuration> {
     if wanted.poses == 0 {
         return Vec::new();
     }
-    let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
+    let follower = PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
     let sweep = follower.sweep(MOST_MARKS);
     at_equal_steps(&follower, &sweep, wanted.poses.min(MOST_MARKS)).into_iter().map(|p| p.configuration).collect()
 }
 
 /// The figure under construction.
-struct Page<'a> {
-    maker: Maker<'a>,
-    moved: &'a Motion,
+struct PathPage<'a> {
+    maker: SheetDrafter<'a>,
+    moved: &'a PathMotion,
     swept: Swept,
     /// True if a hodograph leaves the paper.
     cut: bool,
 }
 
-impl Page<'_> {
+impl PathPage<'_> {
     fn scene(&self) -> &Scene {
         self.maker.scene
     }
 
-    fn mechanism(&self, poses: Vec<hodograph_mechanism::position::Configuration>) -> Part {
-        let places = |moments: &[Moment], p: PointId| moments.iter().filter_map(|m| m.configuration.points[p.0]).collect();
-        let track = |&point: &PointId| Track {
+    fn mechanism(&self, poses: Vec<hodograph_mechanism::position::Configuration>) -> DrawingPart {
+        let places = |moments: &[PointMoment], p: PointId| moments.iter().filter_map(|m| m.configuration.points[p.0]).collect();
+        let track = |&point: &PointId| PointTrack {
             point,
             places: places(&self.moved.moments, point),
             closed: self.moved.full,
@@ -195,11 +195,11 @@ impl Page<'_> {
     }
 
     /// Velocity and acceleration hodograph of each point; all of one kind are to one scale.
-    fn hodographs(&mut self, boxes: &Boxes) -> Vec<Part> {
+    fn hodographs(&mut self, boxes: &Boxes) -> Vec<DrawingPart> {
         let paper = self.scene().paper.clone();
         let mut parts = Vec::new();
         for (l, on) in DiagramKind::POLYGONS.into_iter().enumerate() {
-            let of = |moments: &[Moment], k: usize| -> Vec<Option<Vec2>> { moments.iter().map(|m| m.vector(k, on.level())).collect() };
+            let of = |moments: &[PointMoment], k: usize| -> Vec<Option<Vec2>> { moments.iter().map(|m| m.vector(k, on.level())).collect() };
             let curves: Vec<Vec<Option<Vec2>>> = (0..self.moved.points.len()).map(|k| of(&self.moved.moments, k)).collect();
             let sizes = curves.iter().flatten().flatten().map(|v| v.norm()).collect();
             let own = self.moved.moments.iter().find(|m| m.travel == 0.0);
@@ -241,7 +241,7 @@ impl Page<'_> {
 
     /// The table of numbered positions: the place of the driver, the magnitudes of the vectors; and
     /// remarks.
-    fn text(&self) -> Part {
+    fn text(&self) -> DrawingPart {
         let (style, lang) = (&self.maker.options.style, self.maker.options.lang);
         let book = &self.scene().book;
         let (driver, kind) = swept_symbol(self.scene(), self.swept);
@@ -287,9 +287,9 @@ impl Page<'_> {
                 anchor: Anchor::Start,
                 colour: hodograph_paper::paper::item::Colour::BLACK,
             };
-            items.push(Item::new("remark", shape).with_id(format!("remark-{k}")));
+            items.push(FigureItem::new("remark", shape).with_id(format!("remark-{k}")));
         }
-        Part::of(items)
+        DrawingPart::of(items)
     }
 
     fn remarks(&self) -> Vec<&'static str> {
@@ -355,7 +355,7 @@ pub(super) fn turned(radians: f64, factor: f64, full: bool) -> f64 {
 
 /// Arranges title, drawings and table on the page: the mechanism beside the hodographs, with one
 /// row or one column for each kind, whichever is closer to A4.
-fn stand(title: Option<Part>, drawings: Vec<Part>, text: Part) -> (Vec<Item>, [f64; 2]) {
+fn stand(title: Option<DrawingPart>, drawings: Vec<DrawingPart>, text: DrawingPart) -> (Vec<FigureItem>, [f64; 2]) {
     let per_level = drawings.len().saturating_sub(1) / 2;
     let mut parts = drawings;
     let leaves = |from: usize, count: usize| (from..from + count).map(Tree::Leaf).collect::<Vec<_>>();

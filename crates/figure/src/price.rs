@@ -2,10 +2,10 @@
 //! the distance from a toggle position. Both axes are logarithmic; a lower error in less time is
 //! lower and farther left.
 
-use super::plot::{Axis, Plot};
+use super::plot::{Plot, PlotAxis};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, Item, Shape, Stroke};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
@@ -14,7 +14,7 @@ use hodograph_paper::paper::words::words;
 use hodograph_report::price::name;
 use hodograph_scene::{Lang, Scene};
 use hodograph_worked::accuracy::Rung;
-use hodograph_worked::effort::ways::{Measured, Near, Way};
+use hodograph_worked::effort::ways::{AnswerMethod, MethodMeasurement, TogglePose};
 
 /// Size of a plot (mm).
 const PLOT_MM: [f64; 2] = [150.0, 110.0];
@@ -29,11 +29,11 @@ const BELOW_MM: f64 = 20.0;
 const FLOOR: f64 = -42.0;
 /// Stroke of the lines that join the points of a family: thinner than the outlines of their
 /// symbols.
-const JOINED: Stroke = Stroke::new(0.2);
+const JOINED: LineStroke = LineStroke::new(0.2);
 
 /// A family of methods: one symbol, one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Family {
+enum MethodFamily {
     Drawing,
     Closed,
     Loops,
@@ -41,34 +41,37 @@ enum Family {
     Certified,
 }
 
-impl Family {
-    const ALL: [Family; 5] = [Family::Drawing, Family::Closed, Family::Certified, Family::Loops, Family::Differences];
+impl MethodFamily {
+    const ALL: [MethodFamily; 5] =
+        [MethodFamily::Drawing, MethodFamily::Closed, MethodFamily::Certified, MethodFamily::Loops, MethodFamily::Differences];
 
-    fn of(way: Way) -> Option<Family> {
+    fn of(way: AnswerMethod) -> Option<MethodFamily> {
         Some(match way {
-            Way::Paper(_) => return None,
-            Way::DrawingSingle | Way::Drawing => Family::Drawing,
-            Way::ClosedSingle | Way::Closed | Way::ClosedDouble | Way::ClosedLong(_) => Family::Closed,
-            Way::Loops(_) => Family::Loops,
-            Way::Differences(_) => Family::Differences,
-            Way::Certified(_) => Family::Certified,
+            AnswerMethod::Paper(_) => return None,
+            AnswerMethod::DrawingSingle | AnswerMethod::Drawing => MethodFamily::Drawing,
+            AnswerMethod::ClosedSingle | AnswerMethod::Closed | AnswerMethod::ClosedDouble | AnswerMethod::ClosedLong(_) => {
+                MethodFamily::Closed
+            }
+            AnswerMethod::Loops(_) => MethodFamily::Loops,
+            AnswerMethod::Differences(_) => MethodFamily::Differences,
+            AnswerMethod::Certified(_) => MethodFamily::Certified,
         })
     }
 
     fn words(self, lang: Lang) -> &'static str {
         match self {
-            Family::Drawing => tr(lang, "drawing board", "图解法"),
-            Family::Closed => tr(lang, "closed form, group by group", "杆组法"),
-            Family::Loops => tr(lang, "loop equations, Newton", "解析法，牛顿迭代"),
-            Family::Differences => tr(lang, "finite differences", "有限差分"),
-            Family::Certified => tr(lang, "certified (bound)", "可靠界"),
+            MethodFamily::Drawing => tr(lang, "drawing board", "图解法"),
+            MethodFamily::Closed => tr(lang, "closed form, group by group", "杆组法"),
+            MethodFamily::Loops => tr(lang, "loop equations, Newton", "解析法，牛顿迭代"),
+            MethodFamily::Differences => tr(lang, "finite differences", "有限差分"),
+            MethodFamily::Certified => tr(lang, "certified (bound)", "可靠界"),
         }
     }
 
     /// The symbol of a family; symbols differ in shape, so that they stay distinct in a grey print.
     fn symbol(self, at: Point) -> Shape {
         const R: f64 = 1.1;
-        let line = Some(Stroke::new(0.35));
+        let line = Some(LineStroke::new(0.35));
         let corners = |list: &[(f64, f64)], fill| Shape::Polyline {
             points: list.iter().map(|(x, y)| at + Vec2::new(x * R, y * R)).collect(),
             closed: true,
@@ -77,29 +80,29 @@ impl Family {
         };
         let disc = |fill| Shape::Circle { centre: at, radius_mm: R, stroke: line, fill: Some(fill) };
         match self {
-            Family::Drawing => disc(Colour::WHITE),
-            Family::Closed => disc(Colour::BLACK),
-            Family::Loops => corners(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)], Colour::WHITE),
-            Family::Differences => corners(&[(-1.1, -0.8), (1.1, -0.8), (0.0, 1.2)], Colour::WHITE),
-            Family::Certified => corners(&[(-1.2, 0.0), (0.0, -1.2), (1.2, 0.0), (0.0, 1.2)], Colour::grey(150)),
+            MethodFamily::Drawing => disc(Colour::WHITE),
+            MethodFamily::Closed => disc(Colour::BLACK),
+            MethodFamily::Loops => corners(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)], Colour::WHITE),
+            MethodFamily::Differences => corners(&[(-1.1, -0.8), (1.1, -0.8), (0.0, 1.2)], Colour::WHITE),
+            MethodFamily::Certified => corners(&[(-1.2, 0.0), (0.0, -1.2), (1.2, 0.0), (0.0, 1.2)], Colour::grey(150)),
         }
     }
 }
 
 /// The label beside a point.
-fn short(way: Way) -> Label {
+fn short(way: AnswerMethod) -> Label {
     match way {
-        Way::Paper(mm) => Label::text(format!("{mm} mm")),
-        Way::DrawingSingle | Way::ClosedSingle => Label::text("f32"),
-        Way::Drawing | Way::Closed | Way::Certified(Rung::Double) => Label::text("f64"),
-        Way::ClosedDouble | Way::Certified(Rung::DoubleDouble) => Label::text("dd"),
-        Way::ClosedLong(bits) | Way::Certified(Rung::Long(bits)) => Label::text(format!("{bits} bit")),
-        Way::Loops(x) | Way::Differences(x) => Label::math(format!("10^{{−{}}}", -libm::log10(x).round() as i32)),
+        AnswerMethod::Paper(mm) => Label::text(format!("{mm} mm")),
+        AnswerMethod::DrawingSingle | AnswerMethod::ClosedSingle => Label::text("f32"),
+        AnswerMethod::Drawing | AnswerMethod::Closed | AnswerMethod::Certified(Rung::Double) => Label::text("f64"),
+        AnswerMethod::ClosedDouble | AnswerMethod::Certified(Rung::DoubleDouble) => Label::text("dd"),
+        AnswerMethod::ClosedLong(bits) | AnswerMethod::Certified(Rung::Long(bits)) => Label::text(format!("{bits} bit")),
+        AnswerMethod::Loops(x) | AnswerMethod::Differences(x) => Label::math(format!("10^{{−{}}}", -libm::log10(x).round() as i32)),
     }
 }
 
 /// The error shown: of the accelerations if they are computed, otherwise of the velocities.
-fn shown(m: &Measured) -> Option<f64> {
+fn shown(m: &MethodMeasurement) -> Option<f64> {
     m.errors[1].or(m.errors[0]).filter(|e| e.is_finite())
 }
 
@@ -109,7 +112,7 @@ fn log_error(e: f64) -> f64 {
 
 /// Draws the figure of all methods, and below it the figure of the series of poses, if there is
 /// one.
-pub fn figure(scene: &Scene, ways: &[Measured], series: &[Near], style: &Style, lang: Lang) -> Figure {
+pub fn figure(scene: &Scene, ways: &[MethodMeasurement], series: &[TogglePose], style: &Style, lang: Lang) -> Figure {
     let panels = if series.iter().any(|n| !n.ways.is_empty()) { 2.0 } else { 1.0 };
     let panel_mm = PLOT_MM[1] + ABOVE_MM + BELOW_MM;
     let heading_mm = 10.0;
@@ -129,14 +132,14 @@ pub fn figure(scene: &Scene, ways: &[Measured], series: &[Near], style: &Style, 
         anchor: Anchor::Start,
         colour: Colour::BLACK,
     };
-    let mut items = vec![Item::new("heading", label)];
+    let mut items = vec![FigureItem::new("heading", label)];
     let corner = Point::new(LEFT_MM, height_mm - heading_mm - ABOVE_MM - PLOT_MM[1]);
     let frame = Rect::new(corner, corner + Vec2::new(PLOT_MM[0], PLOT_MM[1]));
     let error = match lang {
         Lang::En => format!("relative error of the {subject}"),
         Lang::Zh => format!("{subject}的相对误差"),
     };
-    let look = Look { style, error: Label::text(error), lang };
+    let look = PriceStyle { style, error: Label::text(error), lang };
     items.extend(look.against_time(frame, ways));
     if panels > 1.0 {
         let below = Vec2::new(0.0, -panel_mm);
@@ -152,32 +155,32 @@ pub fn figure(scene: &Scene, ways: &[Measured], series: &[Near], style: &Style, 
 }
 
 /// The common features of both plots.
-struct Look<'a> {
+struct PriceStyle<'a> {
     style: &'a Style,
     /// The name of the vertical axis.
     error: Label,
     lang: Lang,
 }
 
-impl Look<'_> {
-    fn against_time(&self, frame: Rect, ways: &[Measured]) -> Vec<Item> {
+impl PriceStyle<'_> {
+    fn against_time(&self, frame: Rect, ways: &[MethodMeasurement]) -> Vec<FigureItem> {
         let logs = ways.iter().filter_map(|m| m.seconds).map(libm::log10);
         let (lo, hi) = logs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), t| (a.min(t), b.max(t)));
         let errors = ways.iter().filter_map(shown);
-        let axes = [Axis::powers(libm::floor(lo), libm::ceil(hi)), errors_axis(errors)];
+        let axes = [PlotAxis::powers(libm::floor(lo), libm::ceil(hi)), errors_axis(errors)];
         let mut plot = Plot::new("time".into(), self.style, frame, axes);
         plot.axes(Some(Label::text(tr(self.lang, "time of a whole solution / s", "一次求解用时 / s"))), self.error.clone());
         let mut pencils = Vec::new();
-        for m in ways.iter().filter(|m| matches!(m.way, Way::Paper(_))) {
+        for m in ways.iter().filter(|m| matches!(m.way, AnswerMethod::Paper(_))) {
             let Some(e) = shown(m) else { continue };
             let [from, to] = [plot.axes[0].from, plot.axes[0].to].map(|t| plot.at(t, e));
-            plot.line("paper", from, to, Stroke::new(0.3).dashed(Dash::Dashed));
+            plot.line("paper", from, to, LineStroke::new(0.3).dashed(Dash::Dashed));
             pencils.push((to, Label::text(name(m.way, self.lang))));
         }
         plot.names(pencils);
-        for family in Family::ALL {
-            let of_family = ways.iter().filter(|m| Family::of(m.way) == Some(family));
-            let points: Vec<(Point, Way)> = of_family.filter_map(|m| Some((plot.at(m.seconds?, shown(m)?), m.way))).collect();
+        for family in MethodFamily::ALL {
+            let of_family = ways.iter().filter(|m| MethodFamily::of(m.way) == Some(family));
+            let points: Vec<(Point, AnswerMethod)> = of_family.filter_map(|m| Some((plot.at(m.seconds?, shown(m)?), m.way))).collect();
             joined(&mut plot, family, &points.iter().map(|p| p.0).collect::<Vec<_>>());
             for (at, way) in points {
                 plot.label(LabelRequest::at_point(short(way), self.style.small_mm * 0.85, at, 1.4), None);
@@ -190,24 +193,24 @@ impl Look<'_> {
     /// Draws the legend below the names of the pencils, which are at their lines.
     fn legend(&self, plot: &mut Plot) {
         let small = self.style.small_mm;
-        for (k, family) in Family::ALL.into_iter().enumerate() {
+        for (k, family) in MethodFamily::ALL.into_iter().enumerate() {
             let at = Point::new(plot.frame.max.x + 5.0, plot.frame.centre().y - 2.0 * small * k as f64);
             plot.draw("way", family.symbol(at), None);
             plot.words("legend", at + Vec2::new(3.5, -small * 0.33), Label::text(family.words(self.lang)), small, Anchor::Start);
         }
     }
 
-    fn against_distance(&self, frame: Rect, series: &[Near]) -> Vec<Item> {
+    fn against_distance(&self, frame: Rect, series: &[TogglePose]) -> Vec<FigureItem> {
         let logs: Vec<f64> = series.iter().map(|n| libm::log10(n.distance)).collect();
         let (far, near) = (logs.iter().copied().fold(f64::NEG_INFINITY, f64::max), logs.iter().copied().fold(f64::INFINITY, f64::min));
         let errors = series.iter().flat_map(|n| &n.ways).filter_map(shown);
-        let mut plot = Plot::new("distance".into(), self.style, frame, [Axis::powers(far, near), errors_axis(errors)]);
+        let mut plot = Plot::new("distance".into(), self.style, frame, [PlotAxis::powers(far, near), errors_axis(errors)]);
         let below = tr(self.lang, "distance of the driver from its limit, rad (m)", "原动件距极限位置，rad（m）");
         plot.axes(Some(Label::text(below)), self.error.clone());
-        let ways: Vec<Way> = series.iter().find(|n| !n.ways.is_empty()).iter().flat_map(|n| &n.ways).map(|m| m.way).collect();
+        let ways: Vec<AnswerMethod> = series.iter().find(|n| !n.ways.is_empty()).iter().flat_map(|n| &n.ways).map(|m| m.way).collect();
         let mut ends = Vec::new();
         for (k, way) in ways.into_iter().enumerate() {
-            let Some(family) = Family::of(way) else { continue };
+            let Some(family) = MethodFamily::of(way) else { continue };
             let points: Vec<Point> = series.iter().filter_map(|n| Some(plot.at(n.distance, shown(n.ways.get(k)?)?))).collect();
             joined(&mut plot, family, &points);
             ends.extend(points.last().map(|last| (*last, Label::text(name(way, self.lang)))));
@@ -218,12 +221,12 @@ impl Look<'_> {
 }
 
 /// The axis from a power of ten below all errors to ten.
-fn errors_axis(errors: impl Iterator<Item = f64>) -> Axis {
-    Axis::powers(libm::floor(errors.map(log_error).fold(0.0, f64::min)), 1.0)
+fn errors_axis(errors: impl Iterator<Item = f64>) -> PlotAxis {
+    PlotAxis::powers(libm::floor(errors.map(log_error).fold(0.0, f64::min)), 1.0)
 }
 
 /// Draws symbols joined by a thin line.
-fn joined(plot: &mut Plot, family: Family, points: &[Point]) {
+fn joined(plot: &mut Plot, family: MethodFamily, points: &[Point]) {
     if points.len() > 1 {
         let line = Shape::Polyline { points: points.to_vec(), closed: false, stroke: Some(JOINED), fill: None };
         plot.draw("curve", line, None);

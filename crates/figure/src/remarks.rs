@@ -16,15 +16,15 @@ use hodograph_scene::{DiagramKind, Scene};
 use hodograph_worked::accuracy::BadAngle;
 use hodograph_worked::worked::{Outcome, Worked};
 
-use super::results::Answers;
+use super::results::ResultsContent;
 use super::sheet::swept_symbol;
 use super::tables::constraint_line;
 use hodograph_paper::paper::words::Words;
 use hodograph_report::amount::{amount, number, sense, symbol};
 
 /// Returns the remarks, one per line.
-pub fn remarks(answers: &Answers) -> Vec<Phrase> {
-    let Answers { scene, worked, words, .. } = *answers;
+pub fn remarks(answers: &ResultsContent) -> Vec<Phrase> {
+    let ResultsContent { scene, worked, words, .. } = *answers;
     let mut lines = singular(answers);
     if let Some(d) = &worked.drafting {
         lines.push(fill(words.by_hand, &[("", &shortest(d.pencil_mm))]));
@@ -38,8 +38,8 @@ pub fn remarks(answers: &Answers) -> Vec<Phrase> {
 
 /// The effect of a pencil on the results: the largest tolerance, and the results lost in it; empty
 /// if each result has its own tolerance beside it.
-pub(crate) fn pencil(answers: &Answers) -> Vec<Phrase> {
-    let Answers { scene, worked, notation, words, .. } = *answers;
+pub(crate) fn pencil(answers: &ResultsContent) -> Vec<Phrase> {
+    let ResultsContent { scene, worked, notation, words, .. } = *answers;
     if worked.drafting.is_some() {
         return Vec::new();
     }
@@ -66,8 +66,8 @@ pub fn agreement(worked: &Worked, words: &Words) -> Option<Phrase> {
 
 /// The redundant part, the reason, and the values on paper of the conditions that no intersection
 /// used.
-fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
-    let Answers { scene, worked, words, .. } = *answers;
+fn repeats(answers: &ResultsContent, repeats: &Checked) -> Vec<String> {
+    let ResultsContent { scene, worked, words, .. } = *answers;
     let what = repeats.what(scene);
     let why = repeats.reason.words(scene, repeats.positions);
     let zh = words.tag == "zh";
@@ -97,8 +97,8 @@ fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
 
 /// The singularities of the pose, and the first answer that differs on the other motion; `solve`
 /// prints all of them.
-fn singular(answers: &Answers) -> Vec<String> {
-    let Answers { scene, worked, certified, notation, words, digits } = *answers;
+fn singular(answers: &ResultsContent) -> Vec<String> {
+    let ResultsContent { scene, worked, certified, notation, words, digits } = *answers;
     let mut lines = Vec::new();
     for s in &worked.solution.singular {
         let links: Vec<&str> = s.named.iter().map(|l| scene.link_name(*l)).collect();

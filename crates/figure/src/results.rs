@@ -4,17 +4,17 @@
 use hodograph_base::digits::inked;
 use hodograph_base::notation::Notation;
 use hodograph_board::construct::ShownAs;
-use hodograph_board::plan::text::Writer;
-use hodograph_board::plan::{Body, Rate};
-use hodograph_mechanism::answer::Value;
-use hodograph_methods::centres::{Centre, Centres, Origin, Place, centres};
+use hodograph_board::plan::text::PlanWriter;
+use hodograph_board::plan::{Rate, TurningBody};
+use hodograph_mechanism::answer::AnswerValue;
+use hodograph_methods::centres::{Centre, CentrePlace, Centres, Origin, centres};
 use hodograph_paper::paper::phrase::{Phrase, fill};
-use hodograph_report::answers::{Line, at_infinity, lines as by_question, reason, verdict};
+use hodograph_report::answers::{AnswerLine, at_infinity, lines as by_question, reason, verdict};
 use hodograph_report::centres as report_of_centres;
-use hodograph_report::drafting::{self, Amount};
+use hodograph_report::drafting::{self, ToleranceAmount};
 use hodograph_scene::quantity::Meaning;
 use hodograph_scene::{Asked, Book, DiagramKind, Find, Kind, Lang, Scene};
-use hodograph_worked::certified::ladder::{Certified, Number, READING_DIGITS, Why};
+use hodograph_worked::certified::ladder::{Certified, CertifiedNumber, MissingDigits, READING_DIGITS};
 use hodograph_worked::worked::{Outcome, Worked};
 
 use hodograph_report::amount::{amount, number, sense, symbol};
@@ -44,7 +44,7 @@ const GAP_MM: f64 = 1.8;
 pub const DIGITS: usize = 4;
 
 /// The content of the block of results.
-pub struct Answers<'a> {
+pub struct ResultsContent<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// The answers.
@@ -59,39 +59,39 @@ pub struct Answers<'a> {
     pub digits: usize,
 }
 
-impl<'a> Answers<'a> {
-    fn writer(&self) -> Writer<'a> {
-        Writer { scene: self.scene, plan: &self.worked.plan, notation: self.notation, lang: self.words.lang() }
+impl<'a> ResultsContent<'a> {
+    fn writer(&self) -> PlanWriter<'a> {
+        PlanWriter { scene: self.scene, plan: &self.worked.plan, notation: self.notation, lang: self.words.lang() }
     }
 }
 
 /// Draws the block of results.
-pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
+pub fn results(style: &Style, answers: &ResultsContent) -> drawing::DrawingPart {
     block(style, answers, None)
 }
 
 /// Draws the block of results in a column of this width; the `bool` is true if it is complete.
 /// Remarks take more lines; if that is not enough, values are below the measured lengths, and at
 /// last these are left out.
-pub fn results_in(style: &Style, answers: &Answers, width_mm: f64) -> (drawing::Part, bool) {
-    let set = |measured| block(style, answers, Some(Column { width_mm, measured }));
-    let tries = [Measured::Before, Measured::Above].map(set).into_iter().find(|part| part.bounds.width_mm() <= width_mm);
+pub fn results_in(style: &Style, answers: &ResultsContent, width_mm: f64) -> (drawing::DrawingPart, bool) {
+    let set = |measured| block(style, answers, Some(ResultColumn { width_mm, measured }));
+    let tries = [LengthPlace::Before, LengthPlace::Above].map(set).into_iter().find(|part| part.bounds.width_mm() <= width_mm);
     match tries {
         Some(whole) => (whole, true),
-        None => (set(Measured::Nowhere), false),
+        None => (set(LengthPlace::Nowhere), false),
     }
 }
 
 /// A narrow column of results.
 #[derive(Clone, Copy)]
-struct Column {
+struct ResultColumn {
     width_mm: f64,
-    measured: Measured,
+    measured: LengthPlace,
 }
 
 /// The place of the measured lengths.
 #[derive(Clone, Copy, PartialEq)]
-enum Measured {
+enum LengthPlace {
     /// Before the value in the same row.
     Before,
     /// In a separate row, with the value below.
@@ -101,10 +101,10 @@ enum Measured {
 }
 
 /// The block; in a column, remarks are broken to its width.
-fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::Part {
-    let Answers { scene, worked, certified, notation, words, digits } = *answers;
+fn block(style: &Style, answers: &ResultsContent, column: Option<ResultColumn>) -> drawing::DrawingPart {
+    let ResultsContent { scene, worked, certified, notation, words, digits } = *answers;
     let row_mm = style.leading(ROW_MM);
-    let placed = column.map_or(Measured::Before, |c| c.measured);
+    let placed = column.map_or(LengthPlace::Before, |c| c.measured);
     let heading = Cell {
         label: Phrase::new(style.captions.of(Captioned::Results, words.lang())).label().in_fonts(&style.fonts),
         size_mm: style.caption_mm,
@@ -117,14 +117,14 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
     let centres = drawn_centres(scene);
     for line in by_question(worked, certified) {
         let (r, c) = match line {
-            Line::Answer(r, c) => (r, c),
-            Line::Far(far) => {
-                rows.push(told(style, notation, &scene.find[far.find], &at_infinity(far, words.lang())));
+            AnswerLine::Answer(r, c) => (r, c),
+            AnswerLine::InfiniteCentre(far) => {
+                rows.push(words_row(style, notation, &scene.find[far.find], &at_infinity(far, words.lang())));
                 continue;
             }
-            Line::None(u) => {
+            AnswerLine::None(u) => {
                 let find = &scene.find[u.find];
-                rows.push(told(style, notation, find, verdict(u, words.lang())));
+                rows.push(words_row(style, notation, find, verdict(u, words.lang())));
                 let why = reason(scene, u, words.lang());
                 if !lines.iter().any(|(_, _, told): &(_, _, Phrase)| *told == Phrase::new(&why)) {
                     lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&why)));
@@ -134,7 +134,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
         };
         let find = &scene.find[r.find];
         // A singular pose is stated once for all answers, below.
-        if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
+        if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, MissingDigits::NextOrder(_))) {
             let symbol = format!("${}$", symbol(find, notation));
             let text = fill(words.uncertain, &[("", &symbol), ("why", &why.words(words.lang()))]);
             lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&text)));
@@ -146,7 +146,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
         // If nothing moves, there is no polygon to measure.
         let nothing = worked.construction.is_empty(find.what.diagram());
         let by_lines = || by_lines(centres.as_ref()?, find, words);
-        let measured = if placed == Measured::Nowhere {
+        let measured = if placed == LengthPlace::Nowhere {
             None
         } else if let Some(read) = by_lines() {
             Some(read)
@@ -159,7 +159,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
         let found = Label::math(amount(&scene.book, find, value, c, digits));
         let towards = sense(find, value, c, words, digits);
         let sure = tolerance(&scene.book, worked, r, find);
-        if placed == Measured::Above {
+        if placed == LengthPlace::Above {
             // Value, sense and tolerance run on, so that no column is wider than its content.
             let gap = || Label::math("\\quad");
             let whole = [Some(towards), sure].into_iter().flatten().fold(found, |line, next| line.then(gap()).then(next));
@@ -207,7 +207,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
     let mut below = rows.iter().map(|r| r.height_mm).sum::<f64>() + 1.1 * row_mm;
     for (class, id, line) in lines {
         let labels = match column {
-            Some(Column { width_mm, .. }) => wrapped(&line, width_mm, style.small_mm, &style.fonts),
+            Some(ResultColumn { width_mm, .. }) => wrapped(&line, width_mm, style.small_mm, &style.fonts),
             None => vec![line.label().in_fonts(&style.fonts)],
         };
         for (k, label) in labels.into_iter().enumerate() {
@@ -217,7 +217,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
             below += style.leading(REMARK_MM);
         }
     }
-    drawing::Part::of(items)
+    drawing::DrawingPart::of(items)
 }
 
 /// Returns the drawing of the centres, if a question asks for one of them.
@@ -236,7 +236,7 @@ fn by_ruler<'a>(found: &'a Centres, find: &Find) -> Option<&'a Centre> {
 /// Returns the lines by which the ruler finds a centre: `23·34 × 12·14`.
 pub fn by_lines(found: &Centres, find: &Find, words: &Words) -> Option<Label> {
     let c = by_ruler(found, find)?;
-    let told = report_of_centres::Words::new(found, words.lang());
+    let told = report_of_centres::CentreWords::new(found, words.lang());
     Some(told.found_by(c).label())
 }
 
@@ -245,7 +245,9 @@ pub fn by_lines(found: &Centres, find: &Find, words: &Words) -> Option<Label> {
 pub fn crossings_agree(found: &Centres, scene: &Scene, worked: &Worked, words: &Words) -> Option<Phrase> {
     let size = worked.configuration.extent();
     let off = |r: &Outcome| {
-        let (Some(Place::At(at)), Value::Point(p)) = (by_ruler(found, &scene.find[r.find])?.place, r.computed) else { return None };
+        let (Some(CentrePlace::At(at)), AnswerValue::Point(p)) = (by_ruler(found, &scene.find[r.find])?.place, r.computed) else {
+            return None;
+        };
         Some(at.distance(p) / (size + p.to_vec2().norm()))
     };
     let worst = worked.results.iter().filter_map(off).reduce(f64::max)?;
@@ -262,15 +264,15 @@ fn cell(style: &Style, label: Label, anchor: Anchor, id: String) -> Cell {
 }
 
 /// Returns all results in one sentence, for readers who cannot see the figure.
-pub fn sentence(answers: &Answers) -> String {
-    let Answers { scene, worked, certified, notation, words, digits } = *answers;
+pub fn sentence(answers: &ResultsContent) -> String {
+    let ResultsContent { scene, worked, certified, notation, words, digits } = *answers;
     let each = by_question(worked, certified).into_iter().map(|line| {
         let (r, c) = match line {
-            Line::Answer(r, c) => (r, c),
-            Line::Far(far) => {
+            AnswerLine::Answer(r, c) => (r, c),
+            AnswerLine::InfiniteCentre(far) => {
                 return format!("{}: {}", Label::math(symbol(&scene.find[far.find], notation)).plain(), at_infinity(far, words.lang()));
             }
-            Line::None(u) => {
+            AnswerLine::None(u) => {
                 return format!("{}: {}", Label::math(symbol(&scene.find[u.find], notation)).plain(), verdict(u, words.lang()));
             }
         };
@@ -284,7 +286,7 @@ pub fn sentence(answers: &Answers) -> String {
 }
 
 /// A row for a question with an answer in words.
-fn told(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
+fn words_row(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
     let (id, symbol) = (format!("result-{}", question_id(&find.text)), symbol(find, notation));
     let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
     Row {
@@ -301,7 +303,7 @@ fn told(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
 
 /// Returns the symbol of an answer: the question's, followed by the symbol in the drawing if the
 /// vector has another name there: `v_{CB} = v_C`, `v^{r}_{B2B3} = −v^{r}_{B3B2}`.
-pub fn named(w: &Writer, find: &Find, r: &Outcome) -> String {
+pub fn named(w: &PlanWriter, find: &Find, r: &Outcome) -> String {
     let asked = symbol(find, w.notation);
     let on = find.what.diagram();
     let Some(shown) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()).and_then(|m| m.shown.as_ref()) else { return asked };
@@ -323,20 +325,20 @@ fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<L
     let t = worked.drafting.as_ref()?.tolerances[r.find].as_ref()?;
     let number = |value| number(value, drafting::DIGITS);
     Some(match drafting::amount(book, find, t)? {
-        Amount::Percent(value) => Label::math(format!("\\pm\\,{}", number(value))).then(Label::text(" %")),
-        Amount::Of(kind, value) => Label::math(book.label(kind, &format!("\\pm\\,{}", number(value)))),
+        ToleranceAmount::Percent(value) => Label::math(format!("\\pm\\,{}", number(value))).then(Label::text(" %")),
+        ToleranceAmount::Of(kind, value) => Label::math(book.label(kind, &format!("\\pm\\,{}", number(value)))),
     })
 }
 
 /// `ω_2`, for a link that turns with the same angular velocity as another.
-fn as_another(answers: &Answers, find: &Find) -> Option<Label> {
+fn as_another(answers: &ResultsContent, find: &Find) -> Option<Label> {
     let Some(Meaning::Turning(link, None)) = find.what.meaning(answers.scene) else { return None };
     let on = find.what.diagram();
     let other = answers.worked.plan.steps(on).iter().flat_map(|g| &g.rates).find_map(|(body, rate)| match (body, rate) {
-        (Body::Link(l), Rate::Same(other)) if *l == link => Some(*other),
-        (Body::Link(_) | Body::Cylinder(_), _) => None,
+        (TurningBody::Link(l), Rate::Same(other)) if *l == link => Some(*other),
+        (TurningBody::Link(_) | TurningBody::Cylinder(_), _) => None,
     });
-    Some(Label::math(answers.writer().turning(on, Body::Link(other?))))
+    Some(Label::math(answers.writer().turning(on, TurningBody::Link(other?))))
 }
 
 /// Returns the reading of the ruler: `48.32 mm · μ_v`; for angular velocities and accelerations
@@ -352,7 +354,7 @@ pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Wo
     let measured = drawn.measured.as_ref()?;
     let mm = measured.length_mm;
     // A ruler cannot read less than a thousandth of a millimetre.
-    let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| inked(&t.0));
+    let certain = |n: Option<&CertifiedNumber>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| inked(&t.0));
     let mm_text = match certain(c.reading.as_ref().map(|r| &r.length_mm)) {
         Some(text) => text,
         None if mm < 1e-3 => "0".to_owned(),

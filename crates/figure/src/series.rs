@@ -9,7 +9,7 @@ use hodograph_worked::worked::Worked;
 
 /// One scale for each drawing.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Scales {
+pub struct SeriesScales {
     /// The scales of the mechanism and of the polygons that exist (SI units per mm).
     pub mu: ByKind,
     /// The largest polygons that the paper holds (in boxes, SI units).
@@ -17,15 +17,15 @@ pub struct Scales {
     boxes: Boxes,
 }
 
-impl Scales {
+impl SeriesScales {
     /// Returns the scales at which all poses fit their boxes, except those next to a limit; scales
     /// that the paper fixes are kept. Poses come with the driver's travel; the one with travel 0 is
     /// shown in any case.
-    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], unlimited: bool, boxes: Boxes) -> Scales {
+    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], unlimited: bool, boxes: Boxes) -> SeriesScales {
         let places = poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
         let lengths = scale::fitted(paper, Kind::Length, extent(places), boxes.diagram);
         let mu = ByKind::default().with(Kind::Length, Some(lengths));
-        let mut scales = Scales { mu, most: ByKind::default(), boxes };
+        let mut scales = SeriesScales { mu, most: ByKind::default(), boxes };
         for on in DiagramKind::VECTORS {
             let size = |w: &Worked| size(w, on, &boxes);
             let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);

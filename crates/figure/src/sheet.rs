@@ -8,32 +8,32 @@ use hodograph_base::geom::Point;
 use hodograph_base::notation::Notation;
 use hodograph_board::construct::Polygon;
 use hodograph_board::plan::names::name_label;
-use hodograph_board::plan::text::Writer;
+use hodograph_board::plan::text::PlanWriter;
 use hodograph_paper::paper::phrase::Phrase;
-use hodograph_report::given::Givens;
+use hodograph_report::given::GivenSentences;
 use hodograph_scene::{DiagramKind, Kind, Lang, Scene, Swept};
 use hodograph_worked::worked::Worked;
 
 use hodograph_report::amount::scale_formula;
 
-use super::arrange::{Pieces, Tree, arrange, arrange_in, column, put_together};
+use super::arrange::{SheetPieces, Tree, arrange, arrange_in, column, put_together};
 use super::described::described;
-use super::mechanism::{Course, Overlay, dimensions};
-use super::results::Answers;
+use super::mechanism::{Overlay, SeriesFeatures, dimensions};
+use super::results::ResultsContent;
 use super::tables::Tables;
 use super::{forces, mechanism, polygon, results};
-use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::style::{Captioned, Style};
 use hodograph_paper::paper::words::{Words, words};
-use hodograph_worked::certified::{Certified, Steps, certify, steps};
+use hodograph_worked::certified::{Certified, CertifiedSteps, certify, steps};
 
 /// The options of a sheet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Options {
+pub struct SheetOptions {
     /// The language of all words.
     pub lang: Lang,
     /// The notation.
@@ -44,10 +44,10 @@ pub struct Options {
     pub style: Style,
 }
 
-impl Options {
+impl SheetOptions {
     /// Returns the usual style of a language's textbooks.
-    pub fn of_language(lang: Lang) -> Options {
-        Options { lang, notation: Notation::of_language(lang), digits: results::DIGITS, style: Style::default() }
+    pub fn of_language(lang: Lang) -> SheetOptions {
+        SheetOptions { lang, notation: Notation::of_language(lang), digits: results::DIGITS, style: Style::default() }
     }
 }
 
@@ -64,14 +64,14 @@ const SCALE_MM: f64 = 5.6;
 ///
 /// # Errors
 /// `paper-too-small` if the scene fixes a size of paper on which the parts do not fit.
-pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure, Faults> {
+pub fn sheet(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Result<Figure, Faults> {
     let certified = certify(scene, worked, options.digits);
-    let maker = Maker { scene, worked, options, certified };
+    let maker = SheetDrafter { scene, worked, options, certified };
     let title = maker.title();
     let drawings = maker.drawings(true);
     let equations = maker.equations(&steps(scene, worked, None), None);
     let results = results::results(&options.style, &maker.answers());
-    let pieces = Pieces { title, drawings, equations, results, forces: forces::pieces(&maker, None) };
+    let pieces = SheetPieces { title, drawings, equations, results, forces: forces::pieces(&maker, None) };
     let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
     Ok(maker.figure(items, size))
 }
@@ -89,17 +89,17 @@ pub enum Fewer {
 
 /// Draws the whole sheet in a given width with free height; also returns the names of the content
 /// left out.
-pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64, fewer: Fewer) -> (Figure, Vec<Both>) {
+pub fn sheet_in(scene: &Scene, worked: &Worked, options: &SheetOptions, width_mm: f64, fewer: Fewer) -> (Figure, Vec<Both>) {
     let certified = certify(scene, worked, options.digits);
-    let maker = Maker { scene, worked, options, certified };
+    let maker = SheetDrafter { scene, worked, options, certified };
     let mut out = Vec::new();
-    let fits = |part: &Part| part.bounds.width_mm() <= width_mm;
+    let fits = |part: &DrawingPart| part.bounds.width_mm() <= width_mm;
     let title = maker.title().and_then(|whole| if fits(&whole) { Some(whole) } else { maker.title_in(width_mm) });
     let broken = fewer >= Fewer::Words;
     let mut equations = maker.equations(&steps(scene, worked, None), broken.then_some(width_mm));
     let mut results = results::results(&options.style, &maker.answers());
     if broken {
-        let count = |e: &[(Part, Vec<Part>)]| e.iter().map(|(_, lines)| lines.len()).sum::<usize>();
+        let count = |e: &[(DrawingPart, Vec<DrawingPart>)]| e.iter().map(|(_, lines)| lines.len()).sum::<usize>();
         let all = count(&equations);
         equations.iter_mut().for_each(|(_, lines)| lines.retain(fits));
         match (all - count(&equations), all) {
@@ -115,7 +115,7 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64
                 out.push(both!("the lengths measured", "图上量得的长度"));
             }
             (false, _) => {
-                results = Part::of(Vec::new());
+                results = DrawingPart::of(Vec::new());
                 out.push(both!("the results", "结果"));
             }
         }
@@ -135,19 +135,19 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64
         drawings.retain(|part| on.next() == Some(&DiagramKind::Plane) || fits(part));
     }
     let mut forces = forces::pieces(&maker, Some(width_mm));
-    let wide = |group: &[Part; 3]| !group.iter().all(fits);
+    let wide = |group: &[DrawingPart; 3]| !group.iter().all(fits);
     if fewer > Fewer::No && forces.iter().any(wide) {
         forces.clear();
         out.push(both!("the forces", "受力分析"));
     }
-    let pieces = Pieces { title, drawings, equations, results, forces };
+    let pieces = SheetPieces { title, drawings, equations, results, forces };
     let (items, size) = arrange_in(pieces, width_mm);
     (maker.figure(items, size), out)
 }
 
 /// Draws a diagram alone, with its caption and scale; `None` if the scene does not need it.
-pub fn drawing(scene: &Scene, worked: &Worked, options: &Options, on: DiagramKind) -> Option<Figure> {
-    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+pub fn drawing(scene: &Scene, worked: &Worked, options: &SheetOptions, on: DiagramKind) -> Option<Figure> {
+    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = match on {
         DiagramKind::Plane => maker.mechanism(),
         DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => maker.polygon(worked.construction.polygon(on)?),
@@ -156,20 +156,20 @@ pub fn drawing(scene: &Scene, worked: &Worked, options: &Options, on: DiagramKin
 }
 
 /// Draws all equations alone; `None` if the scene needs none.
-pub fn equations(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
-    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+pub fn equations(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Option<Figure> {
+    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     Some(maker.alone(column(maker.equations(&steps(scene, worked, None), None))?))
 }
 
 /// Draws the results alone.
-pub fn results(scene: &Scene, worked: &Worked, options: &Options) -> Figure {
-    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+pub fn results(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Figure {
+    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     maker.alone(results::results(&options.style, &maker.answers()))
 }
 
 /// Draws the mechanism with vectors at its points, other positions behind it, or paths of points.
-pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
-    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+pub fn diagram(scene: &Scene, worked: &Worked, options: &SheetOptions, overlay: &Overlay) -> Figure {
+    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
     let (words, mut mu) = maker.caption(DiagramKind::Plane);
     if let (Some(on), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
@@ -180,60 +180,67 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Over
 }
 
 /// Draws the mechanism with its overlay, without a list below: the surrounding document has one.
-pub fn problem_diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
-    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+pub fn problem_diagram(scene: &Scene, worked: &Worked, options: &SheetOptions, overlay: &Overlay) -> Figure {
+    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
     maker.alone(maker.captioned(part, "", DiagramKind::Plane))
 }
 
 /// Draws the parts of a sheet.
-pub(super) struct Maker<'a> {
+pub(super) struct SheetDrafter<'a> {
     pub scene: &'a Scene,
     pub worked: &'a Worked,
-    pub options: &'a Options,
+    pub options: &'a SheetOptions,
     pub certified: Vec<Certified>,
 }
 
-impl Maker<'_> {
-    fn answers(&self) -> Answers<'_> {
-        let Options { notation, digits, .. } = self.options;
-        Answers { scene: self.scene, worked: self.worked, certified: &self.certified, notation, words: self.words(), digits: *digits }
+impl SheetDrafter<'_> {
+    fn answers(&self) -> ResultsContent<'_> {
+        let SheetOptions { notation, digits, .. } = self.options;
+        ResultsContent {
+            scene: self.scene,
+            worked: self.worked,
+            certified: &self.certified,
+            notation,
+            words: self.words(),
+            digits: *digits,
+        }
     }
 
     pub fn words(&self) -> &'static Words {
         words(self.options.lang)
     }
 
-    pub fn writer(&self) -> Writer<'_> {
-        Writer { scene: self.scene, plan: &self.worked.plan, notation: &self.options.notation, lang: self.options.lang }
+    pub fn writer(&self) -> PlanWriter<'_> {
+        PlanWriter { scene: self.scene, plan: &self.worked.plan, notation: &self.options.notation, lang: self.options.lang }
     }
 
     /// The equations of each polygon with their heading; empty if there are none. `steps` are the
     /// certified numbers of the construction; long equations are broken to a given width.
-    pub fn equations(&self, steps: &Steps, width_mm: Option<f64>) -> Vec<(Part, Vec<Part>)> {
+    pub fn equations(&self, steps: &CertifiedSteps, width_mm: Option<f64>) -> Vec<(DrawingPart, Vec<DrawingPart>)> {
         let writer = self.writer();
         let tables = Tables { width_mm, ..self.tables(&writer, steps) };
         DiagramKind::POLYGONS.map(|l| (self.heading(l), tables.parts(l))).into()
     }
 
     /// The input of the tables.
-    pub fn tables<'t>(&'t self, writer: &'t Writer<'t>, steps: &'t Steps) -> Tables<'t> {
+    pub fn tables<'t>(&'t self, writer: &'t PlanWriter<'t>, steps: &'t CertifiedSteps) -> Tables<'t> {
         let worked = self.worked;
         Tables { style: &self.options.style, writer, construction: &worked.construction, steps, width_mm: None }
     }
 
-    pub fn mechanism(&self) -> Part {
-        let mut d = mechanism::drawing(&self.options.style, self.scene, self.worked, &self.options.notation, &Course::default());
+    pub fn mechanism(&self) -> DrawingPart {
+        let mut d = mechanism::drawing(&self.options.style, self.scene, self.worked, &self.options.notation, &SeriesFeatures::default());
         forces::given_loads(self.scene, self.worked, self.options, &mut d);
         d.finish()
     }
 
-    pub fn polygon(&self, p: &Polygon) -> Part {
+    pub fn polygon(&self, p: &Polygon) -> DrawingPart {
         polygon::polygon(&self.options.style, &self.writer(), p)
     }
 
     /// The drawings with their captions.
-    fn drawings(&self, lettered: bool) -> Vec<Part> {
+    fn drawings(&self, lettered: bool) -> Vec<DrawingPart> {
         let mut all = vec![(DiagramKind::Plane, self.mechanism())];
         for on in DiagramKind::POLYGONS {
             if let Some(p) = self.worked.construction.polygon(on) {
@@ -268,13 +275,13 @@ impl Maker<'_> {
     }
 
     /// A part alone on its paper.
-    pub fn alone(&self, mut part: Part) -> Figure {
+    pub fn alone(&self, mut part: DrawingPart) -> Figure {
         let size = [part.bounds.width_mm() + 2.0 * MARGIN_MM, part.bounds.height_mm() + 2.0 * MARGIN_MM];
         part.stand_at(Point::new(MARGIN_MM, size[1] - MARGIN_MM));
         self.figure(part.items, size)
     }
 
-    pub fn captioned(&self, part: Part, letter: &str, on: DiagramKind) -> Part {
+    pub fn captioned(&self, part: DrawingPart, letter: &str, on: DiagramKind) -> DrawingPart {
         let (words, mu) = self.caption(on);
         let id = on.prefix();
         self.titled(part, Phrase::new(&format!("{letter}{words}")).label(), &mu, id)
@@ -282,15 +289,15 @@ impl Maker<'_> {
 
     /// A part with its name and its scales below; `id` distinguishes these labels from those of
     /// other parts.
-    pub fn titled(&self, part: Part, words: Label, mu: &str, id: &str) -> Part {
+    pub fn titled(&self, part: DrawingPart, words: Label, mu: &str, id: &str) -> DrawingPart {
         titled(&self.options.style, part, words, mu, id)
     }
 
     /// Adds, below a dimensioned drawing, all given values that are not drawn as dimensions.
-    fn with_givens(&self, part: Part) -> Part {
+    fn with_givens(&self, part: DrawingPart) -> DrawingPart {
         let scene = self.scene;
         let drawn = |a, b| part.items.iter().any(|i| i.id == dimensions::id_of(scene, a, b));
-        let lines = Givens { scene, lang: self.options.lang }.beside(drawn);
+        let lines = GivenSentences { scene, lang: self.options.lang }.beside(drawn);
         let size_mm = self.options.style.small_mm;
         let width_mm = part.bounds.width_mm().max(GIVEN_MM);
         let labels = lines.iter().flat_map(|l| wrapped(l, width_mm, size_mm, &self.options.style.fonts));
@@ -302,23 +309,23 @@ impl Maker<'_> {
         for (k, item) in items.iter_mut().enumerate() {
             item.id = format!("given-{}", k + 1);
         }
-        put_together(Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![part, Part::of(items)])
+        put_together(Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![part, DrawingPart::of(items)])
     }
 
-    fn line(&self, id: &str, label: Label, size_mm: f64) -> Part {
+    fn line(&self, id: &str, label: Label, size_mm: f64) -> DrawingPart {
         let label = label.in_fonts(&self.options.style.fonts);
         let shape = Shape::Label { at: Point::ORIGIN, label, size_mm, anchor: Anchor::Start, colour: Colour::BLACK };
-        Part::of(vec![Item::new(id, shape).with_id(id)])
+        DrawingPart::of(vec![FigureItem::new(id, shape).with_id(id)])
     }
 
-    pub fn title(&self) -> Option<Part> {
+    pub fn title(&self) -> Option<DrawingPart> {
         let title = self.scene.title.get(self.options.lang);
         // A third larger than the captions: a heading without a bold face.
         (!title.is_empty()).then(|| self.line("title", Label::text(title), self.options.style.caption_mm * 4.0 / 3.0))
     }
 
     /// The title, broken to as many lines as needed.
-    fn title_in(&self, width_mm: f64) -> Option<Part> {
+    fn title_in(&self, width_mm: f64) -> Option<DrawingPart> {
         let size_mm = self.options.style.caption_mm * 4.0 / 3.0;
         let lines = wrapped(&Phrase::new(self.scene.title.get(self.options.lang)), width_mm, size_mm, &self.options.style.fonts);
         let item = |(k, label): (usize, Label)| {
@@ -329,12 +336,12 @@ impl Maker<'_> {
                 anchor: Anchor::Middle,
                 colour: Colour::BLACK,
             };
-            Item::new("title", shape).with_id(if k == 0 { "title".into() } else { format!("title-{}", k + 1) })
+            FigureItem::new("title", shape).with_id(if k == 0 { "title".into() } else { format!("title-{}", k + 1) })
         };
-        Some(Part::of(lines.into_iter().enumerate().map(item).collect()))
+        Some(DrawingPart::of(lines.into_iter().enumerate().map(item).collect()))
     }
 
-    fn heading(&self, on: DiagramKind) -> Part {
+    fn heading(&self, on: DiagramKind) -> DrawingPart {
         self.line(
             &format!("heading-{}", on.word()),
             Phrase::new(self.name(Captioned::Equations(on))).label(),
@@ -342,7 +349,7 @@ impl Maker<'_> {
         )
     }
 
-    pub fn figure(&self, items: Vec<Item>, size: [f64; 2]) -> Figure {
+    pub fn figure(&self, items: Vec<FigureItem>, size: [f64; 2]) -> Figure {
         let words = self.words();
         let title = self.scene.title.get(self.options.lang);
         let title = if title.is_empty() { DiagramKind::Plane.caption(self.options.lang) } else { title };
@@ -363,18 +370,18 @@ impl Maker<'_> {
 
 /// A part with its name and its scales below; `id` distinguishes these labels from those of other
 /// parts.
-pub(super) fn titled(style: &Style, mut part: Part, words: Label, mu: &str, id: &str) -> Part {
+pub(super) fn titled(style: &Style, mut part: DrawingPart, words: Label, mu: &str, id: &str) -> DrawingPart {
     let x = part.bounds.centre().x;
     let y = part.bounds.min.y - style.leading(CAPTION_MM);
     let text = |at: Point, label: Label, size_mm: f64, what: &str| {
         let label = label.in_fonts(&style.fonts);
         let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
-        Item::new(what, shape).with_id(format!("{what}-{id}"))
+        FigureItem::new(what, shape).with_id(format!("{what}-{id}"))
     };
     part.items.push(text(Point::new(x, y), words, style.caption_mm, "caption"));
     part.items.push(text(Point::new(x, y - style.leading(SCALE_MM)), Label::math(mu), style.small_mm, "scale"));
     let (placements, left_out) = (part.placements, part.left_out);
-    Part { placements, left_out, ..Part::of(part.items) }
+    DrawingPart { placements, left_out, ..DrawingPart::of(part.items) }
 }
 
 /// Returns the symbol of the quantity that changes from pose to pose, in the label language, and

@@ -11,11 +11,11 @@ use hodograph_worked::certified;
 use hodograph_worked::worked::Worked;
 
 use super::fit::Within;
-use super::forces::{self, GroupSteps};
-use super::sheet::{MARGIN_MM, Maker, Options};
-use hodograph_paper::paper::drawing::Part;
+use super::forces::{self, GroupForceSteps};
+use super::sheet::{MARGIN_MM, SheetDrafter, SheetOptions};
+use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::style::Palette;
@@ -31,28 +31,29 @@ const EARLIER: Colour = Colour::grey(135);
 
 /// Draws one figure for each step of the velocity and the acceleration polygon, starting with the
 /// poles, then for each step of the forces of each group.
-pub fn figures(scene: &Scene, worked: &Worked, options: &Options) -> Vec<Figure> {
+pub fn figures(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Vec<Figure> {
     figures_in(scene, worked, options, None)
 }
 
 /// Works like [`figures`] within a given space: sentences and equations are broken into lines.
 /// Anything that is still wider sticks out.
-pub fn figures_in(scene: &Scene, worked: &Worked, options: &Options, room: Option<Within>) -> Vec<Figure> {
+pub fn figures_in(scene: &Scene, worked: &Worked, options: &SheetOptions, room: Option<Within>) -> Vec<Figure> {
     let width_mm = room.map(|room| room.width_mm);
     // No results are shown: they need no digits.
-    let maker = Maker { scene, worked, options, certified: Vec::new() };
+    let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
     let told = certified::steps(scene, worked, None);
-    let levels: Vec<Steps> = DiagramKind::POLYGONS
+    let levels: Vec<PolygonSteps> = DiagramKind::POLYGONS
         .into_iter()
         .zip(maker.equations(&told, width_mm))
-        .filter_map(|(on, (_, written))| Some(Steps::of(&maker, worked.construction.polygon(on)?, (&told, &written), width_mm)))
-        .chain(forces::steps(&maker, width_mm).into_iter().map(|of| Steps::of_forces(&maker, of, width_mm)))
+        .filter_map(|(on, (_, written))| Some(PolygonSteps::of(&maker, worked.construction.polygon(on)?, (&told, &written), width_mm)))
+        .chain(forces::steps(&maker, width_mm).into_iter().map(|of| PolygonSteps::of_forces(&maker, of, width_mm)))
         .collect();
     let diagram = maker.captioned(maker.mechanism(), "", DiagramKind::Plane);
-    let most = |size: fn(&Steps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
+    let most = |size: fn(&PolygonSteps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
     let (polygon_width, polygon_height) = (most(|s| s.polygon.bounds.width_mm()), most(|s| s.polygon.bounds.height_mm()));
     let (text_width, text_height) = (most(|s| s.text_mm()[0]), most(|s| s.text_mm()[1]));
-    let widest = |size: fn(&Part) -> f64| levels.iter().filter_map(|s| s.apart.as_ref()).chain([&diagram]).map(size).fold(0.0, f64::max);
+    let widest =
+        |size: fn(&DrawingPart) -> f64| levels.iter().filter_map(|s| s.apart.as_ref()).chain([&diagram]).map(size).fold(0.0, f64::max);
     let (diagram_width, diagram_height) = (widest(|p| p.bounds.width_mm()), widest(|p| p.bounds.height_mm()));
     let stacked = room.is_some_and(|room| room.stacked);
     let drawings = match stacked {
@@ -101,23 +102,28 @@ pub fn figures_in(scene: &Scene, worked: &Worked, options: &Options, room: Optio
 }
 
 /// The steps of one polygon.
-struct Steps {
+struct PolygonSteps {
     /// The separated links, in place of the mechanism.
-    apart: Option<Part>,
-    polygon: Part,
+    apart: Option<DrawingPart>,
+    polygon: DrawingPart,
     sentences: Vec<Phrase>,
     /// The lines of the sentences.
     lines: Vec<Vec<Label>>,
     /// For each sentence, the equation being solved.
-    equations: Vec<Option<Part>>,
+    equations: Vec<Option<DrawingPart>>,
     caption_mm: f64,
 }
 
-impl Steps {
-    fn of(maker: &Maker, p: &Polygon, (told, written): (&certified::Steps, &[Part]), width_mm: Option<f64>) -> Steps {
+impl PolygonSteps {
+    fn of(
+        maker: &SheetDrafter,
+        p: &Polygon,
+        (told, written): (&certified::CertifiedSteps, &[DrawingPart]),
+        width_mm: Option<f64>,
+    ) -> PolygonSteps {
         let polygon = maker.captioned(maker.polygon(p), "", p.on);
         let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
-        let finds = |part: &Part| part.items.iter().flat_map(Item::steps).max();
+        let finds = |part: &DrawingPart| part.items.iter().flat_map(FigureItem::steps).max();
         // The pole has no equation; an action belongs to the first equation that is solved at it or
         // after it. An action that only reads a value belongs to none.
         let equation = |k: usize| {
@@ -129,17 +135,17 @@ impl Steps {
         };
         let equations = (0..sentences.len()).map(equation).collect();
         let lines = lines(maker, &sentences, width_mm);
-        Steps { apart: None, polygon, sentences, lines, equations, caption_mm: maker.options.style.caption_mm }
+        PolygonSteps { apart: None, polygon, sentences, lines, equations, caption_mm: maker.options.style.caption_mm }
     }
 
-    fn of_forces(maker: &Maker, of: GroupSteps, width_mm: Option<f64>) -> Steps {
-        let GroupSteps { apart, polygon, sentences, equations } = of;
+    fn of_forces(maker: &SheetDrafter, of: GroupForceSteps, width_mm: Option<f64>) -> PolygonSteps {
+        let GroupForceSteps { apart, polygon, sentences, equations } = of;
         let lines = lines(maker, &sentences, width_mm);
-        Steps { apart: Some(apart), polygon, sentences, lines, equations, caption_mm: maker.options.style.caption_mm }
+        PolygonSteps { apart: Some(apart), polygon, sentences, lines, equations, caption_mm: maker.options.style.caption_mm }
     }
 
     /// The equation and the sentence below it.
-    fn text(&self, k: usize) -> Part {
+    fn text(&self, k: usize) -> DrawingPart {
         let mut items = Vec::new();
         let mut y = 0.0;
         if let Some(equation) = &self.equations[k] {
@@ -157,9 +163,9 @@ impl Steps {
                 colour: Colour::BLACK,
             };
             let id = if n == 0 { "sentence".to_owned() } else { format!("sentence-{}", n + 1) };
-            items.push(Item::new("sentence", shape).with_id(&id));
+            items.push(FigureItem::new("sentence", shape).with_id(&id));
         }
-        let mut part = Part::of(items);
+        let mut part = DrawingPart::of(items);
         // From the upper left corner, independent of the shape of the first letter.
         part.bounds = Rect::new(part.bounds.min, Point::ORIGIN + Vec2::new(part.bounds.max.x, 0.0));
         part
@@ -172,7 +178,7 @@ impl Steps {
 }
 
 /// The lines of each sentence.
-fn lines(maker: &Maker, sentences: &[Phrase], width_mm: Option<f64>) -> Vec<Vec<Label>> {
+fn lines(maker: &SheetDrafter, sentences: &[Phrase], width_mm: Option<f64>) -> Vec<Vec<Label>> {
     let style = &maker.options.style;
     let broken = |phrase: &Phrase| match width_mm {
         None => vec![phrase.label().in_fonts(&style.fonts)],
@@ -183,7 +189,7 @@ fn lines(maker: &Maker, sentences: &[Phrase], width_mm: Option<f64>) -> Vec<Vec<
 
 /// A drawing after `k` actions: later ones are missing, earlier ones are in the background. Items
 /// that belong to no action are present from the start.
-fn at(part: &Part, k: usize) -> Part {
+fn at(part: &DrawingPart, k: usize) -> DrawingPart {
     let faded = Palette { ink: EARLIER, ..Palette::default() };
     let mut part = part.clone();
     part.items.retain(|item| item.steps().next().is_none_or(|_| item.steps().any(|step| step < k)));

@@ -10,7 +10,7 @@ use hodograph_base::digits::{inked, shortest, significant};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::choose;
 use hodograph_paper::paper::extent::{Rect, translate};
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, PLACED, Shape, Stroke, distinct, tag};
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, LineStroke, PLACED, Shape, distinct, tag};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::phrase::{Phrase, tr};
@@ -21,9 +21,9 @@ use hodograph_paper::paper::text;
 use hodograph_paper::paper::words::words;
 use hodograph_report::symbols::symbols;
 use hodograph_scene::{Kind, Lang};
-use hodograph_synthesis::board::{Board, Stroke as Drawn, Weight};
+use hodograph_synthesis::board::{PaperStroke as Drawn, SynthesisBoard, Weight};
 use hodograph_synthesis::candidate::symbol;
-use hodograph_synthesis::{Candidate, Task, construct};
+use hodograph_synthesis::{DesignCandidate, Task, construct};
 
 /// Space for a drawing (mm): an A4 sheet with its margins, and text below.
 const ROOM_MM: [f64; 2] = [150.0, 120.0];
@@ -34,7 +34,7 @@ const BEYOND_MM: f64 = 14.0;
 const TEXT_MM: f64 = 165.0;
 /// Width of construction strokes, the thinnest of three kinds: given ones are strong, results are
 /// drawn like a vector.
-const THIN: Stroke = Stroke::new(0.13);
+const THIN: LineStroke = LineStroke::new(0.13);
 
 /// The settings of a figure.
 #[derive(Clone, Copy, Debug)]
@@ -52,7 +52,7 @@ pub struct Set<'a> {
 ///
 /// # Errors
 /// Drawing and formula disagree.
-pub fn figures(task: &Task, candidate: &Candidate, style: &Style, lang: Lang) -> Result<Vec<(&'static str, Figure)>, Faults> {
+pub fn figures(task: &Task, candidate: &DesignCandidate, style: &Style, lang: Lang) -> Result<Vec<(&'static str, Figure)>, Faults> {
     let set = Set { style, lang, whole: true };
     let mut out = Vec::new();
     if let Some(board) = to_scale(task, candidate)? {
@@ -67,7 +67,7 @@ pub fn figures(task: &Task, candidate: &Candidate, style: &Style, lang: Lang) ->
 ///
 /// # Errors
 /// Drawing and formula disagree.
-pub fn to_scale(task: &Task, candidate: &Candidate) -> Result<Option<Board>, Faults> {
+pub fn to_scale(task: &Task, candidate: &DesignCandidate) -> Result<Option<SynthesisBoard>, Faults> {
     if let Some(mu) = task.paper.scales.get(Kind::Length) {
         return construct(task, candidate, mu);
     }
@@ -79,7 +79,7 @@ pub fn to_scale(task: &Task, candidate: &Candidate) -> Result<Option<Board>, Fau
 
 /// Returns a figure for each step of a construction, without the later steps.
 pub fn growing(construction: &Figure) -> Vec<(String, Figure)> {
-    let last = construction.items.iter().flat_map(Item::steps).max().unwrap_or(0);
+    let last = construction.items.iter().flat_map(FigureItem::steps).max().unwrap_or(0);
     let at = |k: usize| {
         let mut figure = construction.clone();
         figure.items.retain(|item| item.steps().all(|step| step <= k));
@@ -89,7 +89,7 @@ pub fn growing(construction: &Figure) -> Vec<(String, Figure)> {
 }
 
 /// The box around the marks and the lines of the linkage.
-fn window(board: &Board) -> Option<Rect> {
+fn window(board: &SynthesisBoard) -> Option<Rect> {
     let marks = board.steps.iter().flat_map(|s| s.marks.iter().map(|m| m.1));
     let ends = board.steps.iter().flat_map(|s| &s.strokes).filter(|(_, w)| *w != Weight::Thin).flat_map(|(stroke, _)| match *stroke {
         Drawn::Line(p, q) => vec![p, q],
@@ -144,7 +144,7 @@ fn chain(stroke: &Drawn) -> Vec<Point> {
 }
 
 /// Draws the construction with its steps numbered.
-pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set) -> Figure {
+pub fn construction(task: &Task, candidate: &DesignCandidate, board: &SynthesisBoard, set: Set) -> Figure {
     let Set { style, lang, whole } = set;
     let window = window(board).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(BEYOND_MM);
     let mut items = Vec::new();
@@ -181,13 +181,13 @@ pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set)
                     Drawn::Circle(..) | Drawn::Arc(..) => points,
                 };
                 let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke_of(*weight)), fill: None };
-                items.push(Item::new(class.clone(), shape).with_id(stroke_id(stroke, *weight)));
+                items.push(FigureItem::new(class.clone(), shape).with_id(stroke_id(stroke, *weight)));
             }
         }
         for (name, at) in &step.marks {
             let shape = Shape::Circle { centre: *at, radius_mm: 0.55, stroke: None, fill: Some(Colour::BLACK) };
             let plain = name.replace(['_', '{', '}'], "");
-            items.push(Item::new(class.clone(), shape).with_id(format!("mark-{}", escaped(&plain))));
+            items.push(FigureItem::new(class.clone(), shape).with_id(format!("mark-{}", escaped(&plain))));
             wanted.push((LabelRequest::at_point(label(name), style.small_mm, *at, 0.9), k, format!("label-{}", escaped(&plain))));
         }
     }
@@ -226,7 +226,7 @@ fn scale_of(mu_l: f64) -> Label {
 }
 
 /// The instruction of each step, and the values read off the paper.
-fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set) -> Vec<Label> {
+fn sentences(candidate: &DesignCandidate, board: &SynthesisBoard, Set { style, lang, .. }: Set) -> Vec<Label> {
     let mut lines: Vec<Label> = Vec::new();
     let mut add = |sentence: &str| lines.extend(wrapped(&Phrase::new(sentence), TEXT_MM, style.small_mm, &style.fonts));
     for (k, step) in board.steps.iter().enumerate() {
@@ -255,7 +255,7 @@ fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set)
 }
 
 /// A figure with title, drawing, caption and text.
-fn page(task: &Task, part: &str, items: Vec<Item>, room: Rect, text: (Option<Label>, Vec<Label>), set: Set) -> Figure {
+fn page(task: &Task, part: &str, items: Vec<FigureItem>, room: Rect, text: (Option<Label>, Vec<Label>), set: Set) -> Figure {
     laid_out(task, part, items, room, text, set).0
 }
 
@@ -263,7 +263,7 @@ fn page(task: &Task, part: &str, items: Vec<Item>, room: Rect, text: (Option<Lab
 fn laid_out(
     task: &Task,
     part: &str,
-    mut items: Vec<Item>,
+    mut items: Vec<FigureItem>,
     room: Rect,
     (caption, lines): (Option<Label>, Vec<Label>),
     Set { style, lang, whole }: Set,
@@ -287,7 +287,7 @@ fn laid_out(
     translate(&mut items, shift);
     let words_at = |class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor| {
         let label = label.in_fonts(&style.fonts);
-        Item::new(class, Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })
+        FigureItem::new(class, Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })
     };
     if whole {
         items.push(words_at("title", Point::new(width_mm / 2.0, height_mm - 10.0), heading, large, Anchor::Middle));

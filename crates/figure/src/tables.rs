@@ -1,21 +1,21 @@
 //! The equations of a polygon as written beside it: tables for equations with two chains, one line
 //! for everything else.
 
-use hodograph_worked::certified::Steps;
+use hodograph_worked::certified::CertifiedSteps;
 use std::ops::Range;
 
 use hodograph_base::digits::inked;
-use hodograph_board::construct::{Action, Drawing, Polygon};
-use hodograph_board::plan::text::{Column, Writer, vertex_name};
-use hodograph_board::plan::{Chain, Special, SpecialLine, Step, VertexId};
+use hodograph_board::construct::{Action, PlanDrawing, Polygon};
+use hodograph_board::plan::text::{EquationColumn, PlanWriter, vertex_name};
+use hodograph_board::plan::{PlanStep, Special, SpecialLine, TermChain, VertexId};
 use hodograph_mechanism::mechanism::ConstraintLine;
 use hodograph_paper::paper::phrase::{Phrase, fill};
 use hodograph_scene::{DiagramKind, PointId, Scene};
 
 use super::results::DIGITS;
-use hodograph_paper::paper::drawing::{Part, id};
+use hodograph_paper::paper::drawing::{DrawingPart, id};
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Item};
+use hodograph_paper::paper::item::{Anchor, FigureItem};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::style::Style;
@@ -40,11 +40,11 @@ pub struct Tables<'a> {
     /// The style.
     pub style: &'a Style,
     /// The writer of names and symbols.
-    pub writer: &'a Writer<'a>,
+    pub writer: &'a PlanWriter<'a>,
     /// The construction, with the alternatives that are drawn.
-    pub construction: &'a Drawing,
+    pub construction: &'a PlanDrawing,
     /// The certified numbers of the steps.
-    pub steps: &'a Steps,
+    pub steps: &'a CertifiedSteps,
     /// The width of a column: longer equations continue in another table, longer statements in
     /// another line.
     pub width_mm: Option<f64>,
@@ -52,13 +52,13 @@ pub struct Tables<'a> {
 
 impl Tables<'_> {
     /// Returns one part for each step of a polygon, in solving order.
-    pub fn parts(&self, on: DiagramKind) -> Vec<Part> {
+    pub fn parts(&self, on: DiagramKind) -> Vec<DrawingPart> {
         self.parts_of(on, |_| true)
     }
 
     /// Returns one part for each step of some groups, selected by their indices in the mechanism's
     /// list.
-    pub fn parts_of(&self, on: DiagramKind, wanted: impl Fn(usize) -> bool) -> Vec<Part> {
+    pub fn parts_of(&self, on: DiagramKind, wanted: impl Fn(usize) -> bool) -> Vec<DrawingPart> {
         let Some(polygon) = self.construction.polygon(on) else { return Vec::new() };
         let mut parts = Vec::new();
         for group in self.writer.plan.steps(on).iter().filter(|g| wanted(g.group)) {
@@ -66,24 +66,24 @@ impl Tables<'_> {
             for step in group.steps(chosen) {
                 let step_class = step_class(polygon, step.target());
                 match step {
-                    Step::Equation { target, chains, .. } => {
+                    PlanStep::Equation { target, chains, .. } => {
                         if let Some(special) = self.writer.plan.introduced(step) {
                             parts.push(self.special(on, *target, special, &step_class));
                         }
                         if let Some(text) = mate(self.writer, step) {
                             let name = id(kind(on), &format!("mate-{}", group.group));
-                            parts.push(self.told(&text, name, format!("{} statement special {step_class}", kind(on))));
+                            parts.push(self.sentence_block(&text, name, format!("{} statement special {step_class}", kind(on))));
                         }
                         parts.extend(self.equation(on, *target, chains, &step_class));
                     }
-                    Step::Image { target, from, .. } => parts.push(self.image(on, *target, *from, &step_class)),
-                    Step::Trials { target, images, mates } => {
+                    PlanStep::Image { target, from, .. } => parts.push(self.image(on, *target, *from, &step_class)),
+                    PlanStep::Trials { target, images, mates } => {
                         let w = self.writer;
                         let [a, b] = [images, mates].map(|pair| pair.map(|v| w.image(on, v)).concat());
                         let formula = format!("{} = {a} \\times {b}", w.image(on, *target));
                         parts.push(self.line(on, *target, &formula, Some(Label::text(self.words().trials)), &step_class));
                     }
-                    Step::Same { target, from, link } => {
+                    PlanStep::Same { target, from, link } => {
                         let w = self.writer;
                         let formula = format!("{} = {}", w.summand(on, *target), w.summand(on, *from));
                         let why = self.words().no_turning.replace("{}", w.scene.link_name(*link));
@@ -107,7 +107,7 @@ impl Tables<'_> {
         Cell { label: label.in_fonts(&self.style.fonts), size_mm, anchor, class: class.into(), id }
     }
 
-    fn equation(&self, on: DiagramKind, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
+    fn equation(&self, on: DiagramKind, target: VertexId, chains: &[TermChain], step: &str) -> Vec<DrawingPart> {
         let (w, book) = (self.writer, &self.writer.scene.book);
         if let [chain] = chains {
             let [term] = chain.known[..] else {
@@ -141,7 +141,7 @@ impl Tables<'_> {
 
     /// The table of an equation; in a column, as many tables as needed, each continued before a
     /// sign.
-    fn table(&self, on: DiagramKind, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
+    fn table(&self, on: DiagramKind, target: VertexId, chains: &[TermChain], step: &str) -> Vec<DrawingPart> {
         let columns = self.writer.columns(on, target, chains);
         let set = |ends: Range<usize>| self.part_of_table(on, target, &columns, ends, step);
         let Some(width_mm) = self.width_mm else {
@@ -164,7 +164,7 @@ impl Tables<'_> {
         parts
     }
 
-    fn part_of_table(&self, on: DiagramKind, target: VertexId, columns: &[Column], ends: Range<usize>, step: &str) -> Part {
+    fn part_of_table(&self, on: DiagramKind, target: VertexId, columns: &[EquationColumn], ends: Range<usize>, step: &str) -> DrawingPart {
         let (w, style, words) = (self.writer, self.style, self.words());
         let name = id(kind(on), &format!("equation-{}", self.vertex(target)));
         let class = |what: &str| format!("{} table {what} {step}", kind(on));
@@ -193,14 +193,14 @@ impl Tables<'_> {
 
     /// A part with a box as high as its rows, independent of their content, so that stacked tables
     /// are evenly spaced.
-    fn boxed(&self, items: Vec<Item>, height_mm: f64) -> Part {
-        let mut part = Part::of(items);
+    fn boxed(&self, items: Vec<FigureItem>, height_mm: f64) -> DrawingPart {
+        let mut part = DrawingPart::of(items);
         part.bounds.max.y = part.bounds.max.y.max(0.0);
         part.bounds.min.y = part.bounds.min.y.min(-height_mm);
         part
     }
 
-    fn line(&self, on: DiagramKind, target: VertexId, formula: &str, why: Option<Label>, step: &str) -> Part {
+    fn line(&self, on: DiagramKind, target: VertexId, formula: &str, why: Option<Label>, step: &str) -> DrawingPart {
         let name = id(kind(on), &format!("statement-{}", self.vertex(target)));
         let class = format!("{} statement {step}", kind(on));
         let mut cells = vec![Some(self.cell(Label::math(formula), self.style.label_mm, Anchor::Start, name.clone(), &class))];
@@ -212,7 +212,7 @@ impl Tables<'_> {
     }
 
     /// Statements one below the other, with a gap between their cells.
-    fn statement(&self, rows: Vec<Vec<Option<Cell>>>, gap_mm: f64) -> Part {
+    fn statement(&self, rows: Vec<Vec<Option<Cell>>>, gap_mm: f64) -> DrawingPart {
         let [top, line] = [TOP_MM, LINE_MM].map(|mm| self.style.leading(mm));
         let height = line * rows.len() as f64;
         let heights = std::iter::once(top).chain(std::iter::repeat(line));
@@ -220,7 +220,7 @@ impl Tables<'_> {
         self.boxed(grid::set(&rows, gap_mm), height)
     }
 
-    fn image(&self, on: DiagramKind, target: VertexId, from: (VertexId, VertexId), step: &str) -> Part {
+    fn image(&self, on: DiagramKind, target: VertexId, from: (VertexId, VertexId), step: &str) -> DrawingPart {
         let w = self.writer;
         let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, target));
         let points = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(target));
@@ -248,17 +248,17 @@ impl Tables<'_> {
     }
 
     /// The statement that defines a special point.
-    fn special(&self, on: DiagramKind, target: VertexId, special: &Special, step: &str) -> Part {
+    fn special(&self, on: DiagramKind, target: VertexId, special: &Special, step: &str) -> DrawingPart {
         let (text, link) = (special_words(self.writer, self.words(), target, special), self.writer.scene.link_name(special.link));
         let name = match special.legs {
             Some(_) => format!("special-{}", special.group),
             None => format!("special-{}-{link}", special.group),
         };
-        self.told(&text, id(kind(on), &name), format!("{} statement special {step}", kind(on)))
+        self.sentence_block(&text, id(kind(on), &name), format!("{} statement special {step}", kind(on)))
     }
 
     /// A sentence, broken to the available width.
-    fn told(&self, text: &str, id: String, class: String) -> Part {
+    fn sentence_block(&self, text: &str, id: String, class: String) -> DrawingPart {
         let size_mm = self.style.caption_mm;
         let told = Phrase::new(text);
         let lines = match self.width_mm {
@@ -274,7 +274,7 @@ impl Tables<'_> {
 }
 
 /// Returns the words that introduce a special point.
-pub fn special_words(w: &Writer, words: &Words, target: VertexId, special: &Special) -> String {
+pub fn special_words(w: &PlanWriter, words: &Words, target: VertexId, special: &Special) -> String {
     let [a, b] = special.lines.each_ref().map(|line| special_line(w, words, line));
     let [link, with] = [Some(special.link), special.with].map(|l| l.map_or("", |l| w.scene.link_name(l)));
     let form = if special.with.is_some() { words.common_point } else { words.special_point };
@@ -282,7 +282,7 @@ pub fn special_words(w: &Writer, words: &Words, target: VertexId, special: &Spec
 }
 
 /// A line along which a link is held, in words.
-fn special_line(w: &Writer, words: &Words, line: &SpecialLine) -> String {
+fn special_line(w: &PlanWriter, words: &Words, line: &SpecialLine) -> String {
     match *line {
         SpecialLine::Leg(line) => constraint_line(w.scene, words, line),
         SpecialLine::Through { pin, special } => {
@@ -326,7 +326,7 @@ pub fn found_by(p: &Polygon, v: VertexId) -> Option<usize> {
         | Action::Copy { target, .. }
         | Action::Same { target, .. }
         | Action::Reach(target) => *target == v,
-        Action::LayOff(e) => p.edges[*e].to.0 == hodograph_board::construct::Mark::Image(v),
+        Action::LayOff(e) => p.edges[*e].to.0 == hodograph_board::construct::PolygonMark::Image(v),
         Action::Nothing { target, .. } => *target == Some(v),
         Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => false,
     };

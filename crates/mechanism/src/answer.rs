@@ -1,7 +1,7 @@
 //! Evaluation of requested quantities from the vectors of points and the angular rates of links, by
 //! the formulas of relative motion.
 //!
-//! A [`Source`] provides vectors and rates; [`evaluate`] combines them with the positions of a pose
+//! A [`MotionSource`] provides vectors and rates; [`evaluate`] combines them with the positions of a pose
 //! according to the definition of the quantity ([`Asked::value`]). Two other ways of solution do
 //! not use these formulas: the drawing reads edges (`construct::read`), and the analysis
 //! (`analytic::Solution::answer`) derives the parts of a relative motion from separate rows. A
@@ -11,12 +11,12 @@ use crate::mechanism::Level;
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-pub use hodograph_scene::quantity::Value;
-use hodograph_scene::quantity::{Asked, Forces, Known};
+pub use hodograph_scene::quantity::AnswerValue;
+use hodograph_scene::quantity::{Asked, Forces, FormulaInputs};
 use hodograph_scene::{GuideId, LinkId, OnLink, PointId, Scene};
 
 /// A source of vectors and rates.
-pub trait Source<N = f64> {
+pub trait MotionSource<N = f64> {
     /// Returns the vector of the point of a link (or of the pin itself).
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2<N>>;
     /// Returns the angular velocity or angular acceleration of a link.
@@ -30,7 +30,7 @@ pub trait Source<N = f64> {
 /// A source for a pose with known positions only.
 struct Still;
 
-impl<N> Source<N> for Still {
+impl<N> MotionSource<N> for Still {
     fn vector(&self, _: Level, _: PointId, _: Option<LinkId>) -> Option<Vec2<N>> {
         None
     }
@@ -47,7 +47,7 @@ struct Instant<'a, N, S> {
     motion: &'a S,
 }
 
-impl<N: Real, S: Source<N>> Known<N> for Instant<'_, N, S> {
+impl<N: Real, S: MotionSource<N>> FormulaInputs<N> for Instant<'_, N, S> {
     fn scene(&self) -> &Scene {
         self.scene
     }
@@ -82,12 +82,12 @@ impl<N: Real, S: Source<N>> Known<N> for Instant<'_, N, S> {
 
 /// Returns the value of a quantity that depends on positions; `None` for a quantity of motion, and
 /// if a position is not known.
-pub fn place<N: Real>(scene: &Scene, at: &Configuration<N>, what: &Asked) -> Option<Value<N>> {
+pub fn place<N: Real>(scene: &Scene, at: &Configuration<N>, what: &Asked) -> Option<AnswerValue<N>> {
     evaluate(scene, at, &Still, what)
 }
 
 /// Evaluates a quantity from a source of vectors and rates by the formulas of relative motion: the
 /// definition that the group-by-group solution uses.
-pub fn evaluate<N: Real>(scene: &Scene, at: &Configuration<N>, source: &impl Source<N>, what: &Asked) -> Option<Value<N>> {
+pub fn evaluate<N: Real>(scene: &Scene, at: &Configuration<N>, source: &impl MotionSource<N>, what: &Asked) -> Option<AnswerValue<N>> {
     what.value(&Instant { scene, at, motion: source })
 }

@@ -9,14 +9,16 @@ mod strokes;
 pub use friction::{Rubbed, Rubbing, is_determined, rubbing, settled, with_friction};
 pub use strokes::{ends, faults_of_strokes};
 
-use crate::answer::Source;
+use crate::answer::MotionSource;
 use crate::mechanism::Level;
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
 use hodograph_scene::quantity::{Forces, ROUNDING, Wrench};
-use hodograph_scene::{Abscissa, Along, Angle, Course, Given, LinkId, PointId, Position, Rolling, RollingId, Scene, Size, Touch};
+use hodograph_scene::{
+    Abscissa, Angle, GivenQuantity, LinkId, LoadCourse, LoadSize, LoadTravel, PointId, Position, Rolling, RollingId, Scene, Touch,
+};
 
 /// Cause of a load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,10 +58,10 @@ pub struct Load<N = f64> {
 /// the accelerations of `motion`.
 ///
 /// `None` if a position or a motion that a load needs is not known.
-pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<Vec<Load<N>>> {
+pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl MotionSource<N>) -> Option<Vec<Load<N>>> {
     let inputs = Inputs::of(scene);
     let zero = N::from_f64(0.0);
-    let number = |given: &Given| inputs.number(given);
+    let number = |given: &GivenQuantity| inputs.number(given);
     let mut out = Vec::new();
     for mass in &scene.loads.masses {
         let (Some(m), Some(s), Some(gravity)) = (&mass.m, mass.at, &scene.loads.gravity) else { continue };
@@ -87,22 +89,22 @@ pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source
             Some(p) => at.points[p.0]?,
             None => Point::origin(),
         };
-        let turned = |angle: &Given<Angle>| {
+        let turned = |angle: &GivenQuantity<Angle>| {
             let (sin, cos) = inputs.sin_cos(angle);
             Vec2::new(cos, sin)
         };
         let here = match &applied.course {
             Some(course) => here(course, scene, at, motion)?,
-            None => Here::Constant,
+            None => CourseLoad::Constant,
         };
-        let number = |given: &Given| match here {
-            Here::Constant => number(given),
-            Here::Outside => zero,
-            Here::Amount(amount) => amount,
+        let number = |given: &GivenQuantity| match here {
+            CourseLoad::Constant => number(given),
+            CourseLoad::Outside => zero,
+            CourseLoad::Amount(amount) => amount,
         };
         let wrench = match &applied.size {
-            Size::Components([x, y]) => Wrench { force: Vec2::new(number(x), number(y)), couple: zero },
-            Size::Directed { force, line, angle } => {
+            LoadSize::Components([x, y]) => Wrench { force: Vec2::new(number(x), number(y)), couple: zero },
+            LoadSize::Directed { force, line, angle } => {
                 let base = match line {
                     Some((a, b)) => (at.points[b.0]? - at.points[a.0]?).unit()?,
                     None => Vec2::unit_x(),
@@ -110,14 +112,14 @@ pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source
                 let direction = angle.as_ref().map_or(base, |angle| base.rotate_by(turned(angle)));
                 Wrench { force: direction * number(force), couple: zero }
             }
-            Size::AgainstMotion(force) => {
+            LoadSize::AgainstMotion(force) => {
                 let v = motion.vector(Level::Velocity, applied.at?, Some(applied.link))?;
                 let still = v.norm().approx() <= ROUNDING * fastest(scene, at);
                 let direction = if still { Vec2::zero() } else { -v.unit()? };
                 Wrench { force: direction * number(force), couple: zero }
             }
-            Size::Couple(couple) => Wrench { force: Vec2::zero(), couple: number(couple) },
-            Size::AgainstTurning(couple) => {
+            LoadSize::Couple(couple) => Wrench { force: Vec2::zero(), couple: number(couple) },
+            LoadSize::AgainstTurning(couple) => {
                 let omega = motion.turning(Level::Velocity, applied.link)?;
                 let still = omega.approx().abs() * at.extent() <= ROUNDING * fastest(scene, at);
                 let sense = if still { 0.0 } else { -omega.approx().signum() };
@@ -148,7 +150,7 @@ pub const NEAR: f64 = 1e-12;
 /// with different stretches some load begins, ends, has a corner or changes its sense.
 ///
 /// `None` if a position or a motion that a load needs is not known.
-pub fn stretches(scene: &Scene, at: &Configuration, motion: &impl Source) -> Option<Vec<i32>> {
+pub fn stretches(scene: &Scene, at: &Configuration, motion: &impl MotionSource) -> Option<Vec<i32>> {
     let mut out = Vec::new();
     for applied in &scene.loads.applied {
         out.push(match &applied.course {
@@ -157,9 +159,9 @@ pub fn stretches(scene: &Scene, at: &Configuration, motion: &impl Source) -> Opt
         });
         let sense = match &applied.size {
             // Projection on a fixed direction that no guide has.
-            Size::AgainstMotion(_) => motion.vector(Level::Velocity, applied.at?, Some(applied.link))?.dot(Vec2::new(1.0, 0.618)),
-            Size::AgainstTurning(_) => motion.turning(Level::Velocity, applied.link)?,
-            Size::Components(_) | Size::Directed { .. } | Size::Couple(_) => 1.0,
+            LoadSize::AgainstMotion(_) => motion.vector(Level::Velocity, applied.at?, Some(applied.link))?.dot(Vec2::new(1.0, 0.618)),
+            LoadSize::AgainstTurning(_) => motion.turning(Level::Velocity, applied.link)?,
+            LoadSize::Components(_) | LoadSize::Directed { .. } | LoadSize::Couple(_) => 1.0,
         };
         out.push(if sense < 0.0 { -1 } else { 1 });
     }
@@ -167,7 +169,7 @@ pub fn stretches(scene: &Scene, at: &Configuration, motion: &impl Source) -> Opt
 }
 
 /// The load of a course at an instant.
-enum Here<N> {
+enum CourseLoad<N> {
     /// Constant, as given.
     Constant,
     /// Zero: the pose is outside the course.
@@ -178,26 +180,31 @@ enum Here<N> {
 
 /// Returns the load of a course in a pose; `None` if the ends of its stroke, a position or a
 /// velocity are not known.
-fn here<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<Here<N>> {
-    let Some((k, x)) = segment(course, scene, at, motion)? else { return Some(Here::Outside) };
+fn here<N: Real>(course: &LoadCourse, scene: &Scene, at: &Configuration<N>, motion: &impl MotionSource<N>) -> Option<CourseLoad<N>> {
+    let Some((k, x)) = segment(course, scene, at, motion)? else { return Some(CourseLoad::Outside) };
     let [before, after] = &course.stations[k..k + 2] else { return None };
-    let (Some(a), Some(b)) = (&before.amount, &after.amount) else { return Some(Here::Constant) };
+    let (Some(a), Some(b)) = (&before.amount, &after.amount) else { return Some(CourseLoad::Constant) };
     let inputs = Inputs::<N>::of(scene);
     let place = |x: &Abscissa| match x {
         Abscissa::Part(x) | Abscissa::Way(x) => inputs.number(x),
         Abscissa::Angle(a) => inputs.degrees(a),
     };
     let (a, b, from, to) = (inputs.number(a), inputs.number(b), place(&before.at), place(&after.at));
-    Some(Here::Amount(a + (b - a) * ((x - from) / (to - from))))
+    Some(CourseLoad::Amount(a + (b - a) * ((x - from) / (to - from))))
 }
 
 /// Returns the stretch of a course between two stations that contains a pose, with the abscissa of
 /// the pose; `Some(None)` outside the course.
-fn segment<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<Option<(usize, N)>> {
+fn segment<N: Real>(
+    course: &LoadCourse,
+    scene: &Scene,
+    at: &Configuration<N>,
+    motion: &impl MotionSource<N>,
+) -> Option<Option<(usize, N)>> {
     let inputs = Inputs::<N>::of(scene);
     let [first, .., last] = &course.stations[..] else { return None };
     let (x, near) = match &course.along {
-        Along::Stroke { point, guide, .. } => {
+        LoadTravel::Stroke { point, guide, .. } => {
             let [start, end] = ends(scene, course)?.as_ref().ok()?;
             let Path::Line { through, direction } = at.guides[guide.0]? else { return None };
             let sense = (end.value - start.value).signum();
@@ -213,7 +220,7 @@ fn segment<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motio
                 Abscissa::Way(_) | Abscissa::Angle(_) => (gone, NEAR * stroke.approx()),
             }
         }
-        Along::Turn { driver, period } => {
+        LoadTravel::Turn { driver, period } => {
             let Position::Angle(angle) = scene.drivers[*driver].kind.position()? else { return None };
             let near = NEAR * 360.0;
             let x: N = inputs.degrees(angle);

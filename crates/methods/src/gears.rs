@@ -113,7 +113,7 @@ pub struct Gear {
 
 /// A pair of gears at its centre distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pair {
+pub struct GearPair {
     /// The common data of both gears.
     pub basic: Basic,
     /// The gears, the driver first; with a ring or a rack, the gear first.
@@ -156,12 +156,12 @@ pub fn distance_of(basic: &Basic, mate: Mate, teeth: [u32; 2], sum: f64) -> Opti
     Some(standard(basic, mate, teeth) * libm::cos(basic.alpha) / libm::cos(operating))
 }
 
-impl Pair {
+impl GearPair {
     /// Returns the pair with these shifts at its centre distance. The tips of two gears are
     /// shortened by Δy = x₁ + x₂ − y, so that the clearance is kept; in a ring the clearance only
     /// grows, and a rack has no distance to choose. `None` if the base circles would overlap, or if
     /// a gear has no tooth height left.
-    pub fn new(basic: Basic, mate: Mate, teeth: [u32; 2], shifts: [f64; 2], distance: f64) -> Option<Pair> {
+    pub fn new(basic: Basic, mate: Mate, teeth: [u32; 2], shifts: [f64; 2], distance: f64) -> Option<GearPair> {
         let operating = operating(&basic, mate, teeth, distance)?;
         let m = basic.module;
         let shortened = match mate {
@@ -192,7 +192,7 @@ impl Pair {
             Mate::Ring => external(&gears[0]) && gears[1].tip > 0.0 && gears[1].root > gears[1].tip && gears[1].root > gears[1].base,
             Mate::Rack => external(&gears[0]),
         };
-        possible.then_some(Pair { basic, gears, mate, distance, operating })
+        possible.then_some(GearPair { basic, gears, mate, distance, operating })
     }
 
     /// Returns the distances of a rack's tip line inside its pitch line, and of its root line

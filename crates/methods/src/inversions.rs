@@ -16,12 +16,12 @@
 //! assert_eq!(all.len(), 4);
 //! ```
 
-pub use chain::{Part, part};
+pub use chain::{ChainLink, part};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::{self as scene, GuidePath, LinkId, PointId, Scene};
-use hodograph_sweep::extreme::{self, Limits};
+use hodograph_sweep::extreme::{self, MotionLimits};
 use hodograph_worked::worked::{Scope, Worked, work};
 use serde_json::{Map, Value as Json, json};
 
@@ -41,7 +41,7 @@ pub struct Inversion {
     /// True if it is the ground of the scene itself.
     pub original: bool,
     /// The role of the ground in the slider-crank chain, if the scene is one.
-    pub part: Option<Part>,
+    pub part: Option<ChainLink>,
     /// The inversion's scene as a file.
     pub text: String,
     /// The scene, read from that file.
@@ -51,7 +51,7 @@ pub struct Inversion {
     /// The driving link, slide or cylinder; for several drivers all their names.
     pub driver: String,
     /// The limits of its motion.
-    pub limits: Limits,
+    pub limits: MotionLimits,
 }
 
 /// Returns all inversions of a scene, in the order of its links.

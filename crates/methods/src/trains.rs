@@ -14,31 +14,31 @@ use hodograph_scene::{LinkId, PointId, Relation, RollingId, Scene, Touch};
 
 /// The gears of one arm that mesh with one another.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Train {
+pub struct GearTrain {
     /// The link that carries all centres; the ground for gears with fixed axes.
     pub arm: LinkId,
     /// The centre about which most of the gears turn.
     pub axis: PointId,
     /// The gears; the first is the one that the table turns.
-    pub gears: Vec<Gear>,
+    pub gears: Vec<TrainGear>,
     /// The meshes.
     pub meshes: Vec<RollingId>,
 }
 
 /// A gear of a train.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Gear {
+pub struct TrainGear {
     /// The link.
     pub link: LinkId,
     /// The centre of the gear.
     pub centre: PointId,
     /// (ω − ω_h)/(ω₁ − ω_h), where ω₁ belongs to the first gear of the train.
-    pub ratio: Ratio,
+    pub ratio: TrainRatio,
 }
 
 /// A ratio of angular velocities, as a product of sizes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ratio {
+pub struct TrainRatio {
     /// The value of the ratio.
     pub value: f64,
     /// The sizes in the numerator, in the label language: `z_{2}`, `r'_{3}`.
@@ -49,20 +49,20 @@ pub struct Ratio {
 
 /// The angular velocities in the two parts of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turns {
+pub struct TrainSpeeds {
     /// The arm's angular velocity (rad/s): y.
     pub arm: f64,
     /// The first gear's angular velocity relative to the arm (rad/s): x.
     pub first: f64,
 }
 
-impl Ratio {
-    const ONE: Ratio = Ratio { value: 1.0, above: Vec::new(), below: Vec::new() };
+impl TrainRatio {
+    const ONE: TrainRatio = TrainRatio { value: 1.0, above: Vec::new(), below: Vec::new() };
 
     /// Returns the ratio after one more mesh, from the gear of size `i` to the gear of size `j`; a
     /// ring has a negative size.
-    fn then(&self, [i, j]: [f64; 2], [above, below]: [String; 2]) -> Ratio {
-        let mut next = Ratio { value: -self.value * i / j, ..self.clone() };
+    fn then(&self, [i, j]: [f64; 2], [above, below]: [String; 2]) -> TrainRatio {
+        let mut next = TrainRatio { value: -self.value * i / j, ..self.clone() };
         // The size of an idler cancels.
         let put = |size: String, into: &mut Vec<String>, other: &mut Vec<String>| match other.iter().position(|s| *s == size) {
             Some(k) => drop(other.remove(k)),
@@ -74,8 +74,8 @@ impl Ratio {
     }
 
     /// Returns the reciprocal.
-    pub fn inverse(&self) -> Ratio {
-        Ratio { value: 1.0 / self.value, above: self.below.clone(), below: self.above.clone() }
+    pub fn inverse(&self) -> TrainRatio {
+        TrainRatio { value: 1.0 / self.value, above: self.below.clone(), below: self.above.clone() }
     }
 
     /// Returns the formula without its sign: `z_{2}/z_{3}`.
@@ -97,15 +97,15 @@ impl Ratio {
     }
 }
 
-impl Train {
+impl GearTrain {
     /// Returns the angular velocity of a gear (rad/s).
-    pub fn rate(&self, gear: usize, t: Turns) -> f64 {
+    pub fn rate(&self, gear: usize, t: TrainSpeeds) -> f64 {
         t.arm + self.gears[gear].ratio.value * t.first
     }
 
     /// Returns x and y of the table from two members with angular velocities in `known`; `None` if
     /// fewer are known, or if all known ones have the same ratio.
-    pub fn turns(&self, known: impl Fn(LinkId) -> Option<f64>) -> Option<Turns> {
+    pub fn turns(&self, known: impl Fn(LinkId) -> Option<f64>) -> Option<TrainSpeeds> {
         let members = self.gears.iter().map(|g| (g.link, g.ratio.value));
         let told: Vec<(f64, f64)> =
             std::iter::once((self.arm, 0.0)).chain(members).filter_map(|(link, e)| Some((e, known(link)?))).collect();
@@ -113,7 +113,7 @@ impl Train {
         // ω = y + e x for both: gears of the same ratio always have the same angular velocity.
         let (f, v) = *told.iter().find(|(f, _)| *f != e)?;
         let first = (v - w) / (f - e);
-        Some(Turns { arm: w - e * first, first })
+        Some(TrainSpeeds { arm: w - e * first, first })
     }
 
     /// Returns the index of the gear that is part of a link.
@@ -130,7 +130,7 @@ pub fn given(scene: &Scene, link: LinkId) -> Option<f64> {
 }
 
 /// A mesh between two circles of one arm.
-struct Mesh {
+struct TrainMesh {
     id: RollingId,
     arm: LinkId,
     links: [LinkId; 2],
@@ -140,7 +140,7 @@ struct Mesh {
 }
 
 /// Returns the trains of a scene, in the order of their first meshes.
-pub fn trains(scene: &Scene) -> Vec<Train> {
+pub fn trains(scene: &Scene) -> Vec<GearTrain> {
     let mut left = meshes(scene);
     let mut out = Vec::new();
     while !left.is_empty() {
@@ -157,7 +157,7 @@ pub fn trains(scene: &Scene) -> Vec<Train> {
     out
 }
 
-fn meshes(scene: &Scene) -> Vec<Mesh> {
+fn meshes(scene: &Scene) -> Vec<TrainMesh> {
     let inputs = Inputs::<f64>::of(scene);
     // The sizes of each link in the order of occurrence: the symbol of the second one has a prime.
     let mut seen: Vec<(LinkId, f64)> = Vec::new();
@@ -186,12 +186,12 @@ fn meshes(scene: &Scene) -> Vec<Mesh> {
             format!("{letter}{}_{{{}}}", "'".repeat(before), scene.link_name(link))
         };
         let symbols = [symbol(0), symbol(1)];
-        out.push(Mesh { id: RollingId(k), arm, links: pair.links, centres, sizes: values, symbols });
+        out.push(TrainMesh { id: RollingId(k), arm, links: pair.links, centres, sizes: values, symbols });
     }
     out
 }
 
-fn train(scene: &Scene, meshes: &[Mesh]) -> Option<Train> {
+fn train(scene: &Scene, meshes: &[TrainMesh]) -> Option<GearTrain> {
     let arm = meshes[0].arm;
     let count = |p: PointId| meshes.iter().filter(|m| m.centres.contains(&p)).count();
     let centres = || meshes.iter().flat_map(|m| m.centres);
@@ -200,14 +200,14 @@ fn train(scene: &Scene, meshes: &[Mesh]) -> Option<Train> {
     let axis = centres().rev().max_by_key(|p| (count(*p), still(*p)))?;
     let about = meshes.iter().flat_map(|m| [0, 1].map(|i| (m.links[i], m.centres[i]))).filter(|(_, c)| *c == axis);
     let (first, centre) = about.min_by_key(|(l, _)| (*l == scene.ground, given(scene, *l).is_none()))?;
-    let mut gears = vec![Gear { link: first, centre, ratio: Ratio::ONE }];
+    let mut gears = vec![TrainGear { link: first, centre, ratio: TrainRatio::ONE }];
     loop {
         let step = meshes.iter().find_map(|m| {
             [[0, 1], [1, 0]].into_iter().find_map(|[i, j]| {
                 let from = gears.iter().find(|g| g.link == m.links[i])?;
                 let new = gears.iter().all(|g| g.link != m.links[j]);
                 let symbols = [m.symbols[i].clone(), m.symbols[j].clone()];
-                new.then(|| Gear { link: m.links[j], centre: m.centres[j], ratio: from.ratio.then([m.sizes[i], m.sizes[j]], symbols) })
+                new.then(|| TrainGear { link: m.links[j], centre: m.centres[j], ratio: from.ratio.then([m.sizes[i], m.sizes[j]], symbols) })
             })
         });
         match step {
@@ -215,22 +215,22 @@ fn train(scene: &Scene, meshes: &[Mesh]) -> Option<Train> {
             None => break,
         }
     }
-    Some(Train { arm, axis, gears, meshes: meshes.iter().map(|m| m.id).collect() })
+    Some(GearTrain { arm, axis, gears, meshes: meshes.iter().map(|m| m.id).collect() })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hodograph_mechanism::answer::Source;
+    use hodograph_mechanism::answer::MotionSource;
     use hodograph_mechanism::mechanism::Level;
     use hodograph_scene::read;
     use hodograph_worked::worked::{Scope, work};
 
     /// A train: links, gears, drivers; then ratios to the driver's angular velocity as printed in
     /// books.
-    type Train = (&'static str, &'static str, &'static str, &'static [(&'static str, f64)]);
+    type TrainCase = (&'static str, &'static str, &'static str, &'static [(&'static str, f64)]);
 
-    const TRAINS: &[Train] = &[
+    const TRAINS: &[TrainCase] = &[
         // Shigley, example 13-6: sun 20, planet 30, ring 80 held, sun at −100 rpm.
         (
             r#""1": ["O"], "2": ["O", "Q"], "3": ["Q"], "4": ["O"]"#,

@@ -4,13 +4,13 @@
 use hodograph_base::digits::{direction_degrees, inked, shortest, significant};
 use hodograph_base::notation::Notation;
 use hodograph_board::plan::names::{name_label, point_label};
-use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::words::Words;
 use hodograph_scene::quantity::combined::halves_of;
-use hodograph_scene::quantity::{Asked, Of, Over};
+use hodograph_scene::quantity::{Asked, Of, OverSign};
 use hodograph_scene::{Book, DiagramKind, Find, Kind};
-use hodograph_worked::certified::ladder::{Certified, Part};
+use hodograph_worked::certified::ladder::{AnswerPart, Certified};
 
 /// Returns the symbol of a question: `vr_B2B3` → `v^{r}_{B2B3}`.
 pub fn symbol(find: &Find, notation: &Notation) -> String {
@@ -33,13 +33,13 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
         None => sign.to_owned(),
     };
     let sup = match entry.over {
-        Over::Nothing => String::new(),
+        OverSign::Nothing => String::new(),
         // The roller of a follower as a separate link: `omega_5`, written as for any link.
-        Over::Sign(_) if !find.text.starts_with(entry.symbol) => String::new(),
-        Over::Sign(sign) => part(sign),
-        Over::Sliding => notation.sliding.clone(),
-        Over::SlidingPart(sign) => format!("{}\\,{}", notation.sliding, part(sign)),
-        Over::Coriolis => notation.coriolis.clone(),
+        OverSign::Sign(_) if !find.text.starts_with(entry.symbol) => String::new(),
+        OverSign::Sign(sign) => part(sign),
+        OverSign::Sliding => notation.sliding.clone(),
+        OverSign::SlidingPart(sign) => format!("{}\\,{}", notation.sliding, part(sign)),
+        OverSign::Coriolis => notation.coriolis.clone(),
     };
     // A coordinate belongs to the point itself, so the subscript is the point's label on the
     // diagram.
@@ -57,7 +57,7 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
 
 /// Returns a certified number multiplied by 10^`shift`; if no digit is certain, the approximate
 /// value of the `f64` solution.
-fn certain(c: &Certified, part: Part, digits: usize, shift: i32, rough: f64) -> String {
+fn certain(c: &Certified, part: AnswerPart, digits: usize, shift: i32, rough: f64) -> String {
     match c.part(part).and_then(|n| n.text_scaled(digits, shift)) {
         Some((text, _)) => inked(&text),
         None => match c.rough_digits(digits) {
@@ -68,50 +68,52 @@ fn certain(c: &Certified, part: Part, digits: usize, shift: i32, rough: f64) -> 
 }
 
 /// Returns an answer's number with its unit, in the label language.
-pub fn amount(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize) -> String {
+pub fn amount(book: &Book, find: &Find, value: AnswerValue, c: &Certified, digits: usize) -> String {
     let kind = find.what.kind();
     let chosen = book.chosen(kind).is_some();
     let number = match value {
         // Small lengths are given in millimetres.
-        Value::Scalar(s) if kind == Kind::Length && !chosen && s.abs() < 10.0 => {
-            return format!("{} mm", certain(c, Part::Scalar, digits, 3, s * 1e3));
+        AnswerValue::Scalar(s) if kind == Kind::Length && !chosen && s.abs() < 10.0 => {
+            return format!("{} mm", certain(c, AnswerPart::Scalar, digits, 3, s * 1e3));
         }
-        Value::Scalar(s) => {
+        AnswerValue::Scalar(s) => {
             let part = match (chosen, kind == Kind::Angle) {
-                (true, _) => Part::Printed,
-                (false, true) => Part::Degrees,
-                (false, false) => Part::Scalar,
+                (true, _) => AnswerPart::Printed,
+                (false, true) => AnswerPart::Degrees,
+                (false, false) => AnswerPart::Scalar,
             };
             certain(c, part, digits, 0, book.value(kind, s))
         }
-        Value::Point(p) if !chosen && p.x.abs().max(p.y.abs()) < 10.0 => {
+        AnswerValue::Point(p) if !chosen && p.x.abs().max(p.y.abs()) < 10.0 => {
             let coordinate = |part, si: f64| certain(c, part, digits, 3, si * 1e3);
             // A unit after a number is upright; after a parenthesis it must be marked as upright.
-            return format!("({}, {})\\,\\text{{mm}}", coordinate(Part::X, p.x), coordinate(Part::Y, p.y));
+            return format!("({}, {})\\,\\text{{mm}}", coordinate(AnswerPart::X, p.x), coordinate(AnswerPart::Y, p.y));
         }
-        Value::Point(p) => {
-            let [x, y] = if chosen { [Part::PrintedX, Part::PrintedY] } else { [Part::X, Part::Y] };
+        AnswerValue::Point(p) => {
+            let [x, y] = if chosen { [AnswerPart::PrintedX, AnswerPart::PrintedY] } else { [AnswerPart::X, AnswerPart::Y] };
             let coordinate = |part, si: f64| certain(c, part, digits, 0, book.value(kind, si));
             return format!("({}, {})\\,{}", coordinate(x, p.x), coordinate(y, p.y), book.upright(kind));
         }
-        Value::Vector(v) => certain(c, if chosen { Part::Printed } else { Part::Magnitude }, digits, 0, book.value(kind, v.norm())),
+        AnswerValue::Vector(v) => {
+            certain(c, if chosen { AnswerPart::Printed } else { AnswerPart::Magnitude }, digits, 0, book.value(kind, v.norm()))
+        }
     };
     // The sense of rotation is given in words.
     book.label(kind, if kind.turns() { number.trim_start_matches('−') } else { &number })
 }
 
 /// Returns an answer's direction, or its sense of rotation in words.
-pub fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
+pub fn sense(find: &Find, value: AnswerValue, c: &Certified, words: &Words, digits: usize) -> Label {
     match value {
-        Value::Vector(v) if c.part(Part::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
-            let degrees = certain(c, Part::Direction, digits, 0, direction_degrees(v.angle()));
+        AnswerValue::Vector(v) if c.part(AnswerPart::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
+            let degrees = certain(c, AnswerPart::Direction, digits, 0, direction_degrees(v.angle()));
             // A plain number is upright in the label language; only one with a power of ten needs
             // it.
             let number = if degrees.contains('\\') { Label::math(degrees) } else { Label::text(degrees) };
             Label::text("∠ ").then(number).then(Label::text("°"))
         }
-        Value::Scalar(s) if find.what.kind().turns() => Label::text(words.sense(c.part(Part::Scalar).map_or(s, |n| n.sign()))),
-        Value::Vector(_) | Value::Scalar(_) | Value::Point(_) => Label::text(""),
+        AnswerValue::Scalar(s) if find.what.kind().turns() => Label::text(words.sense(c.part(AnswerPart::Scalar).map_or(s, |n| n.sign()))),
+        AnswerValue::Vector(_) | AnswerValue::Scalar(_) | AnswerValue::Point(_) => Label::text(""),
     }
 }
 

@@ -2,17 +2,17 @@
 
 use super::construction;
 use super::drafting;
-use hodograph_analytic::{Decided, SingularKind, Singularity, Why as Refusal};
+use hodograph_analytic::{Decided, RefusalReason as Refusal, SingularKind, Singularity};
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::digits::{direction_degrees, shortest, significant};
 use hodograph_base::notation::Notation;
-use hodograph_board::construct::Measured;
-use hodograph_board::plan::text::Writer;
-use hodograph_mechanism::answer::Value;
+use hodograph_board::construct::MeasuredDistance;
+use hodograph_board::plan::text::PlanWriter;
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_paper::paper::phrase::{fill, formula, sense, tr};
 use hodograph_scene::{Book, DiagramKind, Find, Kind, Lang, Scene};
-use hodograph_worked::certified::ladder::{Certified, Number, Part, READING_DIGITS, Why};
-use hodograph_worked::worked::{Far, NoAnswer, Outcome, Unanswered, Worked};
+use hodograph_worked::certified::ladder::{AnswerPart, Certified, CertifiedNumber, MissingDigits, READING_DIGITS};
+use hodograph_worked::worked::{InfiniteCentre, NoAnswer, Outcome, Unanswered, Worked};
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
 
@@ -30,16 +30,16 @@ pub const DIGITS: usize = 6;
 /// significant digits as far as they are certain.
 pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, lang: Lang) -> String {
     let notation = Notation::of_language(lang);
-    let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
+    let w = PlanWriter { scene, plan: &worked.plan, notation: &notation, lang };
     let mut rows: Vec<[String; 5]> = Vec::new();
     for line in lines(worked, certified) {
         let (r, c) = match line {
-            Line::Answer(r, c) => (r, c),
-            Line::Far(far) => {
+            AnswerLine::Answer(r, c) => (r, c),
+            AnswerLine::InfiniteCentre(far) => {
                 rows.push([scene.find[far.find].text.clone(), at_infinity(far, lang), String::new(), String::new(), String::new()]);
                 continue;
             }
-            Line::None(u) => {
+            AnswerLine::None(u) => {
                 let value = format!("{} ({})", verdict(u, lang), reason(scene, u, lang));
                 rows.push([scene.find[u.find].text.clone(), value, String::new(), String::new(), String::new()]);
                 continue;
@@ -80,26 +80,26 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
 }
 
 /// A question, with or without an answer.
-pub enum Line<'a> {
+pub enum AnswerLine<'a> {
     /// An answer with its certificate.
     Answer(&'a Outcome, &'a Certified),
     /// A question without an answer in the pose.
     None(&'a Unanswered),
     /// An instantaneous centre at infinity.
-    Far(&'a Far),
+    InfiniteCentre(&'a InfiniteCentre),
 }
 
 /// Returns all questions in their order.
-pub fn lines<'a>(worked: &'a Worked, certified: &'a [Certified]) -> Vec<Line<'a>> {
-    let answered = worked.results.iter().zip(certified).map(|(r, c)| (r.find, Line::Answer(r, c)));
-    let none = worked.unanswered.iter().map(|u| (u.find, Line::None(u)));
-    let mut all: Vec<_> = answered.chain(none).chain(worked.at_infinity.iter().map(|f| (f.find, Line::Far(f)))).collect();
+pub fn lines<'a>(worked: &'a Worked, certified: &'a [Certified]) -> Vec<AnswerLine<'a>> {
+    let answered = worked.results.iter().zip(certified).map(|(r, c)| (r.find, AnswerLine::Answer(r, c)));
+    let none = worked.unanswered.iter().map(|u| (u.find, AnswerLine::None(u)));
+    let mut all: Vec<_> = answered.chain(none).chain(worked.at_infinity.iter().map(|f| (f.find, AnswerLine::InfiniteCentre(f)))).collect();
     all.sort_by_key(|(find, _)| *find);
     all.into_iter().map(|(_, line)| line).collect()
 }
 
 /// Returns the direction of a centre at infinity: `at infinity, ∠ 35.00°`.
-pub fn at_infinity(far: &Far, lang: Lang) -> String {
+pub fn at_infinity(far: &InfiniteCentre, lang: Lang) -> String {
     match far.direction_deg {
         Some(degrees) => fill(tr(lang, "at infinity, ∠ {}°", "无穷远处，∠ {}°"), &[("", &significant(degrees, DIRECTION_DIGITS))]),
         None => tr(lang, "everywhere: no relative motion", "任意点：无相对运动").to_owned(),
@@ -114,9 +114,9 @@ pub fn worst(worked: &Worked) -> Option<f64> {
 
 /// Returns a value with its unit and its sense or direction, to its certified digits; if none are
 /// certain, the approximate value of the `f64` solution.
-pub fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize, lang: Lang) -> String {
+pub fn value_words(book: &Book, find: &Find, value: AnswerValue, c: &Certified, digits: usize, lang: Lang) -> String {
     let kind = find.what.kind();
-    let number = |part: Part, digits: usize, rough: f64| match c.part(part).and_then(|n| n.text(digits)) {
+    let number = |part: AnswerPart, digits: usize, rough: f64| match c.part(part).and_then(|n| n.text(digits)) {
         Some((text, _)) => text,
         None => match c.rough_digits(digits) {
             (known, true) => significant(rough, known),
@@ -125,32 +125,33 @@ pub fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits
     };
     // The certified number in the unit in which it is printed.
     let printed = match book.chosen(kind) {
-        Some(_) => Part::Printed,
-        None if kind == Kind::Angle => Part::Degrees,
-        None if matches!(value, Value::Vector(_)) => Part::Magnitude,
-        None => Part::Scalar,
+        Some(_) => AnswerPart::Printed,
+        None if kind == Kind::Angle => AnswerPart::Degrees,
+        None if matches!(value, AnswerValue::Vector(_)) => AnswerPart::Magnitude,
+        None => AnswerPart::Scalar,
     };
     let amount = |si: f64, sign: &str| book.text(kind, number(printed, digits, book.value(kind, si)).trim_start_matches(sign));
     match value {
-        Value::Vector(v) => {
-            let direction = match c.part(Part::Direction) {
-                None if v.norm() > 0.0 && matches!(c.why, Some(Why::NextOrder(_))) => {
-                    format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle())))
+        AnswerValue::Vector(v) => {
+            let direction = match c.part(AnswerPart::Direction) {
+                None if v.norm() > 0.0 && matches!(c.why, Some(MissingDigits::NextOrder(_))) => {
+                    format!(" ∠ {}°", number(AnswerPart::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle())))
                 }
-                Some(_) => format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle()))),
+                Some(_) => format!(" ∠ {}°", number(AnswerPart::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle()))),
                 None => String::new(),
             };
             format!("{}{direction}", amount(v.norm(), ""))
         }
-        Value::Scalar(s) if kind.turns() => {
-            let sign = c.part(Part::Scalar).map_or(s, |n| n.sign());
+        AnswerValue::Scalar(s) if kind.turns() => {
+            let sign = c.part(AnswerPart::Scalar).map_or(s, |n| n.sign());
             let sense = if sign == 0.0 { String::new() } else { format!(" {}", sense(lang, sign)) };
             format!("{}{sense}", amount(s, "-"))
         }
-        Value::Scalar(s) => amount(s, ""),
-        Value::Point(p) => {
-            let [x, y] = if book.chosen(kind).is_some() { [Part::PrintedX, Part::PrintedY] } else { [Part::X, Part::Y] };
-            let coordinate = |part: Part, si: f64| number(part, digits, book.value(kind, si));
+        AnswerValue::Scalar(s) => amount(s, ""),
+        AnswerValue::Point(p) => {
+            let [x, y] =
+                if book.chosen(kind).is_some() { [AnswerPart::PrintedX, AnswerPart::PrintedY] } else { [AnswerPart::X, AnswerPart::Y] };
+            let coordinate = |part: AnswerPart, si: f64| number(part, digits, book.value(kind, si));
             book.text(kind, &format!("({}, {})", coordinate(x, p.x), coordinate(y, p.y)))
         }
     }
@@ -159,7 +160,7 @@ pub fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits
 /// Returns the reason why fewer digits than requested are printed; empty if all are certain.
 fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
     let Some(why) = &c.why else { return String::new() };
-    if let Why::NextOrder(known) = why {
+    if let MissingDigits::NextOrder(known) = why {
         // The note on the pose states this once for all answers; it is repeated only where digits
         // are missing.
         return match lang {
@@ -171,7 +172,7 @@ fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
     let certain = c
         .parts
         .iter()
-        .filter(|(p, _)| !matches!(p, Part::X | Part::Y) || c.prints(*p))
+        .filter(|(p, _)| !matches!(p, AnswerPart::X | AnswerPart::Y) || c.prints(*p))
         .map(|(_, n)| n.text(digits).map_or(0, |t| t.1))
         .min();
     let why = why.words(lang);
@@ -183,7 +184,7 @@ fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
     }
 }
 
-fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Certified, digits: usize) -> String {
+fn measured_words(w: &PlanWriter, worked: &Worked, find: &Find, r: &Outcome, c: &Certified, digits: usize) -> String {
     let lang = w.lang;
     let others: Vec<String> = r.others.iter().map(|v| value_words(&w.scene.book, find, *v, c, digits, lang)).collect();
     match &r.drawn {
@@ -197,7 +198,7 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
             // If nothing moves there is no polygon and no scale.
             Some(_) if worked.construction.is_empty(find.what.diagram()) => String::new(),
             Some(m) => {
-                let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0);
+                let certain = |n: Option<&CertifiedNumber>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0);
                 let book = &w.scene.book;
                 let arm = certain(c.reading.as_ref().and_then(|r| r.arm.as_ref()));
                 let rough = |l: f64| significant(book.value(Kind::Length, l), READING_DIGITS);
@@ -213,12 +214,12 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
 }
 
 /// Returns a scale as a factor with its unit, in a form suitable for a product.
-fn scale_words(book: &Book, on: DiagramKind, m: &Measured) -> String {
+fn scale_words(book: &Book, on: DiagramKind, m: &MeasuredDistance) -> String {
     format!("{} {}", shortest(book.value(on.kind(), m.mu)), book.scale_name(on.kind()))
 }
 
 /// Returns the letters of the two marks at the ends of a length: `bc`, `n′_c–c′`.
-fn between(w: &Writer, on: DiagramKind, m: &Measured) -> String {
+fn between(w: &PlanWriter, on: DiagramKind, m: &MeasuredDistance) -> String {
     let [from, to] = m.marks.map(|(mark, _)| formula(&construction::mark(w, on, &mark)));
     // After a subscript the next letter would look like a part of it.
     let apart = if from.contains('_') { "–" } else { "" };
@@ -238,15 +239,15 @@ fn agreement_words(r: &Outcome, lang: Lang) -> String {
 /// and analysis and their difference.
 pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, notes: &[Diagnostic]) -> Json {
     let notation = Notation::of_language(Lang::En);
-    let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+    let w = PlanWriter { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
     let elsewhere = elsewhere::drawn(scene, worked);
     let answers: Vec<Json> = lines(worked, certified)
         .into_iter()
         .map(|line| {
             let (r, c) = match line {
-                Line::Answer(r, c) => (r, c),
-                Line::None(u) => return unanswered(scene, worked, u),
-                Line::Far(far) => return far_json(scene, far),
+                AnswerLine::Answer(r, c) => (r, c),
+                AnswerLine::None(u) => return unanswered(scene, worked, u),
+                AnswerLine::InfiniteCentre(far) => return far_json(scene, far),
             };
             let find = &scene.find[r.find];
             let mut answer = json!({
@@ -301,32 +302,32 @@ fn scales(worked: &Worked) -> serde_json::Map<String, Json> {
 }
 
 /// Returns a value in SI as JSON.
-fn value(v: Value) -> Json {
+fn value(v: AnswerValue) -> Json {
     match v {
-        Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
-        Value::Scalar(s) => json!({"value": s}),
-        Value::Point(p) => json!({"x": p.x, "y": p.y}),
+        AnswerValue::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
+        AnswerValue::Scalar(s) => json!({"value": s}),
+        AnswerValue::Point(p) => json!({"x": p.x, "y": p.y}),
     }
 }
 
 /// Returns the value in the unit that the scene requests, with its name; null if it requests none.
-fn in_unit(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize) -> Json {
+fn in_unit(book: &Book, find: &Find, value: AnswerValue, c: &Certified, digits: usize) -> Json {
     let kind = find.what.kind();
     let Some(unit) = book.chosen(kind) else { return Json::Null };
-    let text = |part: Part| c.part(part).and_then(|n| n.text(digits)).map(|t| t.0);
-    let one = |si: f64| json!({"unit": unit.name(), "value": unit.of(si), "text": text(Part::Printed)});
+    let text = |part: AnswerPart| c.part(part).and_then(|n| n.text(digits)).map(|t| t.0);
+    let one = |si: f64| json!({"unit": unit.name(), "value": unit.of(si), "text": text(AnswerPart::Printed)});
     match value {
-        Value::Vector(v) => one(v.norm()),
-        Value::Scalar(s) => one(s),
-        Value::Point(p) => {
-            let text = text(Part::PrintedX).zip(text(Part::PrintedY)).map(|(x, y)| format!("({x}, {y})"));
+        AnswerValue::Vector(v) => one(v.norm()),
+        AnswerValue::Scalar(s) => one(s),
+        AnswerValue::Point(p) => {
+            let text = text(AnswerPart::PrintedX).zip(text(AnswerPart::PrintedY)).map(|(x, y)| format!("({x}, {y})"));
             json!({"unit": unit.name(), "x": unit.of(p.x), "y": unit.of(p.y), "text": text})
         }
     }
 }
 
 /// Returns a centre at infinity as JSON: no value, but its direction. It has the keys of an answer.
-fn far_json(scene: &Scene, far: &Far) -> Json {
+fn far_json(scene: &Scene, far: &InfiniteCentre) -> Json {
     let find = &scene.find[far.find];
     let mut answer = json!({"find": find.text, "unit": find.what.kind().si(), "unbounded": false, "at_infinity": true, "direction_deg": far.direction_deg});
     for key in NO_ANSWER {

@@ -7,14 +7,14 @@
 use crate::amount::{amount, number, sense as certified_sense, symbol};
 use hodograph_base::digits::{direction_degrees, inked, significant};
 use hodograph_base::notation::Notation;
-use hodograph_board::plan::Step;
+use hodograph_board::plan::PlanStep;
 use hodograph_board::plan::names::name_label;
-use hodograph_board::plan::text::{Column, Writer};
-use hodograph_mechanism::answer::Value;
-use hodograph_methods::attempts::{Attempt, Row, Shown, Side, Site};
+use hodograph_board::plan::text::{EquationColumn, PlanWriter};
+use hodograph_mechanism::answer::AnswerValue;
+use hodograph_methods::attempts::{Attempt, AttemptAnswer, EquationPart, Site, SolutionSide};
 use hodograph_paper::paper::phrase::{Phrase, sense, tr};
 use hodograph_paper::paper::words::words;
-use hodograph_scene::{Book, Find, Given, Lang, Scene};
+use hodograph_scene::{Book, Find, GivenQuantity, Lang, Scene};
 use hodograph_worked::certified::Certified;
 use hodograph_worked::worked::{Worked, contact};
 use serde_json::{Value as Json, json};
@@ -27,7 +27,7 @@ const PRINTED_DIGITS: usize = 8;
 const REPRODUCED: f64 = 0.02;
 
 /// A writer for the wrong solutions of a scene.
-pub struct Words<'a> {
+pub struct AttemptWords<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// The correct solution.
@@ -45,12 +45,12 @@ pub struct Words<'a> {
 /// A column of the equation with its frame.
 pub struct Framed {
     /// The column.
-    pub column: Column,
+    pub column: EquationColumn,
     /// True if the vector is missing or wrong, and framed.
     pub framed: bool,
 }
 
-impl Words<'_> {
+impl AttemptWords<'_> {
     fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
         tr(self.lang, en, zh)
     }
@@ -104,25 +104,25 @@ impl Words<'_> {
     }
 
     /// Returns writers for the right and the wrong equations.
-    pub fn writers<'b>(&'b self, a: &'b Attempt) -> [Writer<'b>; 2] {
-        [&a.right, &a.wrong].map(|s| Writer { scene: &s.scene, plan: &s.worked.plan, notation: self.notation, lang: self.lang })
+    pub fn writers<'b>(&'b self, a: &'b Attempt) -> [PlanWriter<'b>; 2] {
+        [&a.right, &a.wrong].map(|s| PlanWriter { scene: &s.scene, plan: &s.worked.plan, notation: self.notation, lang: self.lang })
     }
 
     /// Returns the equation that shows the mistake; `None` if the mistake is in a statement.
     pub fn equation(&self, a: &Attempt) -> Option<Vec<Framed>> {
         let [right, wrong] = self.writers(a);
         let w = match a.shown.side {
-            Side::Right => right,
-            Side::Wrong => wrong,
+            SolutionSide::Right => right,
+            SolutionSide::Wrong => wrong,
         };
-        let Shown { on, step, framed, missing, .. } = &a.shown;
-        let Step::Equation { target, chains, .. } = step else { return None };
+        let EquationPart { on, step, framed, missing, .. } = &a.shown;
+        let PlanStep::Equation { target, chains, .. } = step else { return None };
         let columns = w.columns(*on, *target, chains);
-        let is_framed = |c: &Column| c.term.is_some_and(|t| framed.contains(&t));
+        let is_framed = |c: &EquationColumn| c.term.is_some_and(|t| framed.contains(&t));
         let mut all: Vec<Framed> = columns.into_iter().map(|column| Framed { framed: is_framed(&column), column }).collect();
         if let Some(m) = missing {
             let (symbol, direction, magnitude) = (m.symbol.clone(), m.direction.clone(), m.magnitude.clone());
-            all.push(Framed { column: Column { joint: "+", symbol, direction, magnitude, term: None }, framed: true });
+            all.push(Framed { column: EquationColumn { joint: "+", symbol, direction, magnitude, term: None }, framed: true });
         }
         Some(all)
     }
@@ -130,7 +130,7 @@ impl Words<'_> {
     /// Returns the wrong statement if no equation shows the mistake.
     pub fn statement(&self, a: &Attempt) -> Option<Phrase> {
         let [_, w] = self.writers(a);
-        let Step::Image { target, from, .. } = &a.shown.step else { return None };
+        let PlanStep::Image { target, from, .. } = &a.shown.step else { return None };
         let on = a.shown.on;
         let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
         let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
@@ -144,7 +144,7 @@ impl Words<'_> {
 
     /// Returns the legend of the frame.
     pub fn frame(&self, a: &Attempt) -> &'static str {
-        let missing = matches!((&a.shown.missing, a.shown.side), (Some(_), _) | (None, Side::Right));
+        let missing = matches!((&a.shown.missing, a.shown.side), (Some(_), _) | (None, SolutionSide::Right));
         match (missing, printed(a)) {
             (true, true) => self.tr("framed: left out in print", "框内：原解漏掉的项"),
             (false, true) => self.tr("framed: wrong in print", "框内：原解中错误的部分"),
@@ -163,15 +163,15 @@ impl Words<'_> {
     }
 
     /// Returns a value that is not certified.
-    fn plain(&self, find: &Find, value: Value) -> String {
+    fn plain(&self, find: &Find, value: AnswerValue) -> String {
         let (kind, book): (_, &Book) = (find.what.kind(), &self.scene.book);
         match value {
-            Value::Scalar(s) if kind.turns() => {
+            AnswerValue::Scalar(s) if kind.turns() => {
                 let words = if s == 0.0 { "" } else { sense(self.lang, s) };
                 format!("${}$ {words}", book.label(kind, &number(book.value(kind, s.abs()), DIGITS))).trim_end().to_owned()
             }
-            Value::Scalar(s) => format!("${}$", book.label(kind, &number(book.value(kind, s), DIGITS))),
-            Value::Vector(v) => {
+            AnswerValue::Scalar(s) => format!("${}$", book.label(kind, &number(book.value(kind, s), DIGITS))),
+            AnswerValue::Vector(v) => {
                 let size = book.label(kind, &number(book.value(kind, v.norm()), DIGITS));
                 if v.norm() == 0.0 {
                     format!("${size}$")
@@ -179,11 +179,11 @@ impl Words<'_> {
                     format!("${size}$ ∠ {}°", number(direction_degrees(v.angle()), DIGITS))
                 }
             }
-            Value::Point(p) => format!("({}, {})", number(p.x, DIGITS), number(p.y, DIGITS)),
+            AnswerValue::Point(p) => format!("({}, {})", number(p.x, DIGITS), number(p.y, DIGITS)),
         }
     }
 
-    fn printed(&self, find: &Find, given: &Given) -> String {
+    fn printed(&self, find: &Find, given: &GivenQuantity) -> String {
         let (kind, book) = (find.what.kind(), &self.scene.book);
         let told = |v: f64| book.label(kind, &inked(&significant_at_most(book.value(kind, v))));
         if kind.turns() && given.value != 0.0 {
@@ -192,7 +192,7 @@ impl Words<'_> {
         format!("${}$", told(given.value))
     }
 
-    fn truth(&self, row: &Row) -> String {
+    fn truth(&self, row: &AttemptAnswer) -> String {
         let (r, c) = (&self.worked.results[row.result], &self.certified[row.result]);
         let find = &self.scene.find[r.find];
         let words = words(self.lang);
@@ -202,21 +202,21 @@ impl Words<'_> {
     }
 
     /// Returns the line of a question: printed value, value by that equation, true value.
-    pub fn row(&self, row: &Row) -> Phrase {
+    pub fn row(&self, row: &AttemptAnswer) -> Phrase {
         let symbol = symbol(self.asked(row), self.notation);
-        Phrase::new(&format!("${symbol}${}{}", self.tr(": ", "："), self.told(row)))
+        Phrase::new(&format!("${symbol}${}{}", self.tr(": ", "："), self.comparison(row)))
     }
 
     /// Returns the line of a question without formulas: the quantity is written as in `find`.
-    fn plain_row(&self, row: &Row) -> String {
-        format!("{}{}{}", self.asked(row).text, self.tr(": ", "："), Phrase::new(&self.told(row)).plain())
+    fn plain_row(&self, row: &AttemptAnswer) -> String {
+        format!("{}{}{}", self.asked(row).text, self.tr(": ", "："), Phrase::new(&self.comparison(row)).plain())
     }
 
-    fn asked(&self, row: &Row) -> &Find {
+    fn asked(&self, row: &AttemptAnswer) -> &Find {
         &self.scene.find[self.worked.results[row.result].find]
     }
 
-    fn told(&self, row: &Row) -> String {
+    fn comparison(&self, row: &AttemptAnswer) -> String {
         let find = self.asked(row);
         let mut parts = Vec::new();
         parts.extend(row.printed.as_ref().map(|p| format!("{} {}", self.tr("printed", "原书"), self.printed(find, p))));
@@ -232,7 +232,7 @@ impl Words<'_> {
     }
 
     /// Returns the result of the wrong solution: the printed value, else the value by its equation.
-    pub fn claimed(&self, row: &Row) -> Option<Phrase> {
+    pub fn claimed(&self, row: &AttemptAnswer) -> Option<Phrase> {
         let find = self.asked(row);
         let value = match (&row.printed, row.wrong) {
             (Some(p), _) => self.printed(find, p),
@@ -274,8 +274,8 @@ impl Words<'_> {
     }
 }
 
-fn zero(v: Value) -> bool {
-    matches!(v, Value::Scalar(0.0))
+fn zero(v: AnswerValue) -> bool {
+    matches!(v, AnswerValue::Scalar(0.0))
 }
 
 /// Returns a printed number without trailing zeros.
@@ -285,7 +285,7 @@ fn significant_at_most(value: f64) -> String {
 }
 
 /// Returns the symbol of the gap: `\Delta a_{E3}`.
-pub fn gap_symbol(w: &Writer, a: &Attempt) -> String {
+pub fn gap_symbol(w: &PlanWriter, a: &Attempt) -> String {
     format!("\\Delta {}", w.vector(a.gap.on, a.gap.wrong))
 }
 
@@ -295,18 +295,18 @@ pub fn printed(a: &Attempt) -> bool {
 }
 
 /// Returns true if the printed value is the result of the equation.
-fn reproduced(row: &Row) -> bool {
+fn reproduced(row: &AttemptAnswer) -> bool {
     let (Some(printed), Some(wrong)) = (&row.printed, row.wrong) else { return true };
     let (a, b) = match wrong {
-        Value::Scalar(s) => (printed.value, s),
-        Value::Vector(v) => (printed.value.abs(), v.norm()),
-        Value::Point(_) => return true,
+        AnswerValue::Scalar(s) => (printed.value, s),
+        AnswerValue::Vector(v) => (printed.value.abs(), v.norm()),
+        AnswerValue::Point(_) => return true,
     };
     (a - b).abs() <= REPRODUCED * a.abs().max(b.abs())
 }
 
 /// Returns the report as text.
-pub fn text(words: &Words, all: &[Attempt]) -> String {
+pub fn text(words: &AttemptWords, all: &[Attempt]) -> String {
     let mut lines = Vec::new();
     let title = words.scene.title.get(words.lang);
     if !title.is_empty() {
@@ -336,14 +336,14 @@ pub fn text(words: &Words, all: &[Attempt]) -> String {
 }
 
 /// Returns the report as JSON, in SI.
-pub fn json(words: &Words, all: &[Attempt]) -> Json {
-    let value = |v: Value| match v {
-        Value::Scalar(s) => json!(s),
-        Value::Vector(v) => json!([v.x, v.y]),
-        Value::Point(p) => json!([p.x, p.y]),
+pub fn json(words: &AttemptWords, all: &[Attempt]) -> Json {
+    let value = |v: AnswerValue| match v {
+        AnswerValue::Scalar(s) => json!(s),
+        AnswerValue::Vector(v) => json!([v.x, v.y]),
+        AnswerValue::Point(p) => json!([p.x, p.y]),
     };
     let one = |a: &Attempt| {
-        let row = |r: &Row| {
+        let row = |r: &AttemptAnswer| {
             let result = &words.worked.results[r.result];
             json!({
                 "find": words.scene.find[result.find].text,

@@ -3,13 +3,15 @@
 
 mod told;
 
-pub use told::{Now, Unit, Which};
+pub use told::{CamNumber, Now, PrintedUnit};
 
-use hodograph_base::cam::{Disc, Fault, Follower, Jump, Law, Mark, Motion, Shock, Side, Survey, Touch, Way, in_turn, round};
+use hodograph_base::cam::{
+    CamExtreme, CamMotion, CamSurvey, Disc, Fault, Follower, FollowerTip, Jump, MotionLaw, PieceSide, Shock, StageMotion, in_turn, round,
+};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::significant;
 use hodograph_paper::paper::phrase::tr;
-use hodograph_scene::{Cam, Follows, Kind, Lang, Scene, Turning};
+use hodograph_scene::{Cam, Follows, Kind, Lang, Scene, TurningCam};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
@@ -23,9 +25,9 @@ pub struct Report<'a> {
     /// The cam.
     pub cam: &'a Cam,
     /// Geometry of the cam.
-    pub turning: &'a Turning,
+    pub turning: &'a TurningCam,
     /// Survey of a full turn.
-    pub survey: &'a Survey,
+    pub survey: &'a CamSurvey,
 }
 
 impl Report<'_> {
@@ -58,20 +60,20 @@ impl Report<'_> {
 
     /// Returns a number with its unit, to as many digits as are certain; `rough` is its approximate
     /// value (SI).
-    fn say(&self, which: Which, unit: Unit, rough: f64) -> String {
+    fn say(&self, which: CamNumber, unit: PrintedUnit, rough: f64) -> String {
         if !rough.is_finite() {
             return "∞".into();
         }
         let text = self.digits(which, unit, rough);
         match unit {
-            Unit::Si => text,
-            Unit::Degrees => in_degrees(&text),
-            Unit::Lift(0) if self.swings() => in_degrees(&text),
-            Unit::Length | Unit::Lift(0) => match self.scene.book.chosen(Kind::Length) {
+            PrintedUnit::Si => text,
+            PrintedUnit::Degrees => in_degrees(&text),
+            PrintedUnit::Lift(0) if self.swings() => in_degrees(&text),
+            PrintedUnit::Length | PrintedUnit::Lift(0) => match self.scene.book.chosen(Kind::Length) {
                 Some(chosen) => chosen.text(&text),
                 None => format!("{text} {}", self.scene.length_unit.name),
             },
-            Unit::Lift(order) => self.scene.book.text(self.kind_of(order), &text),
+            PrintedUnit::Lift(order) => self.scene.book.text(self.kind_of(order), &text),
         }
     }
 
@@ -106,55 +108,66 @@ impl Report<'_> {
             Lang::En => format!("cam {cam}, follower {follower}: {kind}"),
             Lang::Zh => format!("凸轮 {cam}，从动件 {follower}：{kind}"),
         });
-        line(format!("  {} r₀ = {}", tr(lang, "base circle", "基圆半径"), self.say(Which::Base, Unit::Length, self.disc().base())));
-        if let Touch::Point { radius } = self.disc().touch
+        line(format!(
+            "  {} r₀ = {}",
+            tr(lang, "base circle", "基圆半径"),
+            self.say(CamNumber::Base, PrintedUnit::Length, self.disc().base())
+        ));
+        if let FollowerTip::Point { radius } = self.disc().touch
             && radius > 0.0
         {
             line(format!(
                 "  {} r_r = {}",
                 tr(lang, "radius of the follower's end", "滚子（圆端）半径"),
-                self.say(Which::End, Unit::Length, radius)
+                self.say(CamNumber::End, PrintedUnit::Length, radius)
             ));
         }
         match self.disc().follower {
             Follower::Translating { offset, .. } => {
                 // Positive towards the instantaneous centre of cam and follower on the outward
                 // motion.
-                line(format!("  {} e = {}", tr(lang, "offset", "偏距"), self.say(Which::Offset, Unit::Length, offset * self.disc().sense)));
+                line(format!(
+                    "  {} e = {}",
+                    tr(lang, "offset", "偏距"),
+                    self.say(CamNumber::Offset, PrintedUnit::Length, offset * self.disc().sense)
+                ));
             }
             Follower::Oscillating { pivot, arm, .. } => {
                 line(format!(
                     "  {} d = {}",
                     tr(lang, "distance of the pivots", "中心距"),
-                    self.say(Which::Distance, Unit::Length, pivot.norm())
+                    self.say(CamNumber::Distance, PrintedUnit::Length, pivot.norm())
                 ));
                 if arm > 0.0 {
-                    line(format!("  {} l = {}", tr(lang, "arm", "摆杆长"), self.say(Which::Arm, Unit::Length, arm)));
+                    line(format!("  {} l = {}", tr(lang, "arm", "摆杆长"), self.say(CamNumber::Arm, PrintedUnit::Length, arm)));
                 }
             }
         }
-        line(format!("  {} h = {}", tr(lang, "stroke", "行程"), self.say(Which::Stroke, Unit::Lift(0), self.survey.stroke)));
+        line(format!("  {} h = {}", tr(lang, "stroke", "行程"), self.say(CamNumber::Stroke, PrintedUnit::Lift(0), self.survey.stroke)));
         let s = self.survey;
         line(format!(
             "  {}",
             [("Φ", 1, false), ("Φs", 0, true), ("Φ′", -1, false), ("Φs′", 0, false)]
-                .map(|(name, way, out)| format!("{name} = {}", self.say(Which::Phase(way, out), Unit::Degrees, s.angle(way, out))))
+                .map(|(name, way, out)| format!(
+                    "{name} = {}",
+                    self.say(CamNumber::Phase(way, out), PrintedUnit::Degrees, s.angle(way, out))
+                ))
                 .join("  ")
         ));
-        if let Motion::Law { program, .. } = &self.disc().motion {
+        if let CamMotion::Law { program, .. } = &self.disc().motion {
             let (joints, outer) = (program.joints(), program.outer());
             for (k, stage) in program.stages.iter().enumerate() {
-                let [from, to] = [k, k + 1].map(|k| self.say(Which::Start(k), Unit::Degrees, joints[k]));
+                let [from, to] = [k, k + 1].map(|k| self.say(CamNumber::Start(k), PrintedUnit::Degrees, joints[k]));
                 line(format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)));
             }
         }
         let w = self.omega();
-        let marks = [(1, [0, 1].map(Mark::Rate), s.velocity), (2, [0, 1].map(Mark::Bend), s.acceleration)];
+        let marks = [(1, [0, 1].map(CamExtreme::Rate), s.velocity), (2, [0, 1].map(CamExtreme::Bend), s.acceleration)];
         for (order, mark, list) in marks {
             let factor = if order == 1 { w } else { w * w };
             let told = |k: usize| {
-                let at = self.say(Which::At(mark[k]), Unit::Degrees, list[k].0);
-                (at, self.say(Which::Most(mark[k]), Unit::Lift(order), list[k].1 * factor))
+                let at = self.say(CamNumber::At(mark[k]), PrintedUnit::Degrees, list[k].0);
+                (at, self.say(CamNumber::Most(mark[k]), PrintedUnit::Lift(order), list[k].1 * factor))
             };
             let [low, high] = [told(0), told(1)];
             let symbol = self.symbol(order);
@@ -170,65 +183,66 @@ impl Report<'_> {
             [tr(lang, "greatest pressure angle, out", "推程最大压力角"), tr(lang, "greatest pressure angle, back", "回程最大压力角")];
         for (k, name) in names.into_iter().enumerate() {
             if s.pressure[k].is_some() {
-                line(format!("  {name}{}", self.valued(Mark::Pressure(k), s.pressure[k], lang)));
+                line(format!("  {name}{}", self.valued(CamExtreme::Pressure(k), s.pressure[k], lang)));
             }
         }
         if s.least_rho.is_some() {
             let name = match self.disc().touch {
-                Touch::Point { .. } => tr(lang, "least convex radius of the pitch curve", "理论廓线外凸部分的最小曲率半径"),
-                Touch::Flat { .. } => tr(lang, "least radius of the profile", "廓线的最小曲率半径"),
+                FollowerTip::Point { .. } => tr(lang, "least convex radius of the pitch curve", "理论廓线外凸部分的最小曲率半径"),
+                FollowerTip::Flat { .. } => tr(lang, "least radius of the profile", "廓线的最小曲率半径"),
             };
-            line(format!("  {name}{}", self.valued(Mark::Radius, s.least_rho, lang)));
+            line(format!("  {name}{}", self.valued(CamExtreme::Radius, s.least_rho, lang)));
         }
         if let Some([lift, v, a, pressure, rho, rho_pitch]) = self.now() {
             let lifts = [lift, v, a].into_iter().enumerate();
-            let lifts = lifts.map(|(k, x)| format!("{} = {}", self.symbol(k), self.say(Which::Now(Now::Lift(k)), Unit::Lift(k), x)));
+            let lifts =
+                lifts.map(|(k, x)| format!("{} = {}", self.symbol(k), self.say(CamNumber::Now(Now::Lift(k)), PrintedUnit::Lift(k), x)));
             line(format!(
                 "  {} φ = {}{}{}",
                 tr(lang, "at the instant", "图示位置"),
-                self.say(Which::Now(Now::Phi), Unit::Degrees, in_turn(self.turning.phi)),
+                self.say(CamNumber::Now(Now::Phi), PrintedUnit::Degrees, in_turn(self.turning.phi)),
                 tr(lang, ": ", "："),
                 lifts.collect::<Vec<_>>().join(comma)
             ));
             let alpha = match self.disc().touch {
-                Touch::Point { .. } => {
-                    let pressure = self.say(Which::Now(Now::Pressure), Unit::Degrees, pressure);
+                FollowerTip::Point { .. } => {
+                    let pressure = self.say(CamNumber::Now(Now::Pressure), PrintedUnit::Degrees, pressure);
                     format!("{} {pressure}{comma}", tr(lang, "pressure angle", "压力角"))
                 }
-                Touch::Flat { .. } => String::new(),
+                FollowerTip::Flat { .. } => String::new(),
             };
             let pitch = if rho_pitch == rho {
                 String::new()
             } else {
-                let told = self.say(Which::Now(Now::Pitch), Unit::Length, rho_pitch);
+                let told = self.say(CamNumber::Now(Now::Pitch), PrintedUnit::Length, rho_pitch);
                 format!("{comma}{} {told}", tr(lang, "of the pitch curve", "理论廓线"))
             };
-            line(format!("    {alpha}ρ = {}{pitch}", self.say(Which::Now(Now::Rho), Unit::Length, rho)));
+            line(format!("    {alpha}ρ = {}{pitch}", self.say(CamNumber::Now(Now::Rho), PrintedUnit::Length, rho)));
         }
         out
     }
 
-    fn stage(&self, k: usize, way: Way, out: bool, lang: Lang) -> String {
-        let gain = |h: f64| self.say(Which::Gain(k), Unit::Lift(0), h);
+    fn stage(&self, k: usize, way: StageMotion, out: bool, lang: Lang) -> String {
+        let gain = |h: f64| self.say(CamNumber::Gain(k), PrintedUnit::Lift(0), h);
         let comma = tr(lang, ", ", "，");
-        let law = |l: Law| match lang {
+        let law = |l: MotionLaw| match lang {
             Lang::En => format!("{} motion", l.name()),
             Lang::Zh => l.name_zh().to_owned(),
         };
         match way {
-            Way::Rise(h, l) => format!("{} {}{comma}{}", tr(lang, "rise", "推程"), gain(h), law(l)),
-            Way::Dwell => dwell(out, lang).to_owned(),
-            Way::Return(h, l) => format!("{} {}{comma}{}", tr(lang, "return", "回程"), gain(h), law(l)),
+            StageMotion::Rise(h, l) => format!("{} {}{comma}{}", tr(lang, "rise", "推程"), gain(h), law(l)),
+            StageMotion::Dwell => dwell(out, lang).to_owned(),
+            StageMotion::Return(h, l) => format!("{} {}{comma}{}", tr(lang, "return", "回程"), gain(h), law(l)),
         }
     }
 
     /// Returns an extreme with its cam angle, to follow its name: `: 30° at φ = 60°`,
     /// `：30°（φ = 60° 时）`.
-    fn valued(&self, mark: Mark, found: Option<(f64, f64)>, lang: Lang) -> String {
+    fn valued(&self, mark: CamExtreme, found: Option<(f64, f64)>, lang: Lang) -> String {
         let (phi, value) = found.unwrap_or_default();
-        let unit = if mark == Mark::Radius { Unit::Length } else { Unit::Degrees };
-        let at = self.say(Which::At(mark), Unit::Degrees, phi);
-        let value = self.say(Which::Most(mark), unit, if mark == Mark::Radius { value } else { value.abs() });
+        let unit = if mark == CamExtreme::Radius { PrintedUnit::Length } else { PrintedUnit::Degrees };
+        let at = self.say(CamNumber::At(mark), PrintedUnit::Degrees, phi);
+        let value = self.say(CamNumber::Most(mark), unit, if mark == CamExtreme::Radius { value } else { value.abs() });
         match lang {
             Lang::En => format!(": {value} at φ = {at}"),
             Lang::Zh => format!("：{value}（φ = {at} 时）"),
@@ -243,8 +257,8 @@ impl Report<'_> {
         };
         let order = j.shock.order();
         let (symbol, factor) = (self.symbol(order), libm::pow(self.omega(), order as f64));
-        let [b, a] = [0, 1].map(|side| self.say(Which::Jump(k, side), Unit::Lift(order), j.sides[side] * factor));
-        let at = self.say(Which::JumpAt(k), Unit::Degrees, in_turn(j.phi));
+        let [b, a] = [0, 1].map(|side| self.say(CamNumber::Jump(k, side), PrintedUnit::Lift(order), j.sides[side] * factor));
+        let at = self.say(CamNumber::JumpAt(k), PrintedUnit::Degrees, in_turn(j.phi));
         match lang {
             Lang::En => format!("{name} at φ = {at}: {symbol} from {b} to {a}"),
             Lang::Zh => format!("φ = {at} 处有{name}：{symbol} 由 {b} 变为 {a}"),
@@ -254,10 +268,11 @@ impl Report<'_> {
     /// Returns the report as JSON: SI, angles in radians.
     pub fn json(&self) -> Json {
         let s = self.survey;
-        let near = |which: Which, rough: f64| self.nearest(which, rough);
-        let place = |mark: Mark, e: (f64, f64)| json!({"phi": near(Which::At(mark), e.0), "value": near(Which::ByPhi(mark), e.1)});
+        let near = |which: CamNumber, rough: f64| self.nearest(which, rough);
+        let place =
+            |mark: CamExtreme, e: (f64, f64)| json!({"phi": near(CamNumber::At(mark), e.0), "value": near(CamNumber::ByPhi(mark), e.1)});
         let now = self.now().map(|[lift, v, a, pressure, rho, pitch]| {
-            let of = |now: Now, rough: f64| near(Which::Now(now), rough);
+            let of = |now: Now, rough: f64| near(CamNumber::Now(now), rough);
             json!({"phi": of(Now::Phi, in_turn(self.turning.phi)), "s": of(Now::Lift(0), lift), "v": of(Now::Lift(1), v), "a": of(Now::Lift(2), a),
                 "pressure_angle": of(Now::Pressure, pressure), "rho": of(Now::Rho, rho), "rho_pitch": of(Now::Pitch, pitch)})
         });
@@ -270,25 +285,25 @@ impl Report<'_> {
                     Shock::Rigid => "rigid",
                     Shock::Soft => "soft",
                 };
-                let sides = [0, 1].map(|side| near(Which::JumpByPhi(k, side), j.sides[side]));
-                json!({"phi": near(Which::JumpAt(k), in_turn(j.phi)), "kind": kind, "before": sides[0], "after": sides[1]})
+                let sides = [0, 1].map(|side| near(CamNumber::JumpByPhi(k, side), j.sides[side]));
+                json!({"phi": near(CamNumber::JumpAt(k), in_turn(j.phi)), "kind": kind, "before": sides[0], "after": sides[1]})
             })
             .collect();
-        let angle = |way: i8, out: bool| near(Which::Phase(way, out), s.angle(way, out));
-        let both = |mark: fn(usize) -> Mark, list: [(f64, f64); 2]| [0, 1].map(|k| place(mark(k), list[k]));
-        let pressure = |k: usize| s.pressure[k].map(|e| place(Mark::Pressure(k), e));
+        let angle = |way: i8, out: bool| near(CamNumber::Phase(way, out), s.angle(way, out));
+        let both = |mark: fn(usize) -> CamExtreme, list: [(f64, f64); 2]| [0, 1].map(|k| place(mark(k), list[k]));
+        let pressure = |k: usize| s.pressure[k].map(|e| place(CamExtreme::Pressure(k), e));
         json!({
             "cam": self.scene.link_name(self.cam.cam),
             "follower": self.scene.link_name(self.cam.follower),
             "oscillating": self.swings(),
-            "base": near(Which::Base, self.disc().base()),
-            "stroke": near(Which::Stroke, s.stroke),
+            "base": near(CamNumber::Base, self.disc().base()),
+            "stroke": near(CamNumber::Stroke, s.stroke),
             "angles": {"rise": angle(1, false), "outer_dwell": angle(0, true), "return": angle(-1, false), "inner_dwell": angle(0, false)},
-            "ds": both(Mark::Rate, s.velocity),
-            "dds": both(Mark::Bend, s.acceleration),
+            "ds": both(CamExtreme::Rate, s.velocity),
+            "dds": both(CamExtreme::Bend, s.acceleration),
             "shocks": jumps,
             "pressure_angle": {"rise": pressure(0), "return": pressure(1)},
-            "least_rho": s.least_rho.map(|e| place(Mark::Radius, e)),
+            "least_rho": s.least_rho.map(|e| place(CamExtreme::Radius, e)),
             "now": now,
             "faults": self.faults().iter().map(|d| json!({"code": d.code, "message": d.message.en})).collect::<Vec<_>>(),
         })
@@ -313,15 +328,15 @@ impl Report<'_> {
     fn fault(&self, fault: &Fault) -> Diagnostic {
         match *fault {
             Fault::Undercut { phi, rho, least_base } => {
-                let at = self.say(Which::At(Mark::Radius), Unit::Degrees, in_turn(phi));
-                let rho = self.say(Which::Most(Mark::Radius), Unit::Length, rho);
+                let at = self.say(CamNumber::At(CamExtreme::Radius), PrintedUnit::Degrees, in_turn(phi));
+                let rho = self.say(CamNumber::Most(CamExtreme::Radius), PrintedUnit::Length, rho);
                 let message = match self.disc().touch {
-                    Touch::Point { radius } => both!(
+                    FollowerTip::Point { radius } => both!(
                         "the profile is undercut: at φ = {at} the pitch curve has the radius {rho}, the roller {}",
                         "运动失真：φ = {at} 处理论廓线的曲率半径为 {rho}，滚子半径为 {}",
-                        self.say(Which::End, Unit::Length, radius)
+                        self.say(CamNumber::End, PrintedUnit::Length, radius)
                     ),
-                    Touch::Flat { .. } => both!(
+                    FollowerTip::Flat { .. } => both!(
                         "the profile is undercut: at φ = {at} a flat face would need the radius {rho}",
                         "运动失真：φ = {at} 处平底从动件要求的曲率半径为 {rho}"
                     ),
@@ -331,7 +346,7 @@ impl Report<'_> {
                     Some(base) => d.help(both!(
                         "the least base circle that avoids it is {}; or take a smaller roller, a longer angle, a gentler law",
                         "避免失真的最小基圆半径为 {}；或减小滚子、加大运动角、改用较平缓的规律",
-                        self.say(Which::LeastBase, Unit::Length, base)
+                        self.say(CamNumber::LeastBase, PrintedUnit::Length, base)
                     )),
                     None => d.help(both!(
                         "no base circle avoids it: take a smaller roller or a longer angle",
@@ -344,8 +359,8 @@ impl Report<'_> {
                 both!(
                     "the roller does not go into the hollow of radius {} (φ = {})",
                     "滚子放不进半径为 {} 的内凹廓线（φ = {}）",
-                    self.say(Which::Hollow, Unit::Length, -rho),
-                    self.say(Which::HollowAt, Unit::Degrees, in_turn(phi))
+                    self.say(CamNumber::Hollow, PrintedUnit::Length, -rho),
+                    self.say(CamNumber::HollowAt, PrintedUnit::Degrees, in_turn(phi))
                 ),
             )
             .help(both!("take a smaller roller", "请减小滚子")),
@@ -354,8 +369,8 @@ impl Report<'_> {
                 both!(
                     "the pressure angle reaches {} at φ = {} {}; usual is at most {}",
                     "压力角在 φ = {1} {2}达到 {0}；许用值为 {3}",
-                    self.say(Which::Most(Mark::Pressure(usize::from(!rising))), Unit::Degrees, angle.abs()),
-                    self.say(Which::At(Mark::Pressure(usize::from(!rising))), Unit::Degrees, in_turn(phi)),
+                    self.say(CamNumber::Most(CamExtreme::Pressure(usize::from(!rising))), PrintedUnit::Degrees, angle.abs()),
+                    self.say(CamNumber::At(CamExtreme::Pressure(usize::from(!rising))), PrintedUnit::Degrees, in_turn(phi)),
                     if rising { both!("as the follower goes out", "（推程）") } else { both!("as it comes back", "（回程）") },
                     degrees(usual)
                 ),
@@ -395,7 +410,7 @@ impl Report<'_> {
         for (phi, side) in round(self.disc(), steps) {
             let Some(s) = self.disc().station(phi, side) else { continue };
             // One row for each angle: at a joint the values after it.
-            if side == Side::Before && phi < TAU - 1e-9 {
+            if side == PieceSide::Before && phi < TAU - 1e-9 {
                 continue;
             }
             let Some([lift, dq, ddq, _]) = self.survey.lift(self.disc(), phi, side) else { continue };

@@ -2,10 +2,12 @@
 
 use super::columns::columns;
 use super::drafting;
-use super::writing::Writing;
+use super::writing::PointForm;
 use hodograph_base::digits::{direction_degrees, line_degrees, significant};
-use hodograph_mechanism::answer::Value;
-use hodograph_methods::centres::{By, Centre, Centres, How, Motion, Pair, Place, Speed, Turning, omega, velocity};
+use hodograph_mechanism::answer::AnswerValue;
+use hodograph_methods::centres::{
+    Centre, CentreMethod, CentreMotion, CentreMotionSource, CentrePlace, Centres, LinkPair, RelativeMotion, Speed, omega, velocity,
+};
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Kind, Lang, LinkId, Scene};
 
@@ -16,17 +18,17 @@ const DIGITS: usize = 6;
 const ROUNDING: f64 = 1e-12;
 
 /// A writer for one result and language.
-pub struct Words<'a> {
+pub struct CentreWords<'a> {
     pub(super) found: &'a Centres,
     pub(super) scene: &'a Scene,
     pub(super) lang: Lang,
     /// Form of the names in sentences.
-    pub(super) writing: Writing,
+    pub(super) writing: PointForm,
 }
 
 /// Returns the report as text.
 pub fn text(found: &Centres, lang: Lang) -> String {
-    let w = Words::new(found, lang);
+    let w = CentreWords::new(found, lang);
     let mut lines = Vec::new();
     let title = w.scene.title.get(lang);
     if !title.is_empty() {
@@ -46,19 +48,19 @@ pub fn text(found: &Centres, lang: Lang) -> String {
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
 }
 
-impl<'a> Words<'a> {
+impl<'a> CentreWords<'a> {
     /// Returns a writer for plain text.
-    pub fn new(found: &'a Centres, lang: Lang) -> Words<'a> {
-        Words { found, scene: &found.scene, lang, writing: Writing::Plain }
+    pub fn new(found: &'a Centres, lang: Lang) -> CentreWords<'a> {
+        CentreWords { found, scene: &found.scene, lang, writing: PointForm::Plain }
     }
 
     /// Returns a writer with names between dollar signs
     /// ([`hodograph_paper::paper::phrase::Phrase::new`]).
-    pub fn marked(found: &'a Centres, lang: Lang) -> Words<'a> {
-        Words { writing: Writing::Marked, ..Words::new(found, lang) }
+    pub fn marked(found: &'a Centres, lang: Lang) -> CentreWords<'a> {
+        CentreWords { writing: PointForm::Marked, ..CentreWords::new(found, lang) }
     }
 
-    pub(super) fn pair(&self, a: LinkId, b: LinkId) -> Pair {
+    pub(super) fn pair(&self, a: LinkId, b: LinkId) -> LinkPair {
         self.found.closure.pair(a, b)
     }
 
@@ -69,7 +71,7 @@ impl<'a> Words<'a> {
     /// Returns the number of centres and how they are found.
     pub fn counts(&self) -> String {
         let c = &self.found.closure;
-        let taken = c.steps.iter().filter(|s| s.how == How::Velocities).count();
+        let taken = c.steps.iter().filter(|s| s.how == CentreMethod::Velocities).count();
         let (n, all, primary) = (c.links.len(), c.steps.len(), c.primary);
         let more = all - primary - taken;
         match (self.lang, taken) {
@@ -125,8 +127,8 @@ impl<'a> Words<'a> {
         for (k, c) in self.found.list.iter().enumerate() {
             let mut row = vec![c.step.pair.name(self.scene), c.round.to_string(), self.how(c)];
             match c.place {
-                Some(Place::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
-                Some(Place::Infinity(u)) => row
+                Some(CentrePlace::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
+                Some(CentrePlace::Infinity(u)) => row
                     .extend([tr(lang, "at infinity", "无穷远").to_owned(), format!("∠ {}°", significant(line_degrees(u.angle()), DIGITS))]),
                 None => row.extend([tr(lang, "not determined", "不定").to_owned(), String::new()]),
             }
@@ -198,9 +200,9 @@ impl<'a> Words<'a> {
         steps.extend(uses.links.iter().map(|t| self.turning(t)));
         steps.extend(uses.points.iter().map(|s| self.speed(s)));
         match self.writing {
-            Writing::Plain => steps,
+            PointForm::Plain => steps,
             // Adjacent names form one formula; column spacing is for terminals only.
-            Writing::Marked => steps.iter().map(|s| s.replace("$$", "").replace("  ", " ")).collect(),
+            PointForm::Marked => steps.iter().map(|s| s.replace("$$", "").replace("  ", " ")).collect(),
         }
     }
 
@@ -212,13 +214,13 @@ impl<'a> Words<'a> {
         }
     }
 
-    fn of(&self, l: LinkId) -> Option<&Turning> {
+    fn of(&self, l: LinkId) -> Option<&CentreMotion> {
         self.found.uses.links.iter().find(|t| t.link == l)
     }
 
     /// Returns the angular velocity of a link relative to the frame; zero if it is only rounding.
     fn rate_of(&self, l: LinkId) -> f64 {
-        let rate = |t: &Turning| if let Motion::Turn(omega) = t.motion { omega } else { 0.0 };
+        let rate = |t: &CentreMotion| if let RelativeMotion::Turn(omega) = t.motion { omega } else { 0.0 };
         let most = self.found.uses.links.iter().map(|t| rate(t).abs()).fold(0.0, f64::max);
         self.of(l).map(rate).filter(|omega| omega.abs() > ROUNDING * most).unwrap_or(0.0)
     }
@@ -233,18 +235,18 @@ impl<'a> Words<'a> {
     fn fastest(&self) -> f64 {
         let size = self.found.worked.configuration.extent();
         let of_links = self.found.uses.links.iter().map(|t| match t.motion {
-            Motion::Turn(omega) => omega.abs() * size,
-            Motion::Slide(v) => v.norm(),
+            RelativeMotion::Turn(omega) => omega.abs() * size,
+            RelativeMotion::Slide(v) => v.norm(),
         });
         self.found.uses.points.iter().map(|s| s.velocity.norm()).chain(of_links).fold(0.0, f64::max)
     }
 
-    fn turning(&self, t: &Turning) -> String {
+    fn turning(&self, t: &CentreMotion) -> String {
         let (lang, frame) = (self.lang, self.found.uses.frame);
         let v_k = self.v(self.scene.link_name(t.link));
         let (rate, slide) = match t.motion {
-            Motion::Turn(_) => (self.rate_of(t.link), None),
-            Motion::Slide(v) => (0.0, Some(v)),
+            RelativeMotion::Turn(_) => (self.rate_of(t.link), None),
+            RelativeMotion::Slide(v) => (0.0, Some(v)),
         };
         let rate_words = format!("{}{}", self.omega(rate.abs()), self.sense(rate));
         let slides = |v: hodograph_base::geom::Vec2| {
@@ -253,8 +255,8 @@ impl<'a> Words<'a> {
         };
         let own = self.symbol(t.link);
         match t.by {
-            By::Driver | By::Analysis => {
-                let why = if t.by == By::Driver {
+            CentreMotionSource::Driver | CentreMotionSource::Analysis => {
+                let why = if t.by == CentreMotionSource::Driver {
                     tr(lang, if self.scene.drivers.len() > 1 { "  (a driver)" } else { "  (the driver)" }, "（原动件）")
                 } else {
                     tr(lang, "  (by the analysis)", "（由解析法）")
@@ -264,7 +266,7 @@ impl<'a> Words<'a> {
                     None => format!("{own} = {rate_words}{why}"),
                 }
             }
-            By::Ratio { link, of_other, own: arm } => {
+            CentreMotionSource::Ratio { link, of_other, own: arm } => {
                 let (x, m) = (self.name(t.link, link), self.symbol(link));
                 let (o, c) = (self.name(frame, t.link), self.name(frame, link));
                 let sense = match (lang, rate * self.rate_of(link)) {
@@ -279,11 +281,11 @@ impl<'a> Words<'a> {
                 let (near, far) = (self.length(of_other), self.length(arm));
                 format!("{own}{over}{m} = {c}{x}/{o}{x} = {near} / {far} = {ratio}{sense}{then}{own} = {rate_words}")
             }
-            By::Together(m) => match lang {
+            CentreMotionSource::Together(m) => match lang {
                 Lang::En => format!("{} lies at infinity: {own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
                 Lang::Zh => format!("{} 在无穷远处：{own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
             },
-            By::Wedge(m) => {
+            CentreMotionSource::Wedge(m) => {
                 let (x, v_m) = (self.name(t.link, m), self.v(self.scene.link_name(m)));
                 let v = slide.map_or(String::new(), slides);
                 match lang {
@@ -291,14 +293,14 @@ impl<'a> Words<'a> {
                     Lang::Zh => format!("{x} 在无穷远处：{v_k} 与 {v_m} 沿其方向的分量相等；{v_k} = {v}"),
                 }
             }
-            By::Slides { link, arm } => {
+            CentreMotionSource::Slides { link, arm } => {
                 let (x, c, m) = (self.name(t.link, link), self.name(frame, link), self.symbol(link));
                 let turns = self.omega(self.rate_of(link).abs());
                 format!("{v_k} = {m} · {c}{x} = {turns} · {} = {}", self.length(arm), slide.map_or(String::new(), slides))
             }
-            By::FromSlide { link, arm } => {
+            CentreMotionSource::FromSlide { link, arm } => {
                 let (x, o) = (self.name(t.link, link), self.name(frame, t.link));
-                let speed = self.of(link).map_or(0.0, |m| if let Motion::Slide(v) = m.motion { v.norm() } else { 0.0 });
+                let speed = self.of(link).map_or(0.0, |m| if let RelativeMotion::Slide(v) = m.motion { v.norm() } else { 0.0 });
                 let (v_m, speed, arm) = (self.v(self.scene.link_name(link)), self.velocity(speed), self.length(arm));
                 format!("{own} = {v_m} / {o}{x} = {speed} / {arm} = {rate_words}")
             }
@@ -347,10 +349,10 @@ impl<'a> Words<'a> {
     /// Returns symbol, kind, value by centres, and values by drawing and analysis; for a vector its
     /// length.
     pub fn values(&self) -> Vec<(String, Kind, f64, [Option<f64>; 2])> {
-        let number = |v: Value| match v {
-            Value::Scalar(s) => s,
-            Value::Vector(v) => v.norm(),
-            Value::Point(p) => p.to_vec2().norm(),
+        let number = |v: AnswerValue| match v {
+            AnswerValue::Scalar(s) => s,
+            AnswerValue::Vector(v) => v.norm(),
+            AnswerValue::Point(p) => p.to_vec2().norm(),
         };
         let links = self.found.uses.links.iter().filter(|t| t.link != self.scene.ground).map(|t| {
             let others = self.found.other_ways(&omega(t.link, None)).map(|v| v.map(number));
@@ -366,10 +368,10 @@ impl<'a> Words<'a> {
 
 /// Returns the positions of all centres in one line, for readers who do not see the figure.
 pub fn places(found: &Centres, lang: Lang) -> String {
-    let w = Words::new(found, lang);
+    let w = CentreWords::new(found, lang);
     let place = |c: &Centre| match c.place {
-        Some(Place::At(p)) => format!("({}, {})", w.length(p.x), w.length(p.y)),
-        Some(Place::Infinity(_)) => tr(lang, "at infinity", "无穷远").to_owned(),
+        Some(CentrePlace::At(p)) => format!("({}, {})", w.length(p.x), w.length(p.y)),
+        Some(CentrePlace::Infinity(_)) => tr(lang, "at infinity", "无穷远").to_owned(),
         None => tr(lang, "not determined", "不定").to_owned(),
     };
     found.list.iter().map(|c| format!("{} {}", c.step.pair.name(w.scene), place(c))).collect::<Vec<_>>().join("; ")

@@ -1,24 +1,24 @@
 //! The construction of each instantaneous centre in words: from its pair, or as the intersection of
 //! two lines.
 
-use super::centres::Words;
-use super::writing::Writing;
+use super::centres::CentreWords;
+use super::writing::PointForm;
 use hodograph_board::plan::names::name_label;
-use hodograph_methods::centres::{Centre, How, Line, Origin, Pair, Place, Primary};
+use hodograph_methods::centres::{Centre, CentreLocus, CentreMethod, CentrePlace, LinkPair, Origin, Primary};
 use hodograph_paper::paper::phrase::{Phrase, fill, tr};
 use hodograph_scene::{GuidePath, Lang, PointId};
 
-impl Words<'_> {
+impl CentreWords<'_> {
     /// Returns the construction of a centre in plain characters: `pin B`, `23·34 × 12·14`.
     pub fn how(&self, c: &Centre) -> String {
         let given = if c.step.given_drivers { tr(self.lang, " (for the given drivers)", "（对给定的原动件运动）") } else { "" };
         let how = match (&c.step.how, c.origin) {
-            (How::Primary(primary), _) => self.primary(*primary, Writing::Plain),
-            (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, Writing::Plain),
-            (How::Lines(_), Some(Origin::Velocities)) => {
+            (CentreMethod::Primary(primary), _) => self.primary(*primary, PointForm::Plain),
+            (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, PointForm::Plain),
+            (CentreMethod::Lines(_), Some(Origin::Velocities)) => {
                 tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）").to_owned()
             }
-            (How::Velocities, Some(Origin::Velocities)) => {
+            (CentreMethod::Velocities, Some(Origin::Velocities)) => {
                 let how = tr(self.lang, "velocities of the analysis", "解析法的速度");
                 self.normals(c).map_or_else(
                     || how.to_owned(),
@@ -33,8 +33,8 @@ impl Words<'_> {
     /// Returns the construction of a centre in a few words for a figure: `pin B`, `23·34 × 12·14`.
     pub fn found_by(&self, c: &Centre) -> Phrase {
         Phrase::new(&match (&c.step.how, c.origin) {
-            (How::Primary(primary), _) => self.primary(*primary, Writing::Marked),
-            (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, Writing::Marked),
+            (CentreMethod::Primary(primary), _) => self.primary(*primary, PointForm::Marked),
+            (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, PointForm::Marked),
             (_, Some(Origin::Velocities)) => self.normals(c).unwrap_or_else(|| tr(self.lang, "from velocities", "由速度求得").to_owned()),
             (_, Some(Origin::Pair) | None) => "–".to_owned(),
         })
@@ -44,12 +44,12 @@ impl Words<'_> {
     pub fn sentence(&self, c: &Centre) -> Phrase {
         let (i, j) = (c.step.pair.i, c.step.pair.j);
         let name = |a, b| format!("P_{{{}}}", name_label(&self.pair(a, b).indices(self.scene)));
-        let far = matches!(c.place, Some(Place::Infinity(_)));
+        let far = matches!(c.place, Some(CentrePlace::Infinity(_)));
         let at_infinity = if far { tr(self.lang, ", at infinity", "，在无穷远处") } else { "" };
         let own = name(i, j);
-        let line = |line: Line| match line {
-            Line::Through(k) => format!("${}{}$", name(i, k), name(k, j)),
-            Line::Normal(_) | Line::Infinity => self.line(c.step.pair, line, Writing::Marked),
+        let line = |line: CentreLocus| match line {
+            CentreLocus::Through(k) => format!("${}{}$", name(i, k), name(k, j)),
+            CentreLocus::Normal(_) | CentreLocus::Infinity => self.line(c.step.pair, line, PointForm::Marked),
         };
         Phrase::new(&match (c.origin, self.lang) {
             (Some(Origin::Crossing([a, b])), Lang::En) => {
@@ -72,11 +72,11 @@ impl Words<'_> {
     }
 
     /// Returns two lines that intersect in a centre.
-    fn crossing(&self, c: &Centre, lines: [Line; 2], writing: Writing) -> String {
+    fn crossing(&self, c: &Centre, lines: [CentreLocus; 2], writing: PointForm) -> String {
         lines.map(|line| self.line(c.step.pair, line, writing)).join(" × ")
     }
 
-    fn primary(&self, primary: Primary, writing: Writing) -> String {
+    fn primary(&self, primary: Primary, writing: PointForm) -> String {
         let point = |p: PointId| writing.point(self.scene.point_name(p));
         match primary {
             Primary::Pin(p) => format!("{} {}", tr(self.lang, "pin", "转动副"), point(p)),
@@ -112,12 +112,12 @@ impl Words<'_> {
     }
 
     /// Returns a line through a centre: `23·34`.
-    pub(super) fn line(&self, pair: Pair, line: Line, writing: Writing) -> String {
+    pub(super) fn line(&self, pair: LinkPair, line: CentreLocus, writing: PointForm) -> String {
         match line {
-            Line::Through(k) => {
+            CentreLocus::Through(k) => {
                 format!("{}·{}", self.pair(pair.i, k).indices(self.scene), self.pair(k, pair.j).indices(self.scene))
             }
-            Line::Normal(g) => {
+            CentreLocus::Normal(g) => {
                 let guide = &self.scene.guides[g.0];
                 let pin = guide.pin.map_or(String::new(), |p| writing.point(self.scene.point_name(p)));
                 // On a circle of a cam, the normal of the contact and the radius through it are the
@@ -133,7 +133,7 @@ impl Words<'_> {
                     (GuidePath::Arc { .. }, Lang::Zh) => format!("{pin} 处槽的半径"),
                 }
             }
-            Line::Infinity => tr(self.lang, "the line at infinity", "无穷远直线").to_owned(),
+            CentreLocus::Infinity => tr(self.lang, "the line at infinity", "无穷远直线").to_owned(),
         }
     }
 }

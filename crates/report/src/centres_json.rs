@@ -1,31 +1,31 @@
 //! Instantaneous centres as JSON.
 
 use super::answers::diagnostic;
-use super::centres::Words;
-use super::writing::Writing;
+use super::centres::CentreWords;
+use super::writing::PointForm;
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::digits::line_degrees;
-use hodograph_methods::centres::{Centres, How, Origin, Pair, Place};
+use hodograph_methods::centres::{CentreMethod, CentrePlace, Centres, LinkPair, Origin};
 use hodograph_scene::Lang;
 use serde_json::{Value as Json, json};
 
 /// Returns the centres as JSON, in SI.
 pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
-    let w = Words::new(found, Lang::En);
+    let w = CentreWords::new(found, Lang::En);
     let scene = &found.scene;
-    let names = |p: Pair| [scene.link_name(p.i).to_owned(), scene.link_name(p.j).to_owned()];
+    let names = |p: LinkPair| [scene.link_name(p.i).to_owned(), scene.link_name(p.j).to_owned()];
     let centres: Vec<Json> = found
         .list
         .iter()
         .enumerate()
         .map(|(k, c)| {
             let (at, direction) = match c.place {
-                Some(Place::At(p)) => (Some([p.x, p.y]), None),
-                Some(Place::Infinity(u)) => (None, Some(line_degrees(u.angle()))),
+                Some(CentrePlace::At(p)) => (Some([p.x, p.y]), None),
+                Some(CentrePlace::Infinity(u)) => (None, Some(line_degrees(u.angle()))),
                 None => (None, None),
             };
             let lines: Vec<String> = match c.origin {
-                Some(Origin::Crossing(lines)) => lines.iter().map(|l| w.line(c.step.pair, *l, Writing::Plain)).collect(),
+                Some(Origin::Crossing(lines)) => lines.iter().map(|l| w.line(c.step.pair, *l, PointForm::Plain)).collect(),
                 Some(Origin::Pair | Origin::Velocities) | None => Vec::new(),
             };
             json!({
@@ -34,7 +34,7 @@ pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
                 "round": c.round,
                 "by": match (&c.step.how, c.origin) {
                     (_, None) => "none",
-                    (How::Primary(_), _) => "pair",
+                    (CentreMethod::Primary(_), _) => "pair",
                     (_, Some(Origin::Velocities)) => "velocities",
                     (_, Some(Origin::Crossing(_) | Origin::Pair)) => "lines",
                 },
@@ -63,7 +63,7 @@ pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
         "by_theorem": found.closure.by_theorem,
         "stalled": found.closure.stalled(),
         "centres": centres,
-        "steps": {"en": w.steps(), "zh": Words::new(found, Lang::Zh).steps()},
+        "steps": {"en": w.steps(), "zh": CentreWords::new(found, Lang::Zh).steps()},
         "values": values,
         "worst_residual": found.worst_residual(),
         "worst_triple": found.worst_triple,

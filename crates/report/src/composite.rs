@@ -6,16 +6,19 @@ mod motions;
 
 use super::answers::diagnostic;
 use super::columns::columns;
-use super::writing::Writing;
+use super::writing::PointForm;
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::digits::{direction_degrees, inked, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_base::notation::Notation;
 use hodograph_board::plan::names::name_label;
-use hodograph_methods::composite::contact::Slip;
-use hodograph_methods::composite::{Choice, Known, On, Place, Projection, Solved, Staged, Term, Turned, Verdict, name_of, projections};
+use hodograph_methods::composite::contact::ContactSlip;
+use hodograph_methods::composite::{
+    AxisRotation, ChoicePlace, ChoiceSolution, ChoiceVerdict, ContactScene, FrameChoice, KnownMotion, On, Projection, ProjectionTerm,
+    name_of, projections,
+};
 use hodograph_paper::paper::phrase::{Phrase, capital, sense, tr};
-use hodograph_scene::quantity::composite::Part;
+use hodograph_scene::quantity::composite::CompositePart;
 use hodograph_scene::quantity::{Frame, RelativePath};
 use hodograph_scene::{DiagramKind, GuidePath, Kind, Lang, Scene};
 use serde_json::{Value as Json, json};
@@ -26,8 +29,8 @@ const DIGITS: usize = 5;
 const PER_LINE: usize = 3;
 
 /// Returns the report as text.
-pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang, notation: &Notation) -> String {
-    let w = Words { scene, lang, notation };
+pub fn text(scene: &Scene, all: &[FrameChoice], solved: &[ChoiceSolution], lang: Lang, notation: &Notation) -> String {
+    let w = CompositeWords { scene, lang, notation };
     let mut lines = Vec::new();
     let title = scene.title.get(lang);
     if !title.is_empty() {
@@ -46,18 +49,18 @@ pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang, notati
 }
 
 /// Returns the word for a verdict in JSON.
-pub fn code(verdict: Verdict) -> &'static str {
+pub fn code(verdict: ChoiceVerdict) -> &'static str {
     match verdict {
-        Verdict::Serves => "serves",
-        Verdict::PathUnknown => "path-unknown",
-        Verdict::PointChanges => "momentary-point",
-        Verdict::SameBody => "same-body",
-        Verdict::FrameFixed => "frame-unusable",
+        ChoiceVerdict::Serves => "serves",
+        ChoiceVerdict::PathUnknown => "path-unknown",
+        ChoiceVerdict::PointChanges => "momentary-point",
+        ChoiceVerdict::SameBody => "same-body",
+        ChoiceVerdict::FrameFixed => "frame-unusable",
     }
 }
 
 /// A writer for one scene and language.
-pub struct Words<'a> {
+pub struct CompositeWords<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// The language.
@@ -66,19 +69,19 @@ pub struct Words<'a> {
     pub notation: &'a Notation,
 }
 
-impl Words<'_> {
-    fn table(&self, all: &[Choice]) -> Vec<Vec<String>> {
+impl CompositeWords<'_> {
+    fn table(&self, all: &[FrameChoice]) -> Vec<Vec<String>> {
         let lang = self.lang;
         let head = [tr(lang, "moving point", "动点"), tr(lang, "frame", "动系"), tr(lang, "at", "位置"), tr(lang, "verdict", "结论"), ""];
-        let row = |c: &Choice| {
+        let row = |c: &FrameChoice| {
             let point = name_of(self.scene, &c.of);
-            vec![point, self.frame(c.frame, Writing::Plain), self.place(c), self.verdict(c.verdict).to_owned(), self.reason(c)]
+            vec![point, self.frame(c.frame, PointForm::Plain), self.place(c), self.verdict(c.verdict).to_owned(), self.reason(c)]
         };
         std::iter::once(head.map(str::to_owned).to_vec()).chain(all.iter().map(row)).collect()
     }
 
     /// Returns a frame: `link 2`, `translating with C`.
-    fn frame(&self, frame: Frame, writing: Writing) -> String {
+    fn frame(&self, frame: Frame, writing: PointForm) -> String {
         match (frame, self.lang) {
             (Frame::Link(l), Lang::En) => format!("link {}", self.scene.link_name(l)),
             (Frame::Link(l), Lang::Zh) => format!("构件 {}", self.scene.link_name(l)),
@@ -87,68 +90,70 @@ impl Words<'_> {
         }
     }
 
-    fn place(&self, c: &Choice) -> String {
+    fn place(&self, c: &FrameChoice) -> String {
         let lang = self.lang;
         match c.place {
-            Place::Named => tr(lang, "as asked", "按题意").to_owned(),
-            Place::Pin(p) => format!("{} {}", tr(lang, "pin", "转动副"), self.scene.point_name(p)),
-            Place::Guide(g) => {
+            ChoicePlace::Named => tr(lang, "as asked", "按题意").to_owned(),
+            ChoicePlace::Pin(p) => format!("{} {}", tr(lang, "pin", "转动副"), self.scene.point_name(p)),
+            ChoicePlace::Guide(g) => {
                 let guide = &self.scene.guides[g.0];
                 let name = guide.pin.map_or("", |p| self.scene.point_name(p));
                 format!("{} {name}", tr(lang, "guide at", "移动副"))
             }
-            Place::Cam(_) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(c.of.point)),
-            Place::Contact(r) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(self.scene.rolling[r.0].at[0])),
+            ChoicePlace::Cam(_) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(c.of.point)),
+            ChoicePlace::Contact(r) => {
+                format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(self.scene.rolling[r.0].at[0]))
+            }
         }
     }
 
     /// Returns the verdict in a word or two.
-    pub fn verdict(&self, verdict: Verdict) -> &'static str {
+    pub fn verdict(&self, verdict: ChoiceVerdict) -> &'static str {
         match verdict {
-            Verdict::Serves => tr(self.lang, "serves", "可用"),
-            Verdict::PathUnknown => tr(self.lang, "path not known", "轨迹未知"),
-            Verdict::PointChanges => tr(self.lang, "point changes", "不是固定点"),
-            Verdict::SameBody => tr(self.lang, "same body", "同一物体"),
-            Verdict::FrameFixed => tr(self.lang, "frame stands still", "动系不动"),
+            ChoiceVerdict::Serves => tr(self.lang, "serves", "可用"),
+            ChoiceVerdict::PathUnknown => tr(self.lang, "path not known", "轨迹未知"),
+            ChoiceVerdict::PointChanges => tr(self.lang, "point changes", "不是固定点"),
+            ChoiceVerdict::SameBody => tr(self.lang, "same body", "同一物体"),
+            ChoiceVerdict::FrameFixed => tr(self.lang, "frame stands still", "动系不动"),
         }
     }
 
     /// Returns the reason for the verdict.
-    fn reason(&self, c: &Choice) -> String {
+    fn reason(&self, c: &FrameChoice) -> String {
         let (scene, lang) = (self.scene, self.lang);
         match c.verdict {
-            Verdict::Serves if c.path == RelativePath::Unknown => tr(
+            ChoiceVerdict::Serves if c.path == RelativePath::Unknown => tr(
                 lang,
                 "momentary contact: v_r along the tangent, a_r^n known from the velocities",
                 "瞬时接触点：v_r 沿公切线，a_r^n 由速度求得",
             )
             .to_owned(),
-            Verdict::Serves => self.path(c, Writing::Plain),
-            Verdict::PathUnknown => tr(
+            ChoiceVerdict::Serves => self.path(c, PointForm::Plain),
+            ChoiceVerdict::PathUnknown => tr(
                 lang,
                 "its path in the frame is not known: neither the direction of v_r nor a_r^n",
                 "相对轨迹未知：v_r 的方向和 a_r^n 均未知",
             )
             .to_owned(),
-            Verdict::PointChanges => tr(
+            ChoiceVerdict::PointChanges => tr(
                 lang,
                 "another point of the body lies at the contact at every instant; its relative path is not the guide or profile",
                 "接触处每瞬时是该物体上不同的点，其相对轨迹不是导路或廓线",
             )
             .to_owned(),
-            Verdict::SameBody => {
+            ChoiceVerdict::SameBody => {
                 let point = scene.point_name(c.of.point);
                 match lang {
                     Lang::En => format!("{point} belongs to the frame: no relative motion"),
                     Lang::Zh => format!("{point} 在动系上，没有相对运动"),
                 }
             }
-            Verdict::FrameFixed => tr(lang, "nothing is carried", "没有牵连运动").to_owned(),
+            ChoiceVerdict::FrameFixed => tr(lang, "nothing is carried", "没有牵连运动").to_owned(),
         }
     }
 
     /// Returns the path of the point in the frame.
-    fn path(&self, c: &Choice, writing: Writing) -> String {
+    fn path(&self, c: &FrameChoice, writing: PointForm) -> String {
         let (scene, lang) = (self.scene, self.lang);
         match c.path {
             RelativePath::Guide(g) => match scene.guides[g.0].path {
@@ -168,8 +173,8 @@ impl Words<'_> {
     }
 
     /// Returns the heading of a choice: `moving point A, frame fixed to link 2`.
-    pub fn heading(&self, c: &Choice) -> Phrase {
-        let (point, frame) = (Writing::Marked.point(&name_of(self.scene, &c.of)), self.frame(c.frame, Writing::Marked));
+    pub fn heading(&self, c: &FrameChoice) -> Phrase {
+        let (point, frame) = (PointForm::Marked.point(&name_of(self.scene, &c.of)), self.frame(c.frame, PointForm::Marked));
         Phrase::new(&match (c.frame, self.lang) {
             (Frame::Link(_), Lang::En) => format!("Moving point {point}, frame fixed to {frame}"),
             (Frame::Point(_), Lang::En) => format!("Moving point {point}, frame {frame}"),
@@ -184,7 +189,7 @@ impl Words<'_> {
     }
 
     /// Returns all lines of a choice: heading, path, equations with values, projections.
-    pub fn lines(&self, s: &Solved) -> Vec<Phrase> {
+    pub fn lines(&self, s: &ChoiceSolution) -> Vec<Phrase> {
         let mut out = vec![self.heading(&s.choice), self.three_motions(&s.choice)];
         out.extend(self.body(s, PER_LINE));
         out
@@ -192,7 +197,7 @@ impl Words<'_> {
 
     /// Returns the lines below the heading of a choice, with `per_line` values per line; in narrow
     /// columns of fewer than three a projection takes two lines.
-    pub fn body(&self, s: &Solved, per_line: usize) -> Vec<Phrase> {
+    pub fn body(&self, s: &ChoiceSolution, per_line: usize) -> Vec<Phrase> {
         let mut out = match s.slip {
             Some(slip) if !s.acceleration.is_empty() => self.contact(&slip, per_line),
             Some(_) | None => vec![self.first(s)],
@@ -225,7 +230,7 @@ impl Words<'_> {
 
     /// Returns angular velocity and angular acceleration of the link that rotates about a fixed
     /// axis with the wanted motion: `ω_3 = v_e/l_{CB} = ...`.
-    fn turning(&self, s: &Solved, t: &Turned) -> Phrase {
+    fn turning(&self, s: &ChoiceSolution, t: &AxisRotation) -> Phrase {
         let (scene, lang) = (self.scene, self.lang);
         let [axis, point] = [t.axis, s.choice.of.point].map(|p| name_label(scene.point_name(p)));
         let whose = if t.of_frame { "e" } else { "a" };
@@ -245,23 +250,25 @@ impl Words<'_> {
     }
 
     /// Returns the properties of the relative path that are known before the drawing.
-    fn first(&self, s: &Solved) -> Phrase {
+    fn first(&self, s: &ChoiceSolution) -> Phrase {
         let lang = self.lang;
         Phrase::new(&match s.choice.verdict {
-            Verdict::Serves if s.slip.is_some() => {
+            ChoiceVerdict::Serves if s.slip.is_some() => {
                 tr(lang, "Momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线").to_owned()
             }
-            Verdict::Serves => capital(&self.path(&s.choice, Writing::Marked)),
-            Verdict::PathUnknown if !s.acceleration.is_empty() => {
+            ChoiceVerdict::Serves => capital(&self.path(&s.choice, PointForm::Marked)),
+            ChoiceVerdict::PathUnknown if !s.acceleration.is_empty() => {
                 let words = tr(lang, "Relative path not known: $a_{r}$ is the closing side", "相对轨迹未知：$a_{r}$ 由封闭边得出");
                 words.to_owned()
             }
-            Verdict::PathUnknown | Verdict::PointChanges | Verdict::SameBody | Verdict::FrameFixed => self.verdict(s.choice.verdict).into(),
+            ChoiceVerdict::PathUnknown | ChoiceVerdict::PointChanges | ChoiceVerdict::SameBody | ChoiceVerdict::FrameFixed => {
+                self.verdict(s.choice.verdict).into()
+            }
         })
     }
 
     /// Returns the normal part of a_r at a momentary contact: its formula and its numbers.
-    fn contact(&self, slip: &Slip, per_line: usize) -> Vec<Phrase> {
+    fn contact(&self, slip: &ContactSlip, per_line: usize) -> Vec<Phrase> {
         let (lang, book) = (self.lang, &self.scene.book);
         let told = |kind: Kind, value: f64| {
             let number = inked(&significant(book.value(kind, value) + 0.0, DIGITS));
@@ -305,18 +312,18 @@ impl Words<'_> {
 
     /// Returns an equation in one line: `projected square to v_r (on 120°):` and
     /// `v_a cos 30° = v_e cos 60°`.
-    fn projection(&self, p: &Projection, known: Known) -> (String, String) {
-        let symbol_of = |term: Term| {
+    fn projection(&self, p: &Projection, known: KnownMotion) -> (String, String) {
+        let symbol_of = |term: ProjectionTerm| {
             let letter = p.of.letter();
             match term {
-                Term::Absolute => symbol(None, p.of, self.notation),
-                Term::AbsoluteNormal => format!("{letter}^{{n}}_{{a}}"),
-                Term::AbsoluteTangential => format!("{letter}^{{{}}}_{{a}}", self.notation.tangential),
-                Term::Component => format!("{letter}_{{a{}}}", if p.on == On::Y { "y" } else { "x" }),
-                Term::Part(part) => symbol(Some(part), p.of, self.notation),
+                ProjectionTerm::Absolute => symbol(None, p.of, self.notation),
+                ProjectionTerm::AbsoluteNormal => format!("{letter}^{{n}}_{{a}}"),
+                ProjectionTerm::AbsoluteTangential => format!("{letter}^{{{}}}_{{a}}", self.notation.tangential),
+                ProjectionTerm::Component => format!("{letter}_{{a{}}}", if p.on == On::Y { "y" } else { "x" }),
+                ProjectionTerm::Part(part) => symbol(Some(part), p.of, self.notation),
             }
         };
-        let term = |(term, angle): &(Term, f64)| {
+        let term = |(term, angle): &(ProjectionTerm, f64)| {
             let symbol = symbol_of(*term);
             let degrees = significant(angle.to_degrees(), 4);
             match degrees.parse::<f64>() {
@@ -325,8 +332,8 @@ impl Words<'_> {
                 _ => format!("{symbol}\\,\\cos {}°", inked(&degrees)),
             }
         };
-        let (left, right): (Vec<_>, Vec<_>) = p.terms.iter().partition(|(term, _)| !matches!(term, Term::Part(_)));
-        let side = |terms: &[&(Term, f64)]| match terms {
+        let (left, right): (Vec<_>, Vec<_>) = p.terms.iter().partition(|(term, _)| !matches!(term, ProjectionTerm::Part(_)));
+        let side = |terms: &[&(ProjectionTerm, f64)]| match terms {
             [] => "0".to_owned(),
             all => all.iter().map(|t| term(t)).collect::<Vec<_>>().join(" + ").replace("+ −", "− "),
         };
@@ -334,19 +341,21 @@ impl Words<'_> {
     }
 
     /// Returns the line of projection of an equation, and the unknown to be found.
-    fn on_line(&self, p: &Projection, known: Known) -> String {
+    fn on_line(&self, p: &Projection, known: KnownMotion) -> String {
         let lang = self.lang;
         let degrees = inked(&significant(direction_degrees(p.line.angle()), 4));
         let relative = match p.of {
-            DiagramKind::Acceleration => symbol(Some(Part::RelativeTangential), p.of, self.notation),
-            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => symbol(Some(Part::RelativeVelocity), p.of, self.notation),
+            DiagramKind::Acceleration => symbol(Some(CompositePart::RelativeTangential), p.of, self.notation),
+            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => {
+                symbol(Some(CompositePart::RelativeVelocity), p.of, self.notation)
+            }
         };
         let wanted = match (known, p.of) {
-            (Known::Transport, DiagramKind::Acceleration) => tr(lang, " for $a_{a}$", "，求 $a_{a}$"),
-            (Known::Transport, _) => tr(lang, " for $v_{a}$", "，求 $v_{a}$"),
-            (Known::Absolute, DiagramKind::Acceleration) => tr(lang, " for the transport part", "，求牵连加速度"),
-            (Known::Absolute, _) => tr(lang, " for $v_{e}$", "，求 $v_{e}$"),
-            (Known::Both, _) => "",
+            (KnownMotion::Transport, DiagramKind::Acceleration) => tr(lang, " for $a_{a}$", "，求 $a_{a}$"),
+            (KnownMotion::Transport, _) => tr(lang, " for $v_{a}$", "，求 $v_{a}$"),
+            (KnownMotion::Absolute, DiagramKind::Acceleration) => tr(lang, " for the transport part", "，求牵连加速度"),
+            (KnownMotion::Absolute, _) => tr(lang, " for $v_{e}$", "，求 $v_{e}$"),
+            (KnownMotion::Both, _) => "",
         };
         // A point at rest in its frame has no v_r to be perpendicular to.
         let rests = p.of == DiagramKind::Velocity && p.rests;
@@ -367,38 +376,38 @@ impl Words<'_> {
 
 /// Returns the symbol of a component in the letters of theoretical mechanics with the marks of a
 /// notation; `None`: the absolute quantity.
-pub fn symbol(part: Option<Part>, on: DiagramKind, notation: &Notation) -> String {
+pub fn symbol(part: Option<CompositePart>, on: DiagramKind, notation: &Notation) -> String {
     let letter = on.letter();
     let (below, above) = match part {
         None => ("a", ""),
-        Some(Part::TransportVelocity | Part::Transport) => ("e", ""),
-        Some(Part::TransportNormal) => ("e", "n"),
-        Some(Part::TransportTangential) => ("e", notation.tangential.as_str()),
-        Some(Part::RelativeVelocity | Part::Relative | Part::Path) => ("r", ""),
-        Some(Part::RelativeNormal) => ("r", "n"),
-        Some(Part::RelativeTangential) => ("r", notation.tangential.as_str()),
-        Some(Part::Coriolis) => (notation.coriolis.as_str(), ""),
+        Some(CompositePart::TransportVelocity | CompositePart::Transport) => ("e", ""),
+        Some(CompositePart::TransportNormal) => ("e", "n"),
+        Some(CompositePart::TransportTangential) => ("e", notation.tangential.as_str()),
+        Some(CompositePart::RelativeVelocity | CompositePart::Relative | CompositePart::Path) => ("r", ""),
+        Some(CompositePart::RelativeNormal) => ("r", "n"),
+        Some(CompositePart::RelativeTangential) => ("r", notation.tangential.as_str()),
+        Some(CompositePart::Coriolis) => (notation.coriolis.as_str(), ""),
     };
     if above.is_empty() { format!("{letter}_{{{below}}}") } else { format!("{letter}^{{{above}}}_{{{below}}}") }
 }
 
 /// Returns the choices as JSON, in SI.
-pub fn json(staged: &Staged, all: &[Choice], solved: &[Solved], notes: &[Diagnostic]) -> Json {
+pub fn json(staged: &ContactScene, all: &[FrameChoice], solved: &[ChoiceSolution], notes: &[Diagnostic]) -> Json {
     let scene = &staged.scene;
     let [english, keys] = [Lang::En, Lang::Zh].map(Notation::of_language);
-    let w = Words { scene, lang: Lang::En, notation: &english };
+    let w = CompositeWords { scene, lang: Lang::En, notation: &english };
     let frame = |f: Frame| match f {
         Frame::Link(l) => json!({"link": scene.link_name(l)}),
         Frame::Point(p) => json!({"point": name_of(scene, &p)}),
     };
-    let path = |c: &Choice| match c.path {
+    let path = |c: &FrameChoice| match c.path {
         RelativePath::Guide(g) => json!({"guide": g.0}),
         RelativePath::Circle(k) => json!({"circle_about": scene.point_name(k)}),
-        RelativePath::Unknown if c.verdict == Verdict::Serves => json!({"contact_at": scene.point_name(c.of.point)}),
+        RelativePath::Unknown if c.verdict == ChoiceVerdict::Serves => json!({"contact_at": scene.point_name(c.of.point)}),
         RelativePath::Unknown => Json::Null,
     };
     let vector = |v: Vec2| json!([v.x, v.y]);
-    let parts = |s: &Solved| {
+    let parts = |s: &ChoiceSolution| {
         let [a, e, r] = s.velocity;
         let mut out = json!({"v_a": vector(a), "v_e": vector(e), "v_r": vector(r)});
         for (part, v) in &s.acceleration {
@@ -428,7 +437,7 @@ pub fn json(staged: &Staged, all: &[Choice], solved: &[Solved], notes: &[Diagnos
             json!({
                 "point": name_of(scene, &c.of),
                 "frame": frame(c.frame),
-                "named": c.place == Place::Named,
+                "named": c.place == ChoicePlace::Named,
                 "verdict": code(c.verdict),
                 "reason": w.reason(c),
                 "path": path(c),

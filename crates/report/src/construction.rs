@@ -2,21 +2,21 @@
 
 use crate::amount::scale_formula;
 use hodograph_base::digits::{inked, shortest, significant};
-use hodograph_board::construct::{Action, Drawing, Mark, Polygon};
+use hodograph_board::construct::{Action, PlanDrawing, Polygon, PolygonMark};
 use hodograph_board::plan::names::name_label;
-use hodograph_board::plan::text::Writer;
-use hodograph_board::plan::{Body, Method, Rate, Step, Term, VertexId};
+use hodograph_board::plan::text::PlanWriter;
+use hodograph_board::plan::{Method, PlanStep, Rate, Term, TurningBody, VertexId};
 use hodograph_paper::paper::phrase::{Phrase, formula, sense, tr};
 use hodograph_scene::{Book, DiagramKind, Kind, Lang};
-use hodograph_worked::certified::Steps;
-use hodograph_worked::certified::ladder::Number;
-use hodograph_worked::certified::steps::What;
+use hodograph_worked::certified::CertifiedSteps;
+use hodograph_worked::certified::ladder::CertifiedNumber;
+use hodograph_worked::certified::steps::StepNumber;
 
 /// Returns the sentences of one polygon, one for each action, the pole first.
 ///
 /// The numbers are the certified ones of [`steps`](hodograph_worked::certified::steps()); if these
 /// contain a pencil error, each intersection has its displacement.
-pub fn sentences(w: &Writer, paper: &Drawing, polygon: &Polygon, steps: &Steps) -> Vec<Phrase> {
+pub fn sentences(w: &PlanWriter, paper: &PlanDrawing, polygon: &Polygon, steps: &CertifiedSteps) -> Vec<Phrase> {
     let on = polygon.on;
     let (pole, mu) = (w.pole(on), scale_formula(&w.scene.book, on, polygon.mu));
     let mut out = vec![Phrase::new(&match w.lang {
@@ -31,7 +31,7 @@ pub fn sentences(w: &Writer, paper: &Drawing, polygon: &Polygon, steps: &Steps) 
 
 /// Returns the whole construction as numbered text, with the reason where a number has fewer digits
 /// than its kind.
-pub fn text(w: &Writer, paper: &Drawing, steps: &Steps) -> String {
+pub fn text(w: &PlanWriter, paper: &PlanDrawing, steps: &CertifiedSteps) -> String {
     let mut out = String::new();
     out.push_str(&format!(
         "{}{}{}\n",
@@ -60,7 +60,7 @@ pub fn text(w: &Writer, paper: &Drawing, steps: &Steps) -> String {
 
 /// Returns a step's number as far as it is certain, else the approximate value from the drawing in
 /// `f64`.
-fn told(steps: &Steps, on: DiagramKind, action: usize, what: What, rough: f64) -> String {
+fn certain_text(steps: &CertifiedSteps, on: DiagramKind, action: usize, what: StepNumber, rough: f64) -> String {
     steps.text(on, action, what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)))
 }
 
@@ -70,23 +70,23 @@ fn amid_words(text: &str) -> String {
 }
 
 /// Returns the letters of a mark: the pole, the image of a point, the end of a component.
-pub fn mark(w: &Writer, on: DiagramKind, m: &Mark) -> String {
+pub fn mark(w: &PlanWriter, on: DiagramKind, m: &PolygonMark) -> String {
     match m {
-        Mark::Pole => w.pole(on),
-        Mark::Image(v) => w.image(on, *v),
-        Mark::Part(t) => w.part(on, t),
-        Mark::Again(t) => w.part(on, t).replacen('_', "'_", 1),
+        PolygonMark::Pole => w.pole(on),
+        PolygonMark::Image(v) => w.image(on, *v),
+        PolygonMark::Part(t) => w.part(on, t),
+        PolygonMark::Again(t) => w.part(on, t).replacen('_', "'_", 1),
     }
 }
 
-fn symbols(w: &Writer, on: DiagramKind, terms: &[Term]) -> String {
+fn symbols(w: &PlanWriter, on: DiagramKind, terms: &[Term]) -> String {
     terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + ")
 }
 
-fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Steps) -> String {
+fn sentence(w: &PlanWriter, paper: &PlanDrawing, p: &Polygon, action: usize, steps: &CertifiedSteps) -> String {
     let on = p.on;
-    let tell = |what, rough| amid_words(&told(steps, on, action, what, rough));
-    let millimetres = |k, rough: f64| format!("{} mm", tell(What::Length(k), rough));
+    let tell = |what, rough| amid_words(&certain_text(steps, on, action, what, rough));
+    let millimetres = |k, rough: f64| format!("{} mm", tell(StepNumber::Length(k), rough));
     let edge = |k, i: usize| millimetres(k, p.edges[i].from.1.distance(p.edges[i].to.1));
     let from_pole = |v: VertexId| millimetres(0, p.images[v.0].map_or(0.0, |q| q.to_vec2().norm()));
     match &p.actions[action] {
@@ -96,7 +96,7 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
             let (from, to) = (mark(w, on, &e.from.0), mark(w, on, &e.to.0));
             let (symbol, magnitude, direction) = (w.symbol(on, t), w.magnitude(on, t), w.direction(t));
             let given = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
-            let begins = matches!(e.to.0, Mark::Image(v) if v == t.of);
+            let begins = matches!(e.to.0, PolygonMark::Image(v) if v == t.of);
             let chosen = w.choice(on, t.of).filter(|_| begins);
             match w.lang {
                 Lang::En => {
@@ -131,8 +131,8 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
             }
         }
         Action::Cross { target, edges, sine } => {
-            let angle = tell(What::Angle, libm::asin(sine.abs().min(1.0)).to_degrees());
-            let moved = steps.pencil_mm.map_or_else(String::new, |e| moved(w.lang, e, &tell(What::Moved, e / sine.abs())));
+            let angle = tell(StepNumber::Angle, libm::asin(sine.abs().min(1.0)).to_degrees());
+            let moved = steps.pencil_mm.map_or_else(String::new, |e| moved(w.lang, e, &tell(StepNumber::Moved, e / sine.abs())));
             let image = w.image(on, *target);
             let lengths: Vec<String> =
                 edges.iter().enumerate().map(|(k, i)| format!("${}$ = {}", symbols(w, on, &p.edges[*i].terms), edge(k, *i))).collect();
@@ -144,8 +144,8 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
             }
         }
         Action::Trials { target, sine, .. } => {
-            let angle = tell(What::Angle, libm::asin(sine.abs().min(1.0)).to_degrees());
-            let moved = steps.pencil_mm.map_or_else(String::new, |e| moved(w.lang, e, &tell(What::Moved, e / sine.abs())));
+            let angle = tell(StepNumber::Angle, libm::asin(sine.abs().min(1.0)).to_degrees());
+            let moved = steps.pencil_mm.map_or_else(String::new, |e| moved(w.lang, e, &tell(StepNumber::Moved, e / sine.abs())));
             let (image, vector, length) = (w.image(on, *target), w.vector(on, *target), from_pole(*target));
             let [a, b] = w.plan.trials(on, *target).map(|pair| pair.map(|v| w.image(on, v)).concat());
             match w.lang {
@@ -240,9 +240,9 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
             let r = &paper.rates[*i];
             let symbol = w.turning(on, r.body);
             let book = &w.scene.book;
-            let value = told(steps, on, action, What::Rate, book.value(on.turning(), r.value.abs()));
+            let value = certain_text(steps, on, action, StepNumber::Rate, book.value(on.turning(), r.value.abs()));
             let value = book.label(on.turning(), &inked(value.trim_start_matches('-')));
-            let sign = steps.number(on, action, What::Rate).map_or(r.value, Number::sign);
+            let sign = steps.number(on, action, StepNumber::Rate).map_or(r.value, CertifiedNumber::sign);
             let sense = if sign == 0.0 { String::new() } else { sense(w.lang, sign).to_string() };
             let sense = if sense.is_empty() { String::new() } else { format!("{}{sense}", tr(w.lang, ", ", "，")) };
             let [verb, given, is, stop] = match w.lang {
@@ -254,7 +254,7 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
                     "{verb}${symbol}$ = {} · {} / {} = ${value}${sense}{stop}",
                     millimetres(0, m.length),
                     factor(book, on, p.mu),
-                    book.text(Kind::Length, &tell(What::Arm, book.value(Kind::Length, m.arm))),
+                    book.text(Kind::Length, &tell(StepNumber::Arm, book.value(Kind::Length, m.arm))),
                 ),
                 None if w.plan.is_still(r.body) => match w.lang {
                     Lang::En => format!("The link does not turn: ${symbol}$ = 0."),
@@ -271,16 +271,16 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
 
 /// Returns the point of the other link at a contact or strand without slip from which a point has
 /// its velocity, and the kind of the connection.
-fn touched(w: &Writer, on: DiagramKind, v: VertexId) -> Option<(VertexId, Method)> {
+fn touched(w: &PlanWriter, on: DiagramKind, v: VertexId) -> Option<(VertexId, Method)> {
     let moves = !w.plan.rest.is_all();
-    let alike = |s: &Step| match s {
-        Step::Equation { target, chains, method: method @ (Method::Coincident | Method::Strand) } if *target == v && moves => {
+    let alike = |s: &PlanStep| match s {
+        PlanStep::Equation { target, chains, method: method @ (Method::Coincident | Method::Strand) } if *target == v && moves => {
             match &chains[..] {
                 [chain] if chain.known.is_empty() && chain.unknown.is_empty() => Some((chain.start, *method)),
                 _ => None,
             }
         }
-        Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
+        PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
     };
     let groups = w.plan.steps(on).iter();
     groups.flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).find_map(alike)
@@ -288,16 +288,16 @@ fn touched(w: &Writer, on: DiagramKind, v: VertexId) -> Option<(VertexId, Method
 
 /// Returns the sum from which an angular rate follows that is neither measured nor given relative
 /// to the ground.
-fn sum(w: &Writer, on: DiagramKind, body: Body) -> Option<String> {
+fn sum(w: &PlanWriter, on: DiagramKind, body: TurningBody) -> Option<String> {
     let rates = w.plan.steps(on).iter().flat_map(|g| &g.rates);
     match rates.clone().find(|(b, _)| *b == body)?.1 {
-        Rate::Same(other) => Some(w.turning(on, Body::Link(other))),
+        Rate::Same(other) => Some(w.turning(on, TurningBody::Link(other))),
         Rate::Given { driver, against } if against != w.scene.ground => {
             let (link, of) = w.scene.drivers[driver].kind.turned()?;
-            let sign = if Body::Link(link) == body { "+" } else { "-" };
+            let sign = if TurningBody::Link(link) == body { "+" } else { "-" };
             let pair = [link, of].map(|l| name_label(w.scene.link_name(l))).join("/");
             let letter = on.turning_letter();
-            Some(format!("{} {sign} {letter}_{{{pair}}}", w.turning(on, Body::Link(against))))
+            Some(format!("{} {sign} {letter}_{{{pair}}}", w.turning(on, TurningBody::Link(against))))
         }
         Rate::Given { .. } | Rate::Measured { .. } | Rate::Zero => None,
     }

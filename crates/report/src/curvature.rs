@@ -6,10 +6,10 @@ use super::drafting;
 use hodograph_base::digits::{direction_degrees, significant};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::{name_label, point_label};
-use hodograph_methods::curvature::drawing::Drawing;
-use hodograph_methods::curvature::motion::{Bend, State};
-use hodograph_methods::curvature::plane::End;
-use hodograph_methods::curvature::{Curvature, OfLink, OfPoint};
+use hodograph_methods::curvature::drawing::CurvatureDrawing;
+use hodograph_methods::curvature::motion::{Bend, PlaneState};
+use hodograph_methods::curvature::plane::PlanePoint;
+use hodograph_methods::curvature::{LinkCurvatures, OfLink, OfPoint};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang, LinkId, PointId, Scene};
 
@@ -19,16 +19,16 @@ const DIGITS: usize = 6;
 const ROUNDING: f64 = 1e-12;
 
 /// A writer for one result and language.
-pub struct Words<'a> {
+pub struct CurvatureWords<'a> {
     /// The result to report.
-    pub found: &'a Curvature,
+    pub found: &'a LinkCurvatures,
     /// The language.
     pub lang: Lang,
 }
 
 /// Returns the report as text, with the construction if `steps` is true.
-pub fn text(found: &Curvature, steps: bool, lang: Lang) -> String {
-    let w = Words { found, lang };
+pub fn text(found: &LinkCurvatures, steps: bool, lang: Lang) -> String {
+    let w = CurvatureWords { found, lang };
     let mut lines = Vec::new();
     let title = found.scene.title.get(lang);
     if !title.is_empty() {
@@ -53,7 +53,7 @@ pub fn text(found: &Curvature, steps: bool, lang: Lang) -> String {
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
 }
 
-impl Words<'_> {
+impl CurvatureWords<'_> {
     pub(super) fn scene(&self) -> &Scene {
         &self.found.scene
     }
@@ -214,21 +214,23 @@ impl Words<'_> {
         let pole = self.pole(of);
         let mut out = Vec::new();
         match of.state {
-            State::Rest => out.push(tr(lang, "the link is at rest in this pose: it has no pole", "该位置构件静止，没有瞬心").to_owned()),
-            State::Translation(v) => {
+            PlaneState::Rest => {
+                out.push(tr(lang, "the link is at rest in this pose: it has no pole", "该位置构件静止，没有瞬心").to_owned())
+            }
+            PlaneState::Translation(v) => {
                 let direction = significant(direction_degrees(v.perp().angle()), 5);
                 out.push(match lang {
                     Lang::En => format!("the link translates at this instant: ${pole}$ lies at infinity, toward {direction}°; points whose path is straight lie on a line, not on a circle"),
                     Lang::Zh => format!("该瞬时构件作平动：${pole}$ 在 {direction}° 方向的无穷远处；轨迹为直的点在一条直线上，不构成圆"),
                 });
             }
-            State::Turning(p) if p.stands() => out.push(match lang {
+            PlaneState::Turning(p) if p.stands() => out.push(match lang {
                 Lang::En => {
                     format!("${pole}$ stands still at this instant: the inflection circle has shrunk to it, all paths bend about it")
                 }
                 Lang::Zh => format!("该瞬时 ${pole}$ 不动：拐点圆缩为一点，各点轨迹的曲率中心都是它"),
             }),
-            State::Turning(_) => {}
+            PlaneState::Turning(_) => {}
         }
         out.extend(self.not_drawn(of));
         if self.found.at_rest {
@@ -257,16 +259,16 @@ impl Words<'_> {
     fn not_drawn(&self, of: &OfLink) -> Option<String> {
         let (lang, pole) = (self.lang, self.pole(of));
         match &of.drawing {
-            Drawing::Rays(_) | Drawing::Rolling(_) => None,
-            Drawing::Hinge(p) => Some(match lang {
+            CurvatureDrawing::Rays(_) | CurvatureDrawing::Rolling(_) => None,
+            CurvatureDrawing::Hinge(p) => Some(match lang {
                 Lang::En => format!("both links carry ${}$: it is the pole for good", self.point(*p)),
                 Lang::Zh => format!("两构件在 ${}$ 铰接：它始终是瞬心", self.point(*p)),
             }),
-            Drawing::Parallel(_) => Some(match lang {
+            CurvatureDrawing::Parallel(_) => Some(match lang {
                 Lang::En => format!("the two rays are parallel: they cross in no ${pole}$ on paper"),
                 Lang::Zh => format!("两条极射线平行：纸上没有交点 ${pole}$"),
             }),
-            Drawing::OneLine(_) => Some(
+            CurvatureDrawing::OneLine(_) => Some(
                 tr(
                     lang,
                     "both rays lie on one line, a dead point: they do not tell the pole; the values are those of the analysis",
@@ -274,7 +276,7 @@ impl Words<'_> {
                 )
                 .to_owned(),
             ),
-            Drawing::NoRays => Some(
+            CurvatureDrawing::NoRays => Some(
                 tr(
                     lang,
                     "fewer than two points have paths with a known centre: it is not drawn; the values are those of the analysis",
@@ -350,8 +352,8 @@ impl Words<'_> {
                 let (name, drawn) = (self.scene().point_name(p.point).to_owned(), p.drawn.map(|d| d.centre));
                 let (radius, centre) = self.bend(p);
                 let drawn = match drawn {
-                    Some(End::At(c)) => format!("{}  {}", self.length(c.distance(p.at)), self.place(c)),
-                    Some(End::Infinity(_)) => tr(self.lang, "∞", "∞").to_owned(),
+                    Some(PlanePoint::At(c)) => format!("{}  {}", self.length(c.distance(p.at)), self.place(c)),
+                    Some(PlanePoint::Infinity(_)) => tr(self.lang, "∞", "∞").to_owned(),
                     None => "–".to_owned(),
                 };
                 let mut row = vec![

@@ -1,14 +1,14 @@
 //! Curvature as JSON, in SI.
 
 use super::answers::diagnostic;
-use super::curvature::Words;
+use super::curvature::CurvatureWords;
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_methods::curvature::centrodes::{Centrodes, Station};
-use hodograph_methods::curvature::drawing::Drawing;
-use hodograph_methods::curvature::motion::{Bend, State};
-use hodograph_methods::curvature::plane::End;
-use hodograph_methods::curvature::{Curvature, OfLink};
+use hodograph_methods::curvature::centrodes::{Centrodes, PoleStation};
+use hodograph_methods::curvature::drawing::CurvatureDrawing;
+use hodograph_methods::curvature::motion::{Bend, PlaneState};
+use hodograph_methods::curvature::plane::PlanePoint;
+use hodograph_methods::curvature::{LinkCurvatures, OfLink};
 use hodograph_scene::Lang;
 use serde_json::{Value as Json, json};
 
@@ -20,15 +20,15 @@ fn vector(v: Vec2) -> Json {
     json!([v.x, v.y])
 }
 
-fn end(e: End) -> Json {
+fn end(e: PlanePoint) -> Json {
     match e {
-        End::At(p) => place(p),
-        End::Infinity(u) => json!({"infinity": vector(u)}),
+        PlanePoint::At(p) => place(p),
+        PlanePoint::Infinity(u) => json!({"infinity": vector(u)}),
     }
 }
 
 /// Returns the curvature as JSON, with the centrodes if requested.
-pub fn json(found: &Curvature, centrodes: &[Centrodes], notes: &[Diagnostic]) -> Json {
+pub fn json(found: &LinkCurvatures, centrodes: &[Centrodes], notes: &[Diagnostic]) -> Json {
     let scene = &found.scene;
     let links: Vec<Json> = found.list.iter().map(|of| link(found, of, centrodes)).collect();
     json!({
@@ -40,23 +40,23 @@ pub fn json(found: &Curvature, centrodes: &[Centrodes], notes: &[Diagnostic]) ->
     })
 }
 
-fn link(found: &Curvature, of: &OfLink, centrodes: &[Centrodes]) -> Json {
+fn link(found: &LinkCurvatures, of: &OfLink, centrodes: &[Centrodes]) -> Json {
     let scene = &found.scene;
     let (state, direction) = match of.state {
-        State::Rest => ("rest", None),
-        State::Translation(v) => ("translation", Some(vector(v))),
-        State::Turning(p) if p.stands() => ("pole-stands", None),
-        State::Turning(_) => ("turning", None),
+        PlaneState::Rest => ("rest", None),
+        PlaneState::Translation(v) => ("translation", Some(vector(v))),
+        PlaneState::Turning(p) if p.stands() => ("pole-stands", None),
+        PlaneState::Turning(_) => ("turning", None),
     };
     let drawing = match of.drawing {
-        Drawing::Rays(_) => "rays",
-        Drawing::Rolling(_) => "rolling",
-        Drawing::Hinge(_) => "hinge",
-        Drawing::Parallel(_) => "parallel-rays",
-        Drawing::OneLine(_) => "one-line",
-        Drawing::NoRays => "no-rays",
+        CurvatureDrawing::Rays(_) => "rays",
+        CurvatureDrawing::Rolling(_) => "rolling",
+        CurvatureDrawing::Hinge(_) => "hinge",
+        CurvatureDrawing::Parallel(_) => "parallel-rays",
+        CurvatureDrawing::OneLine(_) => "one-line",
+        CurvatureDrawing::NoRays => "no-rays",
     };
-    let steps = |lang| Words { found, lang }.steps(of).iter().map(|s| s.plain()).collect::<Vec<_>>();
+    let steps = |lang| CurvatureWords { found, lang }.steps(of).iter().map(|s| s.plain()).collect::<Vec<_>>();
     let drawn = of.drawn().map(|d| {
         json!({
             "pole": place(d.pole),
@@ -128,8 +128,8 @@ fn link(found: &Curvature, of: &OfLink, centrodes: &[Centrodes]) -> Json {
 /// Returns the stations of both centrodes; `null` if the pole is at infinity or the pose has no
 /// motion.
 fn paths(c: &Centrodes) -> Json {
-    let at = |s: &Station, p: Point| if s.omega != 0.0 && p.is_finite() { place(p) } else { Json::Null };
-    let known = |of: &dyn Fn(&Station) -> Json| c.stations.iter().map(|s| s.as_ref().map_or(Json::Null, of)).collect::<Vec<_>>();
+    let at = |s: &PoleStation, p: Point| if s.omega != 0.0 && p.is_finite() { place(p) } else { Json::Null };
+    let known = |of: &dyn Fn(&PoleStation) -> Json| c.stations.iter().map(|s| s.as_ref().map_or(Json::Null, of)).collect::<Vec<_>>();
     json!({
         "closed": c.closed,
         "travel": known(&|s| json!(s.travel)),

@@ -1,15 +1,15 @@
 //! The legend of a figure of curvature: the letters and lines that occur in it, each in a few
 //! words.
 
-use super::curvature::Words;
+use super::curvature::CurvatureWords;
 use hodograph_base::geom::Vec2;
 use hodograph_methods::curvature::OfLink;
-use hodograph_methods::curvature::drawing::{Drawing, How, Rays};
+use hodograph_methods::curvature::drawing::{CurvatureDrawing, RayMethod, Rays};
 use hodograph_methods::curvature::motion::Bend;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Lang, PointId};
 
-impl Words<'_> {
+impl CurvatureWords<'_> {
     /// Returns the legend of the construction of a link.
     pub fn legend(&self, of: &OfLink) -> Vec<Phrase> {
         let mut parts: Vec<String> = Vec::new();
@@ -34,12 +34,13 @@ impl Words<'_> {
                 add(self.letter("U", of), "Ball's point: its path is straightest", "鲍尔点：轨迹最接近直线");
             }
         }
-        if let Drawing::Rays(rays) = &of.drawing {
+        if let CurvatureDrawing::Rays(rays) = &of.drawing {
             self.legend_of_rays(rays, &mut add);
         }
         // Points with a centre of curvature; `found` omits those with a centre given by a ray.
         let bent: Vec<_> = of.points.iter().filter(|p| matches!(p.bend, Bend::About(..))).collect();
-        let on_ray = |p: PointId| matches!(&of.drawing, Drawing::Rays(rays) if rays.known.iter().any(|k| k.why.moving() == Some(p)));
+        let on_ray =
+            |p: PointId| matches!(&of.drawing, CurvatureDrawing::Rays(rays) if rays.known.iter().any(|k| k.why.moving() == Some(p)));
         let found: Vec<String> = bent.iter().filter(|p| !on_ray(p.point)).map(|p| self.centre(p.point)).collect();
         if !bent.is_empty() {
             add("\\rho".into(), "radius of curvature of a point's path", "点轨迹的曲率半径");
@@ -68,7 +69,7 @@ impl Words<'_> {
     }
 
     fn legend_of_rays(&self, rays: &Rays, add: &mut dyn FnMut(String, &'static str, &'static str)) {
-        let straight = rays.known.iter().zip(&rays.how).filter(|(_, how)| **how != How::Given).map(|(known, _)| self.straight(known));
+        let straight = rays.known.iter().zip(&rays.how).filter(|(_, how)| **how != RayMethod::Given).map(|(known, _)| self.straight(known));
         let straight: Vec<String> = straight.filter(|_| rays.normal() != Vec2::ZERO).collect();
         if !straight.is_empty() {
             add(straight.join(", "), "points of the rays whose paths are straight", "射线与拐点圆的交点");

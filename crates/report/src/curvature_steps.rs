@@ -1,10 +1,10 @@
 //! The construction of pole, inflection circle and centres of curvature as sentences, one per step.
 
-use super::curvature::Words;
+use super::curvature::CurvatureWords;
 use hodograph_base::geom::Vec2;
-use hodograph_methods::curvature::drawing::{Drawing, How, Rays, Rolled};
-use hodograph_methods::curvature::known::{Known, Why};
-use hodograph_methods::curvature::plane::End;
+use hodograph_methods::curvature::drawing::{CurvatureDrawing, RayMethod, Rays, RollingWheel};
+use hodograph_methods::curvature::known::{CurvatureRay, CurvatureReason};
+use hodograph_methods::curvature::plane::PlanePoint;
 use hodograph_methods::curvature::{OfLink, OfPoint};
 use hodograph_paper::paper::phrase::{Phrase, capital, tr};
 use hodograph_scene::{Lang, PointId};
@@ -14,13 +14,15 @@ fn sentence(text: String, lang: Lang) -> String {
     capital(&text) + tr(lang, ".", "。")
 }
 
-impl Words<'_> {
+impl CurvatureWords<'_> {
     /// Returns the construction step by step.
     pub fn steps(&self, of: &OfLink) -> Vec<Phrase> {
         let mut out = match &of.drawing {
-            Drawing::Rays(rays) => self.of_rays(of, rays),
-            Drawing::Rolling(rolled) => self.of_rolling(of, rolled),
-            Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => return Vec::new(),
+            CurvatureDrawing::Rays(rays) => self.of_rays(of, rays),
+            CurvatureDrawing::Rolling(rolled) => self.of_rolling(of, rolled),
+            CurvatureDrawing::Hinge(_) | CurvatureDrawing::Parallel(_) | CurvatureDrawing::OneLine(_) | CurvatureDrawing::NoRays => {
+                return Vec::new();
+            }
         };
         let (pole, j, lang) = (self.pole(of), self.letter("J", of), self.lang);
         if of.drawn().is_some_and(|d| d.normal == Vec2::ZERO) {
@@ -41,7 +43,7 @@ impl Words<'_> {
                 Lang::Zh => format!("将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"),
             });
         }
-        if let Drawing::Rays(rays) = &of.drawing
+        if let CurvatureDrawing::Rays(rays) = &of.drawing
             && rays.ball().is_some()
         {
             out.extend(self.of_ball(of, rays));
@@ -75,46 +77,48 @@ impl Words<'_> {
         }
     }
 
-    fn moving(&self, k: &Known) -> String {
+    fn moving(&self, k: &CurvatureRay) -> String {
         k.why.moving().map_or_else(|| format!("{}^{{\\infty}}", self.below("N", k.why.fixed().unwrap_or(PointId(0)))), |p| self.point(p))
     }
 
-    fn fixed(&self, k: &Known) -> String {
+    fn fixed(&self, k: &CurvatureRay) -> String {
         match (k.why.fixed(), k.why.moving()) {
             (Some(p), _) => self.point(p),
-            (None, Some(p)) if matches!(k.fixed, End::Infinity(_)) => format!("{}^{{\\infty}}", self.centre(p)),
+            (None, Some(p)) if matches!(k.fixed, PlanePoint::Infinity(_)) => format!("{}^{{\\infty}}", self.centre(p)),
             (None, Some(p)) => self.centre(p),
             (None, None) => String::new(),
         }
     }
 
-    fn ray(&self, k: &Known) -> String {
+    fn ray(&self, k: &CurvatureRay) -> String {
         let (moving, fixed, lang) = (self.moving(k), self.fixed(k), self.lang);
         match (k.why, lang) {
-            (Why::Crank(_, _, by), Lang::En) => {
+            (CurvatureReason::Crank(_, _, by), Lang::En) => {
                 format!(
                     "${moving}$ moves on a circle about ${fixed}$ (link {}): draw the ray ${fixed}{moving}$",
                     self.scene().link_name(by)
                 )
             }
-            (Why::Crank(_, _, by), Lang::Zh) => {
+            (CurvatureReason::Crank(_, _, by), Lang::Zh) => {
                 format!("${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：作射线 ${fixed}{moving}$", self.scene().link_name(by))
             }
-            (Why::Straight(..), Lang::En) => {
+            (CurvatureReason::Straight(..), Lang::En) => {
                 format!("${moving}$ moves on a straight line: the ray is perpendicular to its guide, the centre lies at infinity")
             }
-            (Why::Straight(..), Lang::Zh) => format!("${moving}$ 沿直线运动：射线垂直于导路，曲率中心在无穷远处"),
-            (Why::Arc(..), Lang::En) => format!("${moving}$ moves on an arc about ${fixed}$: draw the ray ${fixed}{moving}$"),
-            (Why::Arc(..), Lang::Zh) => format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：作射线 ${fixed}{moving}$"),
-            (Why::Through(..), Lang::En) => format!(
+            (CurvatureReason::Straight(..), Lang::Zh) => format!("${moving}$ 沿直线运动：射线垂直于导路，曲率中心在无穷远处"),
+            (CurvatureReason::Arc(..), Lang::En) => format!("${moving}$ moves on an arc about ${fixed}$: draw the ray ${fixed}{moving}$"),
+            (CurvatureReason::Arc(..), Lang::Zh) => format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：作射线 ${fixed}{moving}$"),
+            (CurvatureReason::Through(..), Lang::En) => format!(
                 "a line of the link along its guide always leads through ${fixed}$: draw the ray perpendicular to it through ${fixed}$; the moving point lies at infinity"
             ),
-            (Why::Through(..), Lang::Zh) => format!("构件上沿导路的直线始终通过 ${fixed}$：过 ${fixed}$ 作其垂线为射线，动点在无穷远处"),
-            (Why::Borrowed(_, of), Lang::En) => format!(
+            (CurvatureReason::Through(..), Lang::Zh) => {
+                format!("构件上沿导路的直线始终通过 ${fixed}$：过 ${fixed}$ 作其垂线为射线，动点在无穷远处")
+            }
+            (CurvatureReason::Borrowed(_, of), Lang::En) => format!(
                 "${moving}$ belongs to link {} too, whose drawing gives the centre ${fixed}$ of its path: draw the ray ${fixed}{moving}$",
                 self.scene().link_name(of)
             ),
-            (Why::Borrowed(_, of), Lang::Zh) => format!(
+            (CurvatureReason::Borrowed(_, of), Lang::Zh) => format!(
                 "${moving}$ 又在构件 {} 上，由该构件的作图得其轨迹的曲率中心 ${fixed}$：作射线 ${fixed}{moving}$",
                 self.scene().link_name(of)
             ),
@@ -122,7 +126,7 @@ impl Words<'_> {
     }
 
     /// Returns the name of the inflection point of a ray, where paths are straight.
-    pub fn straight(&self, k: &Known) -> String {
+    pub fn straight(&self, k: &CurvatureRay) -> String {
         self.below("J", k.why.moving().or(k.why.fixed()).unwrap_or(PointId(0)))
     }
 
@@ -156,13 +160,15 @@ impl Words<'_> {
             let (own, other) = (&rays.known[k], &rays.known[1 - k]);
             let (j, m, o) = (self.straight(own), self.moving(own), self.moving(other));
             out.push(match (rays.how[k], lang) {
-                (How::Given, Lang::En) => format!("the path of ${m}$ is straight: ${j} = {m}$"),
-                (How::Given, Lang::Zh) => format!("${m}$ 的轨迹为直线：${j} = {m}$"),
-                (How::Collineation(End::Infinity(_)), Lang::En) => {
+                (RayMethod::Given, Lang::En) => format!("the path of ${m}$ is straight: ${j} = {m}$"),
+                (RayMethod::Given, Lang::Zh) => format!("${m}$ 的轨迹为直线：${j} = {m}$"),
+                (RayMethod::Collineation(PlanePoint::Infinity(_)), Lang::En) => {
                     format!("the parallel to the axis through ${o}$ meets the ray of ${m}$ at ${j}$")
                 }
-                (How::Collineation(End::Infinity(_)), Lang::Zh) => format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$"),
-                (How::Collineation(End::At(_)), _) => {
+                (RayMethod::Collineation(PlanePoint::Infinity(_)), Lang::Zh) => {
+                    format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$")
+                }
+                (RayMethod::Collineation(PlanePoint::At(_)), _) => {
                     let (q, a) = (format!("{}_{{{}}}", self.on_axis(), 2 - k), self.fixed(other));
                     match lang {
                         Lang::En => format!(
@@ -171,10 +177,10 @@ impl Words<'_> {
                         Lang::Zh => format!("过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"),
                     }
                 }
-                (How::Proportion, Lang::En) => {
+                (RayMethod::Proportion, Lang::En) => {
                     format!("on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)", self.fixed(own))
                 }
-                (How::Proportion, Lang::Zh) => {
+                (RayMethod::Proportion, Lang::Zh) => {
                     format!("在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）", self.fixed(own))
                 }
             });
@@ -190,7 +196,7 @@ impl Words<'_> {
         out
     }
 
-    fn of_rolling(&self, of: &OfLink, _: &Rolled) -> Vec<String> {
+    fn of_rolling(&self, of: &OfLink, _: &RollingWheel) -> Vec<String> {
         let (pole, j) = (self.pole(of), self.letter("J", of));
         vec![match self.lang {
             Lang::En => format!(
@@ -206,20 +212,24 @@ impl Words<'_> {
         let (drawn, h) = (p.drawn?, self.helper());
         let (pole, j, e, centre, lang) = (self.pole(of), self.letter("J", of), self.point(p.point), self.centre(p.point), self.lang);
         let given = match &of.drawing {
-            Drawing::Rays(r) => r.known.iter().any(|k| k.why.moving() == Some(p.point)),
-            Drawing::Rolling(_) | Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => false,
+            CurvatureDrawing::Rays(r) => r.known.iter().any(|k| k.why.moving() == Some(p.point)),
+            CurvatureDrawing::Rolling(_)
+            | CurvatureDrawing::Hinge(_)
+            | CurvatureDrawing::Parallel(_)
+            | CurvatureDrawing::OneLine(_)
+            | CurvatureDrawing::NoRays => false,
         };
         if given {
             return None;
         }
         let radius = drawn.centre.at().map_or_else(String::new, |c| self.on_paper(c.distance(p.at)));
         Some(match (drawn.centre, lang) {
-            (End::Infinity(_), Lang::En) => format!("${e}$ lies on the inflection circle: its path is straight"),
-            (End::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
-            (End::At(_), Lang::En) => format!(
+            (PlanePoint::Infinity(_), Lang::En) => format!("${e}$ lies on the inflection circle: its path is straight"),
+            (PlanePoint::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
+            (PlanePoint::At(_), Lang::En) => format!(
                 "draw the perpendicular to ${pole}{e}$ at ${pole}$: it meets ${e}{j}$ at ${h}$; the parallel to ${pole}{j}$ through ${h}$ meets ${pole}{e}$ at ${centre}$, the centre of the path of ${e}$: ${e}{centre}$ = {radius} on paper"
             ),
-            (End::At(_), Lang::Zh) => format!(
+            (PlanePoint::At(_), Lang::Zh) => format!(
                 "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 ${h}$；过 ${h}$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心，图上 ${e}{centre}$ = {radius}"
             ),
         })

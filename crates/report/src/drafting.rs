@@ -1,12 +1,12 @@
 //! Tolerances of drawing by hand: as words beside an answer, as a table, as JSON.
 
 use hodograph_base::digits::{shortest, significant};
-use hodograph_board::plan::text::{Writer, vertex_name};
+use hodograph_board::plan::text::{PlanWriter, vertex_name};
 use hodograph_paper::paper::phrase::{formula, tr};
 use hodograph_scene::{Book, DiagramKind, Find, Kind, Lang, Scene};
 use hodograph_worked::accuracy::{CrossingTolerance, Drafting, Tolerance};
-use hodograph_worked::certified::Steps;
-use hodograph_worked::certified::steps::What;
+use hodograph_worked::certified::CertifiedSteps;
+use hodograph_worked::certified::steps::StepNumber;
 use hodograph_worked::worked::Worked;
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
@@ -17,14 +17,14 @@ pub const DIGITS: usize = 2;
 /// Returns a tolerance beside its answer: in % of it, or in its unit if a percentage is meaningless
 /// (an answer of zero or smaller than its tolerance, a coordinate, an angle). `None` for values
 /// that are given, not read.
-pub fn amount(book: &Book, find: &Find, t: &Tolerance) -> Option<Amount> {
+pub fn amount(book: &Book, find: &Find, t: &Tolerance) -> Option<ToleranceAmount> {
     if t.absolute == 0.0 {
         return None;
     }
     let kind = find.what.kind();
     Some(match t.relative {
-        Some(r) if r < 1.0 => Amount::Percent(r * 100.0),
-        _ => Amount::Of(kind, book.value(kind, t.absolute)),
+        Some(r) if r < 1.0 => ToleranceAmount::Percent(r * 100.0),
+        _ => ToleranceAmount::Of(kind, book.value(kind, t.absolute)),
     })
 }
 
@@ -39,7 +39,7 @@ pub fn by_hand_words(lang: Lang, pencil_mm: f64, mu_l: f64) -> String {
 }
 
 /// The form of a tolerance.
-pub enum Amount {
+pub enum ToleranceAmount {
     /// In % of the answer.
     Percent(f64),
     /// In the unit of its kind.
@@ -49,15 +49,15 @@ pub enum Amount {
 /// Returns the words of [`amount`] for a terminal.
 pub fn words(book: &Book, find: &Find, t: Option<&Tolerance>) -> String {
     match t.and_then(|t| amount(book, find, t)) {
-        Some(Amount::Percent(value)) => format!("± {} %", significant(value, DIGITS)),
-        Some(Amount::Of(kind, value)) => format!("± {}", book.text(kind, &significant(value, DIGITS))),
+        Some(ToleranceAmount::Percent(value)) => format!("± {} %", significant(value, DIGITS)),
+        Some(ToleranceAmount::Of(kind, value)) => format!("± {}", book.text(kind, &significant(value, DIGITS))),
         None => String::new(),
     }
 }
 
 /// Returns the intersections and the scales for 1 %, as tables; empty if no tolerances were
 /// requested. `steps` contains the certified numbers of the construction for the same pencil error.
-pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
+pub fn text(w: &PlanWriter, worked: &Worked, steps: &CertifiedSteps) -> String {
     let Some(d) = &worked.drafting else { return String::new() };
     let (lang, book) = (w.lang, &w.scene.book);
     let pencil = shortest(d.pencil_mm);
@@ -73,12 +73,13 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         rows.extend(d.crossings.iter().zip(certain).map(|(c, certain)| {
             let told = |what, rough: f64| certain(what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)));
             let [moves, si] = match c.moves_on_paper_mm() {
-                Some(mm) => {
-                    [format!("{} mm", told(What::Moved, mm)), book.text(c.on.kind(), &told(What::Off, book.value(c.on.kind(), c.moves)))]
-                }
+                Some(mm) => [
+                    format!("{} mm", told(StepNumber::Moved, mm)),
+                    book.text(c.on.kind(), &told(StepNumber::Off, book.value(c.on.kind(), c.moves))),
+                ],
                 None => [tr(lang, "off the paper", "移出图纸").to_string(), String::new()],
             };
-            [crossing_name(w, c), format!("{}°", told(What::Angle, c.angle_deg())), moves, si]
+            [crossing_name(w, c), format!("{}°", told(StepNumber::Angle, c.angle_deg())), moves, si]
         }));
         out.push_str(&table(&rows));
     }
@@ -105,7 +106,7 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
     out
 }
 
-fn crossing_name(w: &Writer, c: &CrossingTolerance) -> String {
+fn crossing_name(w: &PlanWriter, c: &CrossingTolerance) -> String {
     match c.on {
         DiagramKind::Plane => vertex_name(w.scene, w.plan, c.target),
         on @ (DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force) => formula(&w.image(on, c.target)),

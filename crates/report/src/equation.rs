@@ -2,29 +2,29 @@
 //!
 //! This module decides which equations need a table. Worksheets and lessons use its result.
 
-use hodograph_board::construct::Drawing;
+use hodograph_board::construct::PlanDrawing;
 use hodograph_board::plan::names::mate_letter;
-use hodograph_board::plan::text::{Column, Writer};
-use hodograph_board::plan::{Chain, Step, VertexId};
+use hodograph_board::plan::text::{EquationColumn, PlanWriter};
+use hodograph_board::plan::{PlanStep, TermChain, VertexId};
 use hodograph_paper::paper::phrase::{Phrase, fill, tr};
 use hodograph_paper::paper::words::words;
 use hodograph_scene::{DiagramKind, Lang};
 
 /// The written form of a step.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Written {
+pub enum WrittenStep {
     /// A statement.
     Line(Phrase),
     /// An equation with the magnitudes and directions of its vectors.
-    Table(Vec<Column>),
+    Table(Vec<EquationColumn>),
 }
 
 /// Returns the equation of a step of a polygon as it is drawn; `None` for a step without text.
-pub fn written(w: &Writer, paper: &Drawing, on: DiagramKind, step: &Step) -> Option<Written> {
-    let line = |text: String| Some(Written::Line(Phrase::new(&text)));
+pub fn written(w: &PlanWriter, paper: &PlanDrawing, on: DiagramKind, step: &PlanStep) -> Option<WrittenStep> {
+    let line = |text: String| Some(WrittenStep::Line(Phrase::new(&text)));
     match step {
-        Step::Equation { target, chains, .. } => equation(w, on, *target, chains),
-        Step::Image { target, from, link } => {
+        PlanStep::Equation { target, chains, .. } => equation(w, on, *target, chains),
+        PlanStep::Image { target, from, link } => {
             let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
             let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
             let (vector, link) = (w.vector(on, *target), w.scene.link_name(*link));
@@ -40,7 +40,7 @@ pub fn written(w: &Writer, paper: &Drawing, on: DiagramKind, step: &Step) -> Opt
                 Lang::Zh => format!("由构件 {link} 的影像求 ${vector}$：${images}$ 与 ${spots}$ 相似，字母顺序一致。"),
             })
         }
-        Step::Trials { target, images, mates } => {
+        PlanStep::Trials { target, images, mates } => {
             let [vector, image] = [w.vector(on, *target), w.image(on, *target)];
             let [a, b] = [images, mates].map(|pair| pair.map(|v| w.image(on, v)).concat());
             line(match w.lang {
@@ -48,7 +48,7 @@ pub fn written(w: &Writer, paper: &Drawing, on: DiagramKind, step: &Step) -> Opt
                 Lang::Zh => format!("求 ${vector}$：两次试作所得直线 ${a}$ 与 ${b}$ 的交点即 ${image}$。"),
             })
         }
-        Step::Same { target, from, link } => {
+        PlanStep::Same { target, from, link } => {
             let why = words(w.lang).no_turning.replace("{}", w.scene.link_name(*link));
             let formula = format!("{} = {}", w.summand(on, *target), w.summand(on, *from));
             line(format!("${formula}${}{why}", tr(w.lang, ": ", "：")))
@@ -57,14 +57,14 @@ pub fn written(w: &Writer, paper: &Drawing, on: DiagramKind, step: &Step) -> Opt
 }
 
 /// Returns the sentence that introduces the mate of a trial, at the step that first finds it.
-pub fn mate(w: &Writer, step: &Step) -> Option<String> {
+pub fn mate(w: &PlanWriter, step: &PlanStep) -> Option<String> {
     let [point, bar] = w.mate(step)?;
     Some(fill(words(w.lang).mate, &[("X", mate_letter(w.scene)), ("1", &point), ("", &bar)]))
 }
 
-fn equation(w: &Writer, on: DiagramKind, target: VertexId, chains: &[Chain]) -> Option<Written> {
+fn equation(w: &PlanWriter, on: DiagramKind, target: VertexId, chains: &[TermChain]) -> Option<WrittenStep> {
     let vector = w.vector(on, target);
-    let line = |text: String| Some(Written::Line(Phrase::new(&text)));
+    let line = |text: String| Some(WrittenStep::Line(Phrase::new(&text)));
     if let [chain] = chains
         && w.plan.vertex(chain.start).fixed
         && let [term] = chain.known[..]
@@ -84,5 +84,5 @@ fn equation(w: &Writer, on: DiagramKind, target: VertexId, chains: &[Chain]) -> 
         let vector = w.summand(on, target);
         return if chain.start == target { None } else { line(format!("${vector} = {start}$")) };
     }
-    Some(Written::Table(w.columns(on, target, chains)))
+    Some(WrittenStep::Table(w.columns(on, target, chains)))
 }

@@ -12,7 +12,7 @@ use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_base::notation::Notation;
 use hodograph_board::construction::{MarkId, NumberId};
-use hodograph_board::equilibrium::{About, Equilibrium, Gives, GroupForces, Moments, Party, Side, Term};
+use hodograph_board::equilibrium::{About, Equilibrium, ForceEdge, ForceTerm, GroupForces, MomentResult, Moments, Party};
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang, Scene};
@@ -52,12 +52,12 @@ pub struct ForceColumn {
 
 /// A sum of moments in the label language.
 #[derive(Default)]
-struct Sum {
+struct MomentSum {
     text: String,
     terms: usize,
 }
 
-impl Sum {
+impl MomentSum {
     /// Adds a term with the sign of its moment.
     fn add(&mut self, moment: f64, text: String) {
         let sign = match (moment < 0.0, self.terms) {
@@ -80,16 +80,16 @@ impl Sum {
 
 impl ForceWriter<'_> {
     /// Returns the direction of a force, from any group that draws it.
-    pub fn direction(&self, term: Term) -> Option<Vec2> {
-        if let Term::Load(k) = term {
+    pub fn direction(&self, term: ForceTerm) -> Option<Vec2> {
+        if let ForceTerm::Load(k) = term {
             return self.of.loads[k].wrench.force.unit();
         }
-        let Term::Reaction { of, on, part } = term else { return None };
+        let ForceTerm::Reaction { of, on, part } = term else { return None };
         let opposite = match of {
-            Party::Link(l) => Some(Term::Reaction { of: Party::Link(on), on: l, part }),
+            Party::Link(l) => Some(ForceTerm::Reaction { of: Party::Link(on), on: l, part }),
             Party::Pin(_) | Party::Cylinder(_) | Party::Driver(_) => None,
         };
-        let find = |t: Term| {
+        let find = |t: ForceTerm| {
             let mut sides = self.of.groups.iter().flat_map(|g| g.sides.iter().chain(&g.diagonals));
             sides.find(|s| s.term == t).and_then(|s| self.of.force(s.vector)?.unit())
         };
@@ -97,12 +97,12 @@ impl ForceWriter<'_> {
     }
 
     /// Returns the equations of a group, each a list of forces with a sum of zero.
-    pub fn equations(&self, group: &GroupForces) -> Vec<Vec<Side>> {
+    pub fn equations(&self, group: &GroupForces) -> Vec<Vec<ForceEdge>> {
         if group.kind != "RPP" {
             return vec![group.sides.clone()];
         }
         // The first equation starts and ends at the intersection.
-        let v = |side: &Side| &self.of.construction.vectors[side.vector.index()];
+        let v = |side: &ForceEdge| &self.of.construction.vectors[side.vector.index()];
         let Some(first) = group.sides.first() else { return Vec::new() };
         let crossing = v(first).from;
         let end = group.sides.iter().position(|s| v(s).to == crossing).map_or(group.sides.len(), |k| k + 1);
@@ -111,14 +111,14 @@ impl ForceWriter<'_> {
     }
 
     /// Returns an equation in the label language: `F_{12} + G_{2} + F_{32} = 0`.
-    pub fn equation(&self, sides: &[Side]) -> String {
+    pub fn equation(&self, sides: &[ForceEdge]) -> String {
         let symbols: Vec<String> = sides.iter().map(|s| self.notation.vectors.write(self.symbol(s.term))).collect();
         let lines: Vec<String> = symbols.chunks(4 * TOGETHER).map(|line| line.join(" + ")).collect();
         format!("{} = 0", lines.join(&format!("{BREAK}+ ")))
     }
 
     /// Returns the table of an equation.
-    pub fn columns(&self, sides: &[Side]) -> Vec<ForceColumn> {
+    pub fn columns(&self, sides: &[ForceEdge]) -> Vec<ForceColumn> {
         sides.iter().map(|s| ForceColumn { symbol: self.notation.vectors.write(self.symbol(s.term)), magnitude: s.known }).collect()
     }
 
@@ -173,7 +173,7 @@ impl ForceWriter<'_> {
     }
 
     /// Returns the magnitude of a force (N).
-    fn size(&self, group: &GroupForces, term: Term) -> Option<f64> {
+    fn size(&self, group: &GroupForces, term: ForceTerm) -> Option<f64> {
         let side = group.sides.iter().chain(&group.diagonals).find(|s| s.term == term)?;
         self.of.force(side.vector).map(|f| f.norm())
     }
@@ -186,16 +186,16 @@ impl ForceWriter<'_> {
     }
 
     /// Returns the magnitude of a force, from any group that draws it.
-    fn strength(&self, term: Term) -> Option<f64> {
-        if let Term::Load(k) = term {
+    fn strength(&self, term: ForceTerm) -> Option<f64> {
+        if let ForceTerm::Load(k) = term {
             return Some(self.of.loads[k].wrench.force.norm());
         }
-        let Term::Reaction { of, on, part } = term else { return None };
+        let ForceTerm::Reaction { of, on, part } = term else { return None };
         let opposite = match of {
-            Party::Link(l) => Some(Term::Reaction { of: Party::Link(on), on: l, part }),
+            Party::Link(l) => Some(ForceTerm::Reaction { of: Party::Link(on), on: l, part }),
             Party::Pin(_) | Party::Cylinder(_) | Party::Driver(_) => None,
         };
-        let find = |t: Term| self.of.groups.iter().find_map(|g| self.size(g, t));
+        let find = |t: ForceTerm| self.of.groups.iter().find_map(|g| self.size(g, t));
         find(term).or_else(|| opposite.and_then(find))
     }
 
@@ -212,7 +212,7 @@ impl ForceWriter<'_> {
                 }
             }
         };
-        let mut sum = Sum::default();
+        let mut sum = MomentSum::default();
         for (k, (term, ..)) in m.of.iter().enumerate() {
             let moment = self.number(m.of[k].2);
             // A line of action through the point has no moment, except for rounding.
@@ -224,11 +224,11 @@ impl ForceWriter<'_> {
         }
         let value = self.number(m.value);
         let (given, result) = match m.gives {
-            Gives::Force(term, _) => {
+            MomentResult::Force(term, _) => {
                 let symbol = self.symbol(term);
                 (format!("{symbol}\\,l"), format!("|{symbol}| = {}", self.amount(Kind::Force, value.abs())))
             }
-            Gives::Offset(guide) => {
+            MomentResult::Offset(guide) => {
                 let pair = self.pair(guide);
                 let force = self.of.forces.guides.iter().find(|(own, _)| *own == guide).map_or(0.0, |(_, w)| w.force.norm());
                 let pair = name_label(&pair);
@@ -238,11 +238,11 @@ impl ForceWriter<'_> {
                 };
                 (format!("M_{{{pair}}}"), result)
             }
-            Gives::Driver(d) => {
+            MomentResult::Driver(d) => {
                 let symbol = self.balance(d);
                 (symbol.clone(), format!("{symbol} = {}", self.amount(Kind::Moment, value)))
             }
-            Gives::Trial { force, tried, left } => return self.trial(m, force, [tried, left]),
+            MomentResult::Trial { force, tried, left } => return self.trial(m, force, [tried, left]),
         };
         let equation = if sum.terms == 0 { format!("{given} = 0") } else { format!("{given} + ({}) = 0", sum.text) };
         match self.lang {
@@ -257,7 +257,7 @@ impl ForceWriter<'_> {
 
     /// Returns the sentence on a force with two trial values: the residual moments of the last link
     /// of the ring, and the force for which the residual is zero.
-    fn trial(&self, m: &Moments, force: Term, [tried, left]: [[NumberId; 2]; 2]) -> String {
+    fn trial(&self, m: &Moments, force: ForceTerm, [tried, left]: [[NumberId; 2]; 2]) -> String {
         let (symbol, about) = (self.symbol(force), self.about(m.about));
         let tried = tried.map(|id| self.amount(Kind::Force, self.number(id)));
         let left = left.map(|id| self.amount(Kind::Moment, self.number(id)));
@@ -294,7 +294,7 @@ impl ForceWriter<'_> {
 
     /// Returns a force as measured on the polygon:
     /// `F_{65} = \\mu_{F}\\cdot ea = 31.2 mm·\\mu_{F} = 62 N`.
-    fn reading(&self, group: &GroupForces, side: &Side) -> Option<String> {
+    fn reading(&self, group: &GroupForces, side: &ForceEdge) -> Option<String> {
         let force = self.of.force(side.vector)?;
         let mm = inked(&significant(force.norm() / self.of.mu(), DIGITS));
         Some(format!(
@@ -307,7 +307,7 @@ impl ForceWriter<'_> {
 
     /// Returns the moments that come before the polygon.
     pub fn before(&self, group: &GroupForces) -> Vec<Phrase> {
-        let before = |m: &&Moments| !matches!(m.gives, Gives::Offset(_));
+        let before = |m: &&Moments| !matches!(m.gives, MomentResult::Offset(_));
         let friction = self.friction(group).map(|s| Phrase::new(&s));
         friction.into_iter().chain(group.moments.iter().filter(before).map(|m| Phrase::new(&self.moments(m)))).collect()
     }
@@ -315,7 +315,7 @@ impl ForceWriter<'_> {
     /// Returns the results of the polygon, and the moments that determine the points of action of
     /// guide forces.
     pub fn after(&self, group: &GroupForces) -> Vec<Phrase> {
-        let after = group.moments.iter().filter(|m| matches!(m.gives, Gives::Offset(_))).map(|m| self.moments(m));
+        let after = group.moments.iter().filter(|m| matches!(m.gives, MomentResult::Offset(_))).map(|m| self.moments(m));
         self.measured(group).into_iter().map(|m| format!("${m}$")).chain(after).map(|s| Phrase::new(&s)).collect()
     }
 

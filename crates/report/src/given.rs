@@ -15,7 +15,7 @@ use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::point_label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::words::{Words, words};
-use hodograph_scene::{Angle, Book, DriverKind, Given, Kind, Lang, LinkId, Place, PointId, Scene, Told};
+use hodograph_scene::{Angle, Book, DriverKind, GivenQuantity, Kind, Lang, LinkId, PointId, PointPlace, QuantityText, Scene};
 
 /// Digits of a given number that the scene computes, as in `2*r`.
 const DIGITS: usize = 6;
@@ -25,14 +25,14 @@ const LONG: usize = 24;
 
 /// The given data of a scene, in words.
 #[derive(Clone, Copy)]
-pub struct Givens<'a> {
+pub struct GivenSentences<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// The language of the words.
     pub lang: Lang,
 }
 
-impl Givens<'_> {
+impl GivenSentences<'_> {
     fn lang(&self) -> Lang {
         self.lang
     }
@@ -108,14 +108,14 @@ impl Givens<'_> {
     fn place(&self, p: PointId) -> Option<String> {
         let symbol = point_label(self.name(p));
         Some(match &self.scene.points[p.0].place {
-            Place::Unknown => return None,
-            Place::At([x, y]) => {
+            PointPlace::Unknown => return None,
+            PointPlace::At([x, y]) => {
                 let (x, y) = (self.length(x), self.length(y));
                 // A line may break between coordinates of many digits.
                 let between = if x.len() + y.len() > LONG { "$ $" } else { " " };
                 format!("${symbol} = ({x},{between}{y})$")
             }
-            Place::InLink { base: (a, b), xy: [x, y] } => {
+            PointPlace::InLink { base: (a, b), xy: [x, y] } => {
                 let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
                 let (a, b) = (self.point(*a), self.point(*b));
                 let back = x.value < 0.0;
@@ -130,7 +130,7 @@ impl Givens<'_> {
                     Lang::Zh => format!("{along}、向{} ${}$", if left { "左" } else { "右" }, self.unsigned(y)),
                 }
             }
-            Place::Polar { base: (a, b), length: l, angle: turn } => {
+            PointPlace::Polar { base: (a, b), length: l, angle: turn } => {
                 let (from, to) = (point_label(self.name(*a)), point_label(self.name(*b)));
                 let known = format!("${from}{symbol} = {}$", self.length(l));
                 match self.lang() {
@@ -211,13 +211,13 @@ impl Givens<'_> {
             return out;
         }
         let comma = self.tr(", ", "，");
-        let told = |symbol: &str, given: &Given, kind: Kind| {
+        let told = |symbol: &str, given: &GivenQuantity, kind: Kind| {
             // The sense of rotation is given in words.
             let shown = |number: String| if turns { number.trim_start_matches('−').to_owned() } else { number };
             let amount = match self.scene.told(kind, &given.text, given.value) {
-                Told::AsWritten(number, unit) => unit.label(&shown(as_written(&number))),
-                Told::Computed(value, unit) => unit.label(&shown(inked(value))),
-                Told::Usual => Book::default().label(kind, &shown(inked(given.value))),
+                QuantityText::AsWritten(number, unit) => unit.label(&shown(as_written(&number))),
+                QuantityText::Computed(value, unit) => unit.label(&shown(inked(value))),
+                QuantityText::Usual => Book::default().label(kind, &shown(inked(given.value))),
             };
             let sense = if turns { self.words().sense(given.value) } else { "" };
             format!("{comma}$ {symbol} = {amount}$ {sense}").trim_end().to_owned()
@@ -231,27 +231,29 @@ impl Givens<'_> {
     }
 
     /// Returns a length as it is given.
-    pub fn length(&self, given: &Given) -> String {
+    pub fn length(&self, given: &GivenQuantity) -> String {
         match (self.scene.told(Kind::Length, &given.text, given.value), given.value) {
-            (Told::AsWritten(number, unit), _) => unit.label(&as_written(&number)),
-            (Told::Computed(value, unit), _) => unit.label(&inked(value)),
-            (Told::Usual, 0.0) => "0".into(),
-            (Told::Usual, metres) if metres.abs() >= 10.0 => format!("{} m", inked(metres)),
-            (Told::Usual, metres) => format!("{} mm", inked(metres * 1e3)),
+            (QuantityText::AsWritten(number, unit), _) => unit.label(&as_written(&number)),
+            (QuantityText::Computed(value, unit), _) => unit.label(&inked(value)),
+            (QuantityText::Usual, 0.0) => "0".into(),
+            (QuantityText::Usual, metres) if metres.abs() >= 10.0 => format!("{} m", inked(metres)),
+            (QuantityText::Usual, metres) => format!("{} mm", inked(metres * 1e3)),
         }
     }
 
     /// Returns a length without its sign, which is given in words.
-    fn unsigned(&self, given: &Given) -> String {
+    fn unsigned(&self, given: &GivenQuantity) -> String {
         self.length(given).trim_start_matches('−').to_owned()
     }
 
     /// Returns an angle as it is given; an angle written in degrees is reduced by full turns.
-    pub fn angle(&self, given: &Given<Angle>) -> String {
+    pub fn angle(&self, given: &GivenQuantity<Angle>) -> String {
         match self.scene.told(Kind::Angle, &given.text, given.value.radians()) {
-            Told::AsWritten(number, unit) if !unit.is_degree() => unit.label(&as_written(&number)),
-            Told::Computed(value, unit) if !unit.is_degree() => unit.label(&inked(value)),
-            Told::AsWritten(..) | Told::Computed(..) | Told::Usual => format!("{}\\degree", inked(given.value.degrees())),
+            QuantityText::AsWritten(number, unit) if !unit.is_degree() => unit.label(&as_written(&number)),
+            QuantityText::Computed(value, unit) if !unit.is_degree() => unit.label(&inked(value)),
+            QuantityText::AsWritten(..) | QuantityText::Computed(..) | QuantityText::Usual => {
+                format!("{}\\degree", inked(given.value.degrees()))
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Sentences as HTML.
 
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{Phrase, Piece};
+use hodograph_paper::paper::phrase::{Phrase, PhrasePiece};
 use hodograph_paper::render::escaped;
 
 use super::math::mathml;
@@ -13,12 +13,12 @@ const JOINER: &str = "&#x2060;";
 /// Returns a sentence as HTML, with its formulas written by `formula`.
 pub fn sentence_with(phrase: &Phrase, mut formula: impl FnMut(&str) -> String) -> String {
     let pieces = phrase.pieces();
-    let is_formula = |k: Option<usize>| k.and_then(|k| pieces.get(k)).is_some_and(|p| matches!(p, Piece::Formula(_)));
+    let is_formula = |k: Option<usize>| k.and_then(|k| pieces.get(k)).is_some_and(|p| matches!(p, PhrasePiece::Formula(_)));
     let mut out = String::new();
     for (k, piece) in pieces.iter().enumerate() {
         match piece {
-            Piece::Formula(source) => out.push_str(&formula(source)),
-            Piece::Words(words) => {
+            PhrasePiece::Formula(source) => out.push_str(&formula(source)),
+            PhrasePiece::Words(words) => {
                 let closes =
                     words.starts_with([',', '.', ';', ':', '?', '!', ')', ']', '”', '’', '，', '。', '、', '；', '：', '）', '》', '」']);
                 let opens = words.ends_with(['(', '[', '“', '‘', '（', '《', '「']);

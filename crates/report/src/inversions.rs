@@ -4,10 +4,10 @@
 use super::answers::diagnostic;
 use super::{limits, trains};
 use hodograph_base::diag::Diagnostic;
-use hodograph_methods::inversions::{Inversion, Part};
+use hodograph_methods::inversions::{ChainLink, Inversion};
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Lang, Scene};
-use hodograph_sweep::extreme::Output;
+use hodograph_sweep::extreme::DrivenOutput;
 use serde_json::{Value as Json, json};
 
 /// Returns the report as text: a line for each ground, then the motion of each over the full range.
@@ -64,11 +64,11 @@ fn slider_crank(i: &Inversion, lang: Lang) -> Option<&'static str> {
     // With the crank as ground, the link with the guide rotates about its pin.
     let full = || i.limits.range.full() && i.limits.swings.iter().all(|s| s.stroke.is_none());
     Some(match i.part? {
-        Part::Guide => tr(lang, "crank-slider", "曲柄滑块机构"),
-        Part::Slider => tr(lang, "fixed slider", "定块机构"),
-        Part::Coupler => tr(lang, "swinging block", "曲柄摇块机构"),
-        Part::Crank if full() => tr(lang, "turning guide", "转动导杆机构"),
-        Part::Crank => tr(lang, "oscillating guide", "摆动导杆机构"),
+        ChainLink::Guide => tr(lang, "crank-slider", "曲柄滑块机构"),
+        ChainLink::Slider => tr(lang, "fixed slider", "定块机构"),
+        ChainLink::Coupler => tr(lang, "swinging block", "曲柄摇块机构"),
+        ChainLink::Crank if full() => tr(lang, "turning guide", "转动导杆机构"),
+        ChainLink::Crank => tr(lang, "oscillating guide", "摆动导杆机构"),
     })
 }
 
@@ -78,8 +78,8 @@ fn turning(i: &Inversion) -> Vec<String> {
     let driver = scene.drivers[0].kind.turned().filter(|_| i.limits.range.full()).map(|(link, _)| link);
     // An output without extremes rotates fully if its driver does.
     let outputs = i.limits.swings.iter().filter(|s| driver.is_some() && s.extremes.is_empty()).filter_map(|s| match s.output {
-        Output::Turning(l) => Some(l),
-        Output::Sliding(_) => None,
+        DrivenOutput::Turning(l) => Some(l),
+        DrivenOutput::Sliding(_) => None,
     });
     let on_ground = |l: &hodograph_scene::LinkId| {
         let own = &scene.links[scene.ground.0].points;

@@ -8,23 +8,23 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::significant;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Book, Kind, Lang, LinkId, PointId, Scene};
-use hodograph_sweep::extreme::{Extreme, Grashof, Limits, Output, Swing};
-use hodograph_sweep::limit::{Event, Kind as EventKind};
+use hodograph_sweep::extreme::{DrivenOutput, Grashof, MotionLimits, OutputExtreme, Swing};
+use hodograph_sweep::limit::{Event, EventKind};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
 /// A writer for one scene, driver and language.
-struct Words<'a> {
+struct LimitWords<'a> {
     scene: &'a Scene,
-    limits: &'a Limits,
+    limits: &'a MotionLimits,
     lang: Lang,
     name: String,
     angular: bool,
 }
 
 /// Returns the report as text.
-pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String {
-    let w = Words::new(scene, driver, limits, lang);
+pub fn text(scene: &Scene, driver: usize, limits: &MotionLimits, lang: Lang) -> String {
+    let w = LimitWords::new(scene, driver, limits, lang);
     let mut out = String::new();
     let mut line = |text: String| {
         out.push_str(&text);
@@ -67,8 +67,8 @@ pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String
 }
 
 /// Returns the report as JSON, in SI.
-pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
-    let w = Words::new(scene, driver, limits, Lang::En);
+pub fn json(scene: &Scene, driver: usize, limits: &MotionLimits) -> Json {
+    let w = LimitWords::new(scene, driver, limits, Lang::En);
     let links = |l: &[LinkId]| l.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>();
     let event = |e: &Event| {
         json!({
@@ -105,10 +105,10 @@ pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
     })
 }
 
-impl<'a> Words<'a> {
-    fn new(scene: &'a Scene, driver: usize, limits: &'a Limits, lang: Lang) -> Self {
+impl<'a> LimitWords<'a> {
+    fn new(scene: &'a Scene, driver: usize, limits: &'a MotionLimits, lang: Lang) -> Self {
         let (name, kind) = scene.driver_name(driver);
-        Words { scene, limits, lang, name, angular: kind == Kind::Angle }
+        LimitWords { scene, limits, lang, name, angular: kind == Kind::Angle }
     }
 
     /// Returns a crank's position reduced to [0, 2π) if it rotates fully, or to the number of turns
@@ -124,7 +124,7 @@ impl<'a> Words<'a> {
     }
 
     /// Returns the name of a coordinate in a sentence: Chinese sentences have Greek letters.
-    fn told(&self, name: &str) -> String {
+    fn coordinate_name(&self, name: &str) -> String {
         if self.lang == Lang::Zh { name.replacen("phi", "φ", 1) } else { name.to_owned() }
     }
 
@@ -136,19 +136,19 @@ impl<'a> Words<'a> {
     fn at(&self, value: f64) -> String {
         match self.lang {
             Lang::En => format!(" at {} = {}", self.name, self.value(value)),
-            Lang::Zh => format!("（{} = {} 时）", self.told(&self.name), self.value(value)),
+            Lang::Zh => format!("（{} = {} 时）", self.coordinate_name(&self.name), self.value(value)),
         }
     }
 
     fn range(&self) -> String {
         let r = &self.limits.range;
         match &r.ends {
-            [None, None] if self.angular => format!("{} {}", self.told(&self.name), tr(self.lang, "turns fully", "可整周转动")),
+            [None, None] if self.angular => format!("{} {}", self.coordinate_name(&self.name), tr(self.lang, "turns fully", "可整周转动")),
             [low, high] => {
                 let end = |e: &Option<Event>| {
                     e.as_ref().map_or_else(|| tr(self.lang, "no limit found", "未见极限").to_owned(), |e| self.value(e.value))
                 };
-                format!("{} {} {} … {}", self.told(&self.name), tr(self.lang, "goes", "的范围："), end(low), end(high))
+                format!("{} {} {} … {}", self.coordinate_name(&self.name), tr(self.lang, "goes", "的范围："), end(low), end(high))
             }
         }
     }
@@ -156,7 +156,7 @@ impl<'a> Words<'a> {
     /// Returns the number of turns after which all wheels are in their initial position; `None` if
     /// it is one.
     fn turns(&self) -> Option<String> {
-        let Limits { turns, seen, .. } = self.limits;
+        let MotionLimits { turns, seen, .. } = self.limits;
         let both = match (*turns, *seen) {
             (1, _) => return None,
             (0, _) => {
@@ -193,10 +193,10 @@ impl<'a> Words<'a> {
         format!("{what}{}{}{why}", self.at(e.value), tr(self.lang, ": ", "："))
     }
 
-    fn output(&self, output: Output) -> String {
+    fn output(&self, output: DrivenOutput) -> String {
         match output {
-            Output::Turning(l) => format!("phi_{}", self.scene.link_name(l)),
-            Output::Sliding(g) => {
+            DrivenOutput::Turning(l) => format!("phi_{}", self.scene.link_name(l)),
+            DrivenOutput::Sliding(g) => {
                 let guide = &self.scene.guides[g.0];
                 let point = guide.pin.map(|p| self.scene.point_name(p));
                 format!("s_{}", point.or(guide.slider.map(|l| self.scene.link_name(l))).unwrap_or_default())
@@ -204,15 +204,15 @@ impl<'a> Words<'a> {
         }
     }
 
-    fn size(&self, output: Output, value: f64) -> String {
+    fn size(&self, output: DrivenOutput, value: f64) -> String {
         match output {
-            Output::Turning(_) => angle(&self.scene.book, value),
-            Output::Sliding(_) => length(&self.scene.book, value),
+            DrivenOutput::Turning(_) => angle(&self.scene.book, value),
+            DrivenOutput::Sliding(_) => length(&self.scene.book, value),
         }
     }
 
     fn swing(&self, s: &Swing) -> String {
-        let (lang, name) = (self.lang, self.told(&self.output(s.output)));
+        let (lang, name) = (self.lang, self.coordinate_name(&self.output(s.output)));
         let Some(stroke) = s.stroke else {
             return match s.extremes.is_empty() {
                 true => format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")),
@@ -220,8 +220,8 @@ impl<'a> Words<'a> {
             };
         };
         let word = match s.output {
-            Output::Turning(_) => tr(lang, "swings", "摆角"),
-            Output::Sliding(_) => tr(lang, "has a stroke of", "行程"),
+            DrivenOutput::Turning(_) => tr(lang, "swings", "摆角"),
+            DrivenOutput::Sliding(_) => tr(lang, "has a stroke of", "行程"),
         };
         let ratio = s.time_ratio.map_or(String::new(), |k| {
             let theta = std::f64::consts::PI * (k - 1.0) / (k + 1.0);
@@ -230,17 +230,17 @@ impl<'a> Words<'a> {
         format!("{name} {word} {}{ratio}", self.size(s.output, stroke))
     }
 
-    fn extreme(&self, s: &Swing, e: &Extreme) -> String {
+    fn extreme(&self, s: &Swing, e: &OutputExtreme) -> String {
         let remark = match e.until {
             _ if e.at_limit => tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned(),
             Some(until) => tr(self.lang, " to {}  (a dwell)", "，至 {}（停歇）").replace("{}", &self.value(until)),
             None if s.extremes.iter().any(|e| e.at_limit) => String::new(),
             None => tr(self.lang, "  (a dead centre if it is driven from there)", "（若以该构件为原动件，此处为死点）").to_owned(),
         };
-        format!("{} = {}{}{remark}", self.told(&self.output(s.output)), self.size(s.output, e.output), self.at(e.driver))
+        format!("{} = {}{}{remark}", self.coordinate_name(&self.output(s.output)), self.size(s.output, e.output), self.at(e.driver))
     }
 
-    fn extreme_json(&self, e: &Extreme) -> Json {
+    fn extreme_json(&self, e: &OutputExtreme) -> Json {
         json!({"driver": self.wrapped(e.driver), "until": e.until.map(|x| self.wrapped(x)), "output": e.output, "at_limit": e.at_limit})
     }
 }

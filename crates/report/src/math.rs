@@ -5,7 +5,7 @@
 //! italic, units and words upright.
 
 use hodograph_paper::paper::font::Slant;
-use hodograph_paper::paper::label::{Label, Node, Role};
+use hodograph_paper::paper::label::{Label, LabelNode, Role};
 use hodograph_paper::render::escaped;
 
 /// A part of a displayed formula.
@@ -58,11 +58,11 @@ trait Tongue {
     /// Joins adjacent pieces.
     fn join(&self, pieces: Vec<String>) -> String;
 
-    fn row(&self, row: &[Node]) -> String {
+    fn row(&self, row: &[LabelNode]) -> String {
         self.join(row.iter().flat_map(|n| self.node(n)).collect())
     }
 
-    fn node(&self, n: &Node) -> Vec<String> {
+    fn node(&self, n: &LabelNode) -> Vec<String> {
         let mut out = Vec::new();
         if !n.text.is_empty() || n.primes > 0 || !n.sub.is_empty() || !n.sup.is_empty() {
             let base = self.base(n);
@@ -75,7 +75,7 @@ trait Tongue {
         out
     }
 
-    fn base(&self, n: &Node) -> String {
+    fn base(&self, n: &LabelNode) -> String {
         let mut chars = n.text.chars();
         match (n.slant, chars.next(), chars.next()) {
             (_, None, _) => String::new(),

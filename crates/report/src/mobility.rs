@@ -4,25 +4,25 @@
 use super::plan::{dyad, grade, group_words};
 use hodograph_base::diag::{Both, both};
 use hodograph_board::plan::names::name_label;
-use hodograph_mechanism::mechanism::{Assur, Counts, ForDrivers, Item, Local, Opened, Survey};
-use hodograph_mechanism::position::redundant::{Checked, Reason, Verdict, by_topology, look, opened_words};
+use hodograph_mechanism::mechanism::{Assur, Counts, ForDrivers, Local, MobilitySurvey, Opened, PairItem};
+use hodograph_mechanism::position::redundant::{Checked, RedundancyVerdict, RepeatReason, by_topology, look, opened_words};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{GuideId, Lang, PointId, Rolling, Scene};
 use serde_json::{Value as Json, json};
 
 /// The known state of a redundant pair.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Known {
+enum RedundantState {
     Repeats,
     Locks,
     Open,
 }
 
-fn known(checked: Option<&Checked>) -> Known {
+fn known(checked: Option<&Checked>) -> RedundantState {
     match checked.map(|c| c.verdict) {
-        Some(Verdict::Virtual | Verdict::Almost) => Known::Repeats,
-        Some(Verdict::Shaky | Verdict::Locked) => Known::Locks,
-        None => Known::Open,
+        Some(RedundancyVerdict::Virtual | RedundancyVerdict::Almost) => RedundantState::Repeats,
+        Some(RedundancyVerdict::Shaky | RedundancyVerdict::Locked) => RedundantState::Locks,
+        None => RedundantState::Open,
     }
 }
 
@@ -30,34 +30,34 @@ fn known(checked: Option<&Checked>) -> Known {
 const MOST_DRIVERS: usize = 4;
 
 /// Returns the number of equations that are certainly redundant, and of those that may be.
-fn repeated(survey: &Survey, checked: &[Option<Checked>]) -> (usize, usize) {
-    let of = |wanted: Known| {
+fn repeated(survey: &MobilitySurvey, checked: &[Option<Checked>]) -> (usize, usize) {
+    let of = |wanted: RedundantState| {
         let all = survey.redundant().iter().zip(checked).filter(|(_, c)| known(c.as_ref()) == wanted);
         all.map(|(r, _)| r.equations).sum()
     };
-    (of(Known::Repeats), of(Known::Open))
+    (of(RedundantState::Repeats), of(RedundantState::Open))
 }
 
 /// Returns the counts and the checks of redundant pairs by the lengths.
 ///
 /// With redundant pairs the count does not determine the number of drivers: as long as a further
 /// driver moves the mechanism with its redundant pairs, it is one of the degrees of freedom.
-pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
-    let mut survey = Survey::of(scene);
+pub fn surveyed(scene: &Scene) -> (MobilitySurvey, Vec<Option<Checked>>) {
+    let mut survey = MobilitySurvey::of(scene);
     let mut found = checked(&survey);
     if scene.drivers.is_empty() && survey.choices.is_empty() {
         // By count alone the mechanism has too few degrees of freedom: redundant pairs are found
         // only with all drivers present.
-        let more = (2..=MOST_DRIVERS).map(|drivers| (drivers, Survey::driven_by(scene, drivers)));
+        let more = (2..=MOST_DRIVERS).map(|drivers| (drivers, MobilitySurvey::driven_by(scene, drivers)));
         let mut sure = more.filter(|(_, s)| !s.choices.is_empty()).map(|(drivers, s)| (drivers, checked(&s), s));
-        let moves = |verdicts: &[Option<Checked>]| verdicts.iter().all(|c| known(c.as_ref()) == Known::Repeats);
+        let moves = |verdicts: &[Option<Checked>]| verdicts.iter().all(|c| known(c.as_ref()) == RedundantState::Repeats);
         if let Some((_, verdicts, s)) = sure.find(|(drivers, verdicts, s)| moves(verdicts) && freedom(s, verdicts) == *drivers as i64) {
             (survey, found) = (s, verdicts);
         }
     }
     while scene.drivers.is_empty() && !found.is_empty() {
         let drivers = survey.choices.first().map_or(0, |c| c.scene.drivers.len());
-        let more = Survey::driven_by(scene, drivers + 1);
+        let more = MobilitySurvey::driven_by(scene, drivers + 1);
         let verdicts = checked(&more);
         if more.choices.is_empty() || freedom(&more, &verdicts) != drivers as i64 + 1 {
             break;
@@ -73,15 +73,15 @@ pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
 }
 
 /// Number of gear pairs with a centre distance that other pairs change.
-fn not_kept_apart(survey: &Survey) -> usize {
+fn not_kept_apart(survey: &MobilitySurvey) -> usize {
     let Some(first) = survey.choices.first() else { return 0 };
     let looked = |opened: &Opened| survey.choices.iter().find_map(|c| look(&c.scene, &c.mechanism, opened).ok());
-    first.mechanism.kept_apart(&first.scene).filter(|g| known(looked(&Opened::Guide(*g)).as_ref()) == Known::Locks).count()
+    first.mechanism.kept_apart(&first.scene).filter(|g| known(looked(&Opened::Guide(*g)).as_ref()) == RedundantState::Locks).count()
 }
 
 /// Returns the check by the lengths of each pair that is redundant by topology; `None` if lengths
 /// are missing.
-fn checked(survey: &Survey) -> Vec<Option<Checked>> {
+fn checked(survey: &MobilitySurvey) -> Vec<Option<Checked>> {
     let Some(first) = survey.choices.first() else { return Vec::new() };
     let (scene, m) = (&first.scene, &first.mechanism);
     // Independent of the drivers: if one choice of drivers does not determine the pose, another
@@ -93,21 +93,21 @@ fn checked(survey: &Survey) -> Vec<Option<Checked>> {
 }
 
 /// Degree of freedom F, as far as it is known.
-fn freedom(survey: &Survey, checked: &[Option<Checked>]) -> i64 {
+fn freedom(survey: &MobilitySurvey, checked: &[Option<Checked>]) -> i64 {
     survey.counts.freedom(repeated(survey, checked).0, survey.local.len())
 }
 
 /// Returns the reason why a pair is redundant, or what is known of it.
-fn repeats_words(survey: &Survey, i: usize, checked: Option<&Checked>) -> Both {
+fn repeats_words(survey: &MobilitySurvey, i: usize, checked: Option<&Checked>) -> Both {
     let Some(first) = survey.choices.first() else { return Both::default() };
     let (scene, m) = (&first.scene, &first.mechanism);
     let (what, _) = opened_words(scene, &m.redundant[i].opened);
     match checked {
-        Some(c) if known(checked) == Known::Repeats => both!("{}: {}", "{}：{}", what, c.reason.words(scene, c.positions)),
-        Some(Checked { reason: reason @ Reason::Triangle(_), positions, .. }) => {
+        Some(c) if known(checked) == RedundantState::Repeats => both!("{}: {}", "{}：{}", what, c.reason.words(scene, c.positions)),
+        Some(Checked { reason: reason @ RepeatReason::Triangle(_), positions, .. }) => {
             both!("{} is none: {}", "{} 不是虚约束：{}", what, reason.words(scene, *positions))
         }
-        Some(Checked { verdict: Verdict::Shaky, off_m, .. }) => {
+        Some(Checked { verdict: RedundancyVerdict::Shaky, off_m, .. }) => {
             let off = scene.length_words(*off_m);
             both!(
                 "{} is none: shaky, mobile to first order, it locks at a finite turn, off by {off}",
@@ -159,7 +159,7 @@ pub fn kinds(choice: &ForDrivers, lang: Lang) -> String {
 /// The counts of a scene, with all reasons.
 pub struct Counted {
     /// The counts and the groups.
-    pub survey: Survey,
+    pub survey: MobilitySurvey,
     checked: Vec<Option<Checked>>,
     /// Number of virtual constraints proved by the lengths.
     pub sure: usize,
@@ -191,7 +191,7 @@ impl Counted {
     /// Returns the counts without local degrees of freedom and virtual constraints, with higher
     /// pairs replaced by lower ones.
     pub fn substituted(&self) -> Counts {
-        self.survey.substituted(|i| self.checked.get(i).is_some_and(|c| known(c.as_ref()) != Known::Locks))
+        self.survey.substituted(|i| self.checked.get(i).is_some_and(|c| known(c.as_ref()) != RedundantState::Locks))
     }
 }
 
@@ -215,8 +215,8 @@ fn lower_words(scene: &Scene, compound: &[(PointId, usize)], point: impl Fn(&str
 
 /// Returns the reason why a toothed pair counts as two: no other pair keeps the distance of its
 /// links.
-fn doubled(scene: &Scene, survey: &Survey) -> Vec<Both> {
-    let holds = |g: GuideId| survey.choices.first().is_none_or(|c| c.mechanism.constraints.iter().any(|c| c.item() == Item::Guide(g)));
+fn doubled(scene: &Scene, survey: &MobilitySurvey) -> Vec<Both> {
+    let holds = |g: GuideId| survey.choices.first().is_none_or(|c| c.mechanism.constraints.iter().any(|c| c.item() == PairItem::Guide(g)));
     let (higher, slots) =
         (|r: &&Rolling| !r.kind.is_lower(), scene.guides.iter().filter(|g| g.rolling.is_none() && g.slider.is_none()).count());
     let twice: Vec<&Rolling> = scene.rolling.iter().filter(higher).filter(|r| r.guide().is_some_and(holds)).collect();
@@ -245,7 +245,7 @@ pub fn lower_set(scene: &Scene, compound: &[(PointId, usize)], lang: Lang) -> Ve
 }
 
 /// Returns the report as text.
-pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: Lang) -> String {
+pub fn text(scene: &Scene, survey: &MobilitySurvey, checked: &[Option<Checked>], lang: Lang) -> String {
     let mut out = String::new();
     let mut line = |text: String| {
         out.push_str(&text);
@@ -274,7 +274,7 @@ pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: L
         let f = survey.counts.freedom(sure + open, survey.local.len());
         line(say(both!("F = {f} if what may repeat others does", "若可能的虚约束成立，则 F = {f}")));
     }
-    let s = survey.substituted(|i| checked.get(i).is_some_and(|c| known(c.as_ref()) != Known::Locks));
+    let s = survey.substituted(|i| checked.get(i).is_some_and(|c| known(c.as_ref()) != RedundantState::Locks));
     if s != survey.counts {
         let f = s.freedom(0, 0);
         let (n, p) = (s.moving, s.lower);
@@ -283,7 +283,7 @@ pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: L
             "去掉局部自由度和虚约束并高副低代后：n = {n}，p_l = {p}，F = 3·{n} − 2·{p} = {f}"
         )));
     }
-    let locked = checked.iter().any(|c| known(c.as_ref()) == Known::Locks);
+    let locked = checked.iter().any(|c| known(c.as_ref()) == RedundantState::Locks);
     if locked || survey.choices.is_empty() {
         line(tr(lang, "no choice of drivers on ground moves it as they say", "机架上没有能使其具有确定运动的原动件").into());
     }
@@ -308,7 +308,7 @@ fn choice_words(choice: &ForDrivers, lang: Lang) -> String {
 }
 
 /// Returns the report as JSON.
-pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json {
+pub fn json(scene: &Scene, survey: &MobilitySurvey, checked: &[Option<Checked>]) -> Json {
     let (sure, open) = repeated(survey, checked);
     let counts = |c: &Counts| json!({"n": c.moving, "p_l": c.lower, "p_h": c.higher});
     let words = |b: Both| json!({"en": b.en, "zh": b.zh});
@@ -336,7 +336,7 @@ pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json
         let pins: Vec<&str> = g.pins().into_iter().map(|p| choice.scene.point_name(p)).collect();
         json!({"class": g.class(), "kind": g.kind(), "links": links, "pins": pins})
     };
-    let locked = checked.iter().any(|c| known(c.as_ref()) == Known::Locks);
+    let locked = checked.iter().any(|c| known(c.as_ref()) == RedundantState::Locks);
     let choices: Vec<Json> = survey
         .choices
         .iter()
@@ -356,16 +356,16 @@ pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json
         "compound": compound,
         "local": idle,
         "virtual": repeats,
-        "substituted": counts(&survey.substituted(|i| checked.get(i).is_some_and(|c| known(c.as_ref()) != Known::Locks))),
+        "substituted": counts(&survey.substituted(|i| checked.get(i).is_some_and(|c| known(c.as_ref()) != RedundantState::Locks))),
         "choices": choices,
     })
 }
 
-fn verdict(v: Verdict) -> &'static str {
+fn verdict(v: RedundancyVerdict) -> &'static str {
     match v {
-        Verdict::Virtual => "virtual",
-        Verdict::Almost => "almost-virtual",
-        Verdict::Shaky => "shaky",
-        Verdict::Locked => "locked",
+        RedundancyVerdict::Virtual => "virtual",
+        RedundancyVerdict::Almost => "almost-virtual",
+        RedundancyVerdict::Shaky => "shaky",
+        RedundancyVerdict::Locked => "locked",
     }
 }

@@ -8,41 +8,43 @@ use hodograph_base::digits::{plain, significant};
 use hodograph_base::notation::Notation;
 use hodograph_base::number::Ball;
 use hodograph_base::number::decimal::{Certain, Enclosure};
-use hodograph_methods::particle::board::Drawn;
-use hodograph_methods::particle::plate::Part;
-use hodograph_methods::particle::pursuit::End;
-use hodograph_methods::particle::{Asked, Kind, Mutual, Problem, Solved, Value};
+use hodograph_methods::particle::board::MotionDrawing;
+use hodograph_methods::particle::plate::PlateComponent;
+use hodograph_methods::particle::pursuit::PursuitEnd;
+use hodograph_methods::particle::{Mutual, ParticleMotionKind, ParticleProblem, ParticleQuantity, ParticleSolution, ParticleValue};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Book, DiagramKind, Kind as Quantity, Lang};
 use serde_json::{Value as Json, json};
 
 /// Returns the kind of an answer; `None` for a time.
-pub fn kind(what: Asked) -> Option<Quantity> {
+pub fn kind(what: ParticleQuantity) -> Option<Quantity> {
     match what {
-        Asked::MeetingTime(_) => None,
-        Asked::MeetingPlace(_) | Asked::Distance(_) | Asked::Place(_) | Asked::Curvature(_) | Asked::Between(_, Mutual::Distance) => {
-            Some(Quantity::Length)
-        }
-        Asked::LineOmega(_) | Asked::Between(_, Mutual::Turning) => Some(Quantity::Omega),
-        Asked::Velocity(_) | Asked::Between(_, Mutual::Velocity) => Some(Quantity::Velocity),
-        Asked::Acceleration(_) | Asked::Between(_, Mutual::Acceleration) => Some(Quantity::Acceleration),
-        Asked::Part(_, part) if part.is_velocity() => Some(Quantity::Velocity),
-        Asked::Part(..) => Some(Quantity::Acceleration),
+        ParticleQuantity::MeetingTime(_) => None,
+        ParticleQuantity::MeetingPlace(_)
+        | ParticleQuantity::Distance(_)
+        | ParticleQuantity::Place(_)
+        | ParticleQuantity::Curvature(_)
+        | ParticleQuantity::Between(_, Mutual::Distance) => Some(Quantity::Length),
+        ParticleQuantity::LineOmega(_) | ParticleQuantity::Between(_, Mutual::Turning) => Some(Quantity::Omega),
+        ParticleQuantity::Velocity(_) | ParticleQuantity::Between(_, Mutual::Velocity) => Some(Quantity::Velocity),
+        ParticleQuantity::Acceleration(_) | ParticleQuantity::Between(_, Mutual::Acceleration) => Some(Quantity::Acceleration),
+        ParticleQuantity::Part(_, part) if part.is_velocity() => Some(Quantity::Velocity),
+        ParticleQuantity::Part(..) => Some(Quantity::Acceleration),
     }
 }
 
 /// Returns the unit of an answer: that of the file's `answers`, else SI.
-pub fn unit(book: &Book, what: Asked) -> &str {
+pub fn unit(book: &Book, what: ParticleQuantity) -> &str {
     kind(what).map_or("s", |k| book.name(k))
 }
 
 /// Returns an SI value in the unit of the answer.
-pub fn in_unit(book: &Book, what: Asked, si: f64) -> f64 {
+pub fn in_unit(book: &Book, what: ParticleQuantity, si: f64) -> f64 {
     kind(what).map_or(si, |k| book.value(k, si))
 }
 
 /// Returns an enclosure in the unit of the answer.
-fn enclosed(book: &Book, what: Asked, e: &Enclosure) -> Enclosure {
+fn enclosed(book: &Book, what: ParticleQuantity, e: &Enclosure) -> Enclosure {
     let chosen = kind(what).filter(|k| book.chosen(*k).is_some());
     chosen.and_then(|k| book.in_chosen(k, Ball::new(e.approx, e.radius)).enclosure()).unwrap_or_else(|| e.clone())
 }
@@ -62,23 +64,23 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Returns the largest answer of the same kind; values negligible relative to it are printed as
 /// zero.
-pub fn largest(problem: &Problem, solved: &Solved, what: Asked) -> f64 {
-    let of = |a: &hodograph_methods::particle::Answer| match &a.value {
-        Value::Vector(_, size) if kind(problem.find[a.find].what) == kind(what) => size.approx,
-        Value::Vector(..) | Value::Scalar(_) | Value::None(_) => 0.0,
+pub fn largest(problem: &ParticleProblem, solved: &ParticleSolution, what: ParticleQuantity) -> f64 {
+    let of = |a: &hodograph_methods::particle::ParticleAnswer| match &a.value {
+        ParticleValue::Vector(_, size) if kind(problem.find[a.find].what) == kind(what) => size.approx,
+        ParticleValue::Vector(..) | ParticleValue::Scalar(_) | ParticleValue::None(_) => 0.0,
     };
     solved.answers.iter().map(of).fold(0.0, f64::max)
 }
 
 /// Returns the value of an answer: components, and the magnitude; `size` is the largest value of
 /// its kind (SI).
-pub fn value(book: &Book, what: Asked, value: &Value, size: f64, digits: usize, lang: Lang) -> String {
+pub fn value(book: &Book, what: ParticleQuantity, value: &ParticleValue, size: f64, digits: usize, lang: Lang) -> String {
     let unit = unit(book, what);
     let told = |e: &Enclosure, size: f64| number(&enclosed(book, what, e), in_unit(book, what, size), digits);
     match value {
-        Value::None(d) => format!("{} ({})", tr(lang, "none", "无"), lang.of(&d.message)),
-        Value::Scalar(e) => format!("{} {unit}", told(e, e.approx.abs().max(size))),
-        Value::Vector(parts, whole) => {
+        ParticleValue::None(d) => format!("{} ({})", tr(lang, "none", "无"), lang.of(&d.message)),
+        ParticleValue::Scalar(e) => format!("{} {unit}", told(e, e.approx.abs().max(size))),
+        ParticleValue::Vector(parts, whole) => {
             let size = whole.approx.max(size);
             let each: Vec<String> = parts.iter().zip(AXES).map(|(e, axis)| format!("{axis} {}", told(e, size))).collect();
             if what.is_place() {
@@ -100,7 +102,7 @@ pub fn integrated(lang: Lang) -> &'static str {
 }
 
 /// Returns the difference between drawing and answer, as a fraction of the answer.
-pub fn apart(answer: &Value, drawn: &[f64], largest: f64) -> Option<f64> {
+pub fn apart(answer: &ParticleValue, drawn: &[f64], largest: f64) -> Option<f64> {
     let all = answer.vector().or_else(|| answer.scalar().map(|s| vec![s.abs()]))?;
     let norm = |v: &mut dyn Iterator<Item = f64>| v.fold(0.0, |s, x| s + x * x).sqrt();
     let drawn: Vec<f64> = if all.len() == 1 { vec![drawn[0].abs()] } else { drawn.to_vec() };
@@ -111,12 +113,19 @@ pub fn apart(answer: &Value, drawn: &[f64], largest: f64) -> Option<f64> {
 }
 
 /// Returns the drawn value of an answer; `None` if it is only calculated.
-pub fn drawn(all: &[Drawn], what: Asked) -> Option<&[f64]> {
+pub fn drawn(all: &[MotionDrawing], what: ParticleQuantity) -> Option<&[f64]> {
     all.iter().filter(|d| !d.calculated).flat_map(|d| &d.readings).find(|r| r.0 == what).map(|r| r.1.as_slice())
 }
 
 /// Returns the report as text.
-pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, steps: Option<&Notation>, lang: Lang) -> String {
+pub fn text(
+    problem: &ParticleProblem,
+    solved: &ParticleSolution,
+    board: &[MotionDrawing],
+    digits: usize,
+    steps: Option<&Notation>,
+    lang: Lang,
+) -> String {
     let mut out = format!("{}\n", lang.of(&problem.title));
     out += &format!("t = {} s\n\n", significant(problem.instant(), 6));
     let wide = problem.find.iter().map(|f| f.text.chars().count()).max().unwrap_or(0);
@@ -130,7 +139,7 @@ pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
         });
         out += &format!("{:wide$} = {told}{beside}\n", find.text);
     }
-    if problem.motions.iter().any(|m| matches!(m.kind, Kind::Toward { .. })) {
+    if problem.motions.iter().any(|m| matches!(m.kind, ParticleMotionKind::Toward { .. })) {
         out += &format!("\n{}\n", integrated(lang));
     }
     if let Some(notation) = steps {
@@ -145,7 +154,7 @@ pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
 }
 
 /// Returns the heading of the steps of a drawing.
-fn head(drawn: &Drawn, lang: Lang) -> &'static str {
+fn head(drawn: &MotionDrawing, lang: Lang) -> &'static str {
     match drawn.calculated {
         true => tr(lang, "Calculated, shown to scale: ", "计算所得，按比例示出："),
         false => tr(lang, "Drawing: ", "作图："),
@@ -159,7 +168,7 @@ pub fn scales(book: &Book, [l, v, a]: [f64; 3]) -> String {
 }
 
 /// Returns the report as JSON, in SI.
-pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, notes: &[Diagnostic]) -> Json {
+pub fn json(problem: &ParticleProblem, solved: &ParticleSolution, board: &[MotionDrawing], digits: usize, notes: &[Diagnostic]) -> Json {
     let told = |e: &Enclosure, size: f64| json!({"value": e.approx, "radius": e.radius, "text": number(e, size, digits)});
     let answers: Vec<Json> = solved
         .answers
@@ -168,12 +177,12 @@ pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
             let find = &problem.find[a.find];
             let size = largest(problem, solved, find.what);
             let mut out = match &a.value {
-                Value::Scalar(e) => told(e, e.approx.abs()),
-                Value::Vector(parts, whole) => {
+                ParticleValue::Scalar(e) => told(e, e.approx.abs()),
+                ParticleValue::Vector(parts, whole) => {
                     let each: Vec<Json> = parts.iter().map(|e| told(e, whole.approx.max(size))).collect();
                     json!({"value": parts.iter().map(|e| e.approx).collect::<Vec<_>>(), "components": each, "magnitude": told(whole, whole.approx.max(size))})
                 }
-                Value::None(d) => json!({"value": null, "why": diagnostic(d)}),
+                ParticleValue::None(d) => json!({"value": null, "why": diagnostic(d)}),
             };
             if let Some(object) = out.as_object_mut() {
                 object.insert("find".into(), json!(find.text));
@@ -189,10 +198,10 @@ pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
         .map(|(k, end)| {
             let point = &problem.motions[*k].point;
             match end {
-                End::Meet { time, .. } => {
+                PursuitEnd::Meet { time, .. } => {
                     json!({"pursuer": point, "integrated": true, "meets": true, "time": hodograph_base::number::Real::approx(*time)})
                 }
-                End::Apart { until, distance } => {
+                PursuitEnd::Apart { until, distance } => {
                     json!({"pursuer": point, "integrated": true, "meets": false, "until": until, "distance": distance})
                 }
             }
@@ -218,23 +227,23 @@ pub fn marked(symbols: &str, notation: &Notation) -> String {
 }
 
 /// Returns the symbol of a question in the label language.
-pub fn symbol(problem: &Problem, what: Asked, notation: &Notation) -> String {
+pub fn symbol(problem: &ParticleProblem, what: ParticleQuantity, notation: &Notation) -> String {
     let name = |k: usize| problem.motions[k].point.as_str();
     let pair = |k: usize| {
         let m = &problem.motions[k];
         format!("{}{}", m.point, problem.chase(m).map_or("", |c| c.1))
     };
     match what {
-        Asked::MeetingTime(k) => format!("T_{{{}}}", pair(k)),
-        Asked::MeetingPlace(k) => format!("P_{{{}}}", pair(k)),
-        Asked::Distance(k) => format!("l_{{{}}}", pair(k)),
-        Asked::LineOmega(k) => format!("\\omega_{{{}}}", pair(k)),
-        Asked::Place(k) => name(k).to_owned(),
-        Asked::Velocity(k) => format!("v_{{{}}}", name(k)),
-        Asked::Acceleration(k) => format!("a_{{{}}}", name(k)),
-        Asked::Curvature(k) => format!("\\rho_{{{}}}", name(k)),
-        Asked::Part(_, part) => marked(part_symbol(part), notation),
-        Asked::Between([a, b], m) => {
+        ParticleQuantity::MeetingTime(k) => format!("T_{{{}}}", pair(k)),
+        ParticleQuantity::MeetingPlace(k) => format!("P_{{{}}}", pair(k)),
+        ParticleQuantity::Distance(k) => format!("l_{{{}}}", pair(k)),
+        ParticleQuantity::LineOmega(k) => format!("\\omega_{{{}}}", pair(k)),
+        ParticleQuantity::Place(k) => name(k).to_owned(),
+        ParticleQuantity::Velocity(k) => format!("v_{{{}}}", name(k)),
+        ParticleQuantity::Acceleration(k) => format!("a_{{{}}}", name(k)),
+        ParticleQuantity::Curvature(k) => format!("\\rho_{{{}}}", name(k)),
+        ParticleQuantity::Part(_, part) => marked(part_symbol(part), notation),
+        ParticleQuantity::Between([a, b], m) => {
             let letter = match m {
                 Mutual::Distance => "l",
                 Mutual::Turning => "\\omega",
@@ -246,22 +255,22 @@ pub fn symbol(problem: &Problem, what: Asked, notation: &Notation) -> String {
     }
 }
 
-fn part_symbol(part: Part) -> &'static str {
+fn part_symbol(part: PlateComponent) -> &'static str {
     match part {
-        Part::TransportVelocity => "v_e",
-        Part::RelativeVelocity => "v_r",
-        Part::Transport => "a_e",
-        Part::TransportNormal => "a^n_e",
-        Part::TransportTangential => "a^t_e",
-        Part::Relative => "a_r",
-        Part::RelativeNormal => "a^n_r",
-        Part::RelativeTangential => "a^t_r",
-        Part::Coriolis => "a_k",
+        PlateComponent::TransportVelocity => "v_e",
+        PlateComponent::RelativeVelocity => "v_r",
+        PlateComponent::Transport => "a_e",
+        PlateComponent::TransportNormal => "a^n_e",
+        PlateComponent::TransportTangential => "a^t_e",
+        PlateComponent::Relative => "a_r",
+        PlateComponent::RelativeNormal => "a^n_r",
+        PlateComponent::RelativeTangential => "a^t_r",
+        PlateComponent::Coriolis => "a_k",
     }
 }
 
 /// Returns the answers as sentences with formulas, one line each.
-pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang, notation: &Notation) -> Vec<Phrase> {
+pub fn lines(problem: &ParticleProblem, solved: &ParticleSolution, digits: usize, lang: Lang, notation: &Notation) -> Vec<Phrase> {
     let mut out: Vec<Phrase> = solved
         .answers
         .iter()
@@ -274,7 +283,7 @@ pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang, nota
             ))
         })
         .collect();
-    if problem.motions.iter().any(|m| matches!(m.kind, Kind::Toward { .. })) {
+    if problem.motions.iter().any(|m| matches!(m.kind, ParticleMotionKind::Toward { .. })) {
         out.push(Phrase::of_words(integrated(lang)));
     }
     out

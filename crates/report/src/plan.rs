@@ -3,8 +3,8 @@
 use crate::equation::mate;
 use crate::forces::ForceWriter;
 use hodograph_board::plan::names::name_label;
-use hodograph_board::plan::text::{Column, Writer};
-use hodograph_board::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
+use hodograph_board::plan::text::{EquationColumn, PlanWriter};
+use hodograph_board::plan::{Between, Effect, GroupSteps, Method, PlanStep, Rate, Reason, Special, SpecialLine, Term, TurningBody};
 use hodograph_mechanism::mechanism::{Assur, ConstraintLine, Mechanism, moved_words};
 use hodograph_paper::paper::phrase::{Phrase, formula, tr};
 use hodograph_scene::{DiagramKind, Lang, PointId, Scene};
@@ -12,7 +12,7 @@ use unicode_width::UnicodeWidthStr;
 
 /// Returns the complete plan, followed by the plan of forces if forces are requested and the pose
 /// can be solved.
-pub fn text(scene: &Scene, m: &Mechanism, w: &Writer, forces: Option<&ForceWriter>) -> String {
+pub fn text(scene: &Scene, m: &Mechanism, w: &PlanWriter, forces: Option<&ForceWriter>) -> String {
     let mut out = String::new();
     let mut line = |s: String| {
         out.push_str(s.trim_end());
@@ -201,7 +201,7 @@ pub(super) fn reason_words(r: Reason, lang: Lang) -> &'static str {
     }
 }
 
-fn group_lines(w: &Writer, on: DiagramKind, group: &GroupSteps, equation: &mut usize) -> Vec<String> {
+fn group_lines(w: &PlanWriter, on: DiagramKind, group: &GroupSteps, equation: &mut usize) -> Vec<String> {
     let lang = w.lang;
     let mut out = Vec::new();
     if group.alternatives.len() > 1 {
@@ -226,7 +226,7 @@ fn group_lines(w: &Writer, on: DiagramKind, group: &GroupSteps, equation: &mut u
 }
 
 /// Returns the relation drawn between two images that no equation shows.
-pub(super) fn between_words(w: &Writer, on: DiagramKind, between: &Between) -> String {
+pub(super) fn between_words(w: &PlanWriter, on: DiagramKind, between: &Between) -> String {
     let (of, to) = between.ends();
     let (from, end) = (formula(&w.image(on, to)), formula(&w.image(on, of)));
     let symbols = |terms: &[Term]| terms.iter().map(|t| formula(&w.symbol(on, t))).collect::<Vec<_>>().join(" + ");
@@ -253,19 +253,19 @@ pub(super) fn between_words(w: &Writer, on: DiagramKind, between: &Between) -> S
 
 /// Returns the determination of an angular velocity or acceleration; `None` for a link that does
 /// not rotate.
-pub(super) fn rate_words(w: &Writer, on: DiagramKind, body: Body, rate: Rate) -> Option<String> {
+pub(super) fn rate_words(w: &PlanWriter, on: DiagramKind, body: TurningBody, rate: Rate) -> Option<String> {
     let symbol = formula(&w.turning(on, body));
     Some(match rate {
         Rate::Zero => return None,
         Rate::Given { .. } => format!("{symbol}{}", tr(w.lang, ": given by the driver", "：由原动件给定")),
-        Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(on, Body::Link(l)))),
+        Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(on, TurningBody::Link(l)))),
         Rate::Measured { of, to } => formula(&format!("{symbol} = {} / {}", w.measured(on, body, of, to), w.length(of, to))),
     })
 }
 
 /// Returns the definition of a special point: by the legs of its triad, else by the intersecting
 /// lines.
-fn special_words(w: &Writer, special: &Special, name: &str) -> String {
+fn special_words(w: &PlanWriter, special: &Special, name: &str) -> String {
     match (special.legs, w.lang) {
         (Some((a, b)), Lang::En) => format!("{name}: crossing of the constraint lines of legs {} and {}", a + 1, b + 1),
         (Some((a, b)), Lang::Zh) => format!("{name}：第 {} 与第 {} 条支链约束线的交点", a + 1, b + 1),
@@ -283,7 +283,7 @@ fn special_words(w: &Writer, special: &Special, name: &str) -> String {
 }
 
 /// Returns a line along which a link is constrained.
-fn line_words(w: &Writer, line: &SpecialLine) -> String {
+fn line_words(w: &PlanWriter, line: &SpecialLine) -> String {
     let name = |p: PointId| w.scene.point_name(p);
     match *line {
         SpecialLine::Leg(ConstraintLine::Along { near, far }) => format!("{}{}", name(far), name(near)),
@@ -299,10 +299,10 @@ fn line_words(w: &Writer, line: &SpecialLine) -> String {
     }
 }
 
-fn step_lines(w: &Writer, on: DiagramKind, step: &Step, equation: &mut usize) -> Vec<String> {
+fn step_lines(w: &PlanWriter, on: DiagramKind, step: &PlanStep, equation: &mut usize) -> Vec<String> {
     let lang = w.lang;
     match step {
-        Step::Equation { target, chains, method } => {
+        PlanStep::Equation { target, chains, method } => {
             *equation += 1;
             let why = method_words(*method, lang);
             let mut out = vec![format!("({equation}) {} — {why}", formula(&w.vector(on, *target)))];
@@ -317,7 +317,7 @@ fn step_lines(w: &Writer, on: DiagramKind, step: &Step, equation: &mut usize) ->
             }
             out
         }
-        Step::Image { link, target, from } => {
+        PlanStep::Image { link, target, from } => {
             let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
             let points = format!("{}{}", w.line(from.0, from.1), w.spot(*target));
             vec![format!(
@@ -331,7 +331,7 @@ fn step_lines(w: &Writer, on: DiagramKind, step: &Step, equation: &mut usize) ->
                 formula(&points)
             )]
         }
-        Step::Trials { target, images, mates } => {
+        PlanStep::Trials { target, images, mates } => {
             let [a, b] = [images, mates].map(|pair| formula(&pair.map(|v| w.image(on, v)).concat()));
             let (vector, image) = (formula(&w.vector(on, *target)), formula(&w.image(on, *target)));
             vec![match lang {
@@ -339,7 +339,7 @@ fn step_lines(w: &Writer, on: DiagramKind, step: &Step, equation: &mut usize) ->
                 Lang::Zh => format!("{vector} — 两次试作：{a} 与 {b} 交于 {image}"),
             }]
         }
-        Step::Same { link, target, from } => vec![format!(
+        PlanStep::Same { link, target, from } => vec![format!(
             "{} = {} — {}",
             formula(&w.vector(on, *target)),
             formula(&w.vector(on, *from)),
@@ -364,7 +364,7 @@ pub(super) fn method_words(method: Method, lang: Lang) -> &'static str {
 }
 
 /// Returns an equation table in aligned characters: symbols, magnitudes, directions.
-pub(super) fn table(lang: Lang, columns: &[Column]) -> Vec<String> {
+pub(super) fn table(lang: Lang, columns: &[EquationColumn]) -> Vec<String> {
     let heads = ["", tr(lang, "magnitude", "大小"), tr(lang, "direction", "方向")];
     let head = heads.iter().map(|h| h.width()).max().unwrap_or(0);
     let mut lines: Vec<String> = heads.iter().map(|h| pad(h, head)).collect();

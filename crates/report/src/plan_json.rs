@@ -9,18 +9,21 @@ use super::answers::diagnostic;
 use super::forces::ForceWriter;
 use super::plan::{between_words, effect_words, group_words, method_words, rate_words, reason_words};
 use hodograph_base::diag::Diagnostic;
-use hodograph_board::plan::text::{Column, Writer, vertex_name};
-use hodograph_board::plan::{Between, Body, By, Chain, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term, TermKind, VertexId};
+use hodograph_board::plan::text::{EquationColumn, PlanWriter, vertex_name};
+use hodograph_board::plan::{
+    Between, Effect, GroupSteps, Method, PlanStep, Rate, Reason, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId,
+    VertexPlace,
+};
 use hodograph_mechanism::mechanism::{Assur, Demand, Level, Mechanism};
 use hodograph_paper::paper::phrase::formula;
 use hodograph_scene::{DiagramKind, DriverKind, GuidePath, LinkId, PointId, Scene};
-use hodograph_worked::effort::{Motion, Work};
+use hodograph_worked::effort::{MotionWork, Work};
 use hodograph_worked::worked::Worked;
 use serde_json::{Value as Json, json};
 
 /// Returns the plan that `w` writes, and the work done for it; without `done` (a pose that cannot
 /// be solved) the plan alone.
-pub fn json(m: &Mechanism, demand: &Demand, w: &Writer, done: Option<(&Worked, Work)>, notes: &[Diagnostic]) -> Json {
+pub fn json(m: &Mechanism, demand: &Demand, w: &PlanWriter, done: Option<(&Worked, Work)>, notes: &[Diagnostic]) -> Json {
     let r = Reporter { w, scene: w.scene, m, demand, worked: done.map(|d| d.0) };
     let f = &m.mobility;
     let mut out = json!({
@@ -48,7 +51,7 @@ pub fn json(m: &Mechanism, demand: &Demand, w: &Writer, done: Option<(&Worked, W
 }
 
 fn work(work: &Work) -> Json {
-    let motion = |m: &Motion| {
+    let motion = |m: &MotionWork| {
         json!({
             "groups": m.groups,
             "equations_planned": m.equations_planned,
@@ -72,7 +75,7 @@ fn work(work: &Work) -> Json {
 }
 
 struct Reporter<'a> {
-    w: &'a Writer<'a>,
+    w: &'a PlanWriter<'a>,
     scene: &'a Scene,
     m: &'a Mechanism,
     demand: &'a Demand,
@@ -161,8 +164,8 @@ impl Reporter<'_> {
     fn vertex(&self, v: VertexId) -> Json {
         let vertex = self.w.plan.vertex(v);
         let (point, special) = match vertex.spot {
-            Spot::Point(p) => (Some(self.scene.point_name(p)), None),
-            Spot::Special(k) => {
+            VertexPlace::Point(p) => (Some(self.scene.point_name(p)), None),
+            VertexPlace::Special(k) => {
                 let special = &self.w.plan.specials[k];
                 let legs = special.legs.map(|(a, b)| [a, b]);
                 (None, Some(json!({"group": special.group, "legs": legs})))
@@ -219,7 +222,7 @@ impl Reporter<'_> {
     }
 
     fn rates(&self, on: DiagramKind, g: &GroupSteps) -> Vec<Json> {
-        let rate = |(body, rate): &(Body, Rate)| {
+        let rate = |(body, rate): &(TurningBody, Rate)| {
             let mut out = json!({"symbol": both(&self.w.turning(on, *body)), "by": self.body(*body)});
             out["kind"] = json!(match rate {
                 Rate::Measured { .. } => "measured",
@@ -241,35 +244,35 @@ impl Reporter<'_> {
         g.rates.iter().map(rate).collect()
     }
 
-    fn body(&self, body: Body) -> Json {
+    fn body(&self, body: TurningBody) -> Json {
         match body {
-            Body::Link(l) => json!({"link": self.scene.link_name(l)}),
-            Body::Cylinder(d) => json!({"cylinder": d}),
+            TurningBody::Link(l) => json!({"link": self.scene.link_name(l)}),
+            TurningBody::Cylinder(d) => json!({"cylinder": d}),
         }
     }
 
-    fn steps(&self, on: DiagramKind, steps: &[Step], mut number: usize) -> Vec<Json> {
+    fn steps(&self, on: DiagramKind, steps: &[PlanStep], mut number: usize) -> Vec<Json> {
         let w = self.w;
-        let step = |s: &Step| match s {
-            Step::Equation { target, chains, method } => {
+        let step = |s: &PlanStep| match s {
+            PlanStep::Equation { target, chains, method } => {
                 number += 1;
                 self.equation(on, *target, chains, *method, number)
             }
-            Step::Image { link, target, from } => json!({
+            PlanStep::Image { link, target, from } => json!({
                 "kind": "image",
                 "target": target.0,
                 "symbol": both(&w.vector(on, *target)),
                 "link": self.scene.link_name(*link),
                 "from": [from.0.0, from.1.0],
             }),
-            Step::Trials { target, images, mates } => json!({
+            PlanStep::Trials { target, images, mates } => json!({
                 "kind": "trials",
                 "target": target.0,
                 "symbol": both(&w.vector(on, *target)),
                 "images": images.map(|v| v.0),
                 "mates": mates.map(|v| v.0),
             }),
-            Step::Same { link, target, from } => json!({
+            PlanStep::Same { link, target, from } => json!({
                 "kind": "same",
                 "target": target.0,
                 "symbol": both(&w.vector(on, *target)),
@@ -280,7 +283,7 @@ impl Reporter<'_> {
         steps.iter().map(step).collect()
     }
 
-    fn equation(&self, on: DiagramKind, target: VertexId, chains: &[Chain], method: Method, number: usize) -> Json {
+    fn equation(&self, on: DiagramKind, target: VertexId, chains: &[TermChain], method: Method, number: usize) -> Json {
         let w = self.w;
         let columns = w.columns(on, target, chains);
         let text: Vec<String> = columns.iter().map(|c| format!("{} {}", c.joint, formula(&c.symbol)).trim().to_string()).collect();
@@ -305,7 +308,7 @@ impl Reporter<'_> {
         })
     }
 
-    fn column(&self, on: DiagramKind, c: &Column) -> Json {
+    fn column(&self, on: DiagramKind, c: &EquationColumn) -> Json {
         let part = |tex: &str| json!({"known": tex != self.w.notation.unknown, "text": formula(tex), "tex": tex});
         let mut out = json!({
             "joint": c.joint,
@@ -337,31 +340,31 @@ impl Reporter<'_> {
         self.with_reason(out, included, why)
     }
 
-    fn by(&self, by: By) -> Json {
+    fn by(&self, by: TermConnection) -> Json {
         match by {
-            By::Turning(body) => self.body(body),
-            By::Guide { guide, driver } => json!({"guide": guide.0, "driver": driver}),
-            By::Cylinder(d) => json!({"cylinder": d}),
-            By::Contact(pair) => json!({"rolling": pair.0}),
-            By::Frame { body, about } => json!({"frame": body.map(|b| self.body(b)), "about": about.map(|p| p.0)}),
-            By::Apart => Json::Null,
+            TermConnection::Turning(body) => self.body(body),
+            TermConnection::Guide { guide, driver } => json!({"guide": guide.0, "driver": driver}),
+            TermConnection::Cylinder(d) => json!({"cylinder": d}),
+            TermConnection::Contact(pair) => json!({"rolling": pair.0}),
+            TermConnection::Frame { body, about } => json!({"frame": body.map(|b| self.body(b)), "about": about.map(|p| p.0)}),
+            TermConnection::Apart => Json::Null,
         }
     }
 
     /// Returns the terms that an acceleration equation could have but lacks, with the reason, which
     /// follows from the equation's own terms and from those of the velocity equation for the same
     /// point.
-    fn omitted(&self, on: DiagramKind, target: VertexId, chains: &[Chain]) -> Vec<Json> {
+    fn omitted(&self, on: DiagramKind, target: VertexId, chains: &[TermChain]) -> Vec<Json> {
         if on != DiagramKind::Acceleration {
             return Vec::new();
         }
         let own: Vec<Term> = terms(chains).copied().collect();
         let before = self.w.plan.steps(DiagramKind::Velocity).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let of_velocity = before.filter_map(|s| match s {
-            Step::Equation { target: t, chains, .. } if *t == target => Some(terms(chains)),
-            Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
+            PlanStep::Equation { target: t, chains, .. } if *t == target => Some(terms(chains)),
+            PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
         });
-        let mut connections: Vec<(VertexId, VertexId, By)> = Vec::new();
+        let mut connections: Vec<(VertexId, VertexId, TermConnection)> = Vec::new();
         for t in own.iter().chain(of_velocity.flatten()) {
             if !connections.contains(&(t.of, t.to, t.by)) {
                 connections.push((t.of, t.to, t.by));
@@ -370,10 +373,10 @@ impl Reporter<'_> {
         let mut out = Vec::new();
         for (of, to, by) in connections {
             let expected: &[(TermKind, Reason)] = match by {
-                By::Turning(_) => &[(TermKind::Tangential, Reason::ConstantRate)],
-                By::Guide { .. } => &[(TermKind::Coriolis, Reason::GuideDoesNotTurn), (TermKind::Slide, Reason::ConstantRate)],
-                By::Cylinder(_) => &[(TermKind::Extension, Reason::ConstantRate)],
-                By::Contact(_) | By::Frame { .. } | By::Apart => &[],
+                TermConnection::Turning(_) => &[(TermKind::Tangential, Reason::ConstantRate)],
+                TermConnection::Guide { .. } => &[(TermKind::Coriolis, Reason::GuideDoesNotTurn), (TermKind::Slide, Reason::ConstantRate)],
+                TermConnection::Cylinder(_) => &[(TermKind::Extension, Reason::ConstantRate)],
+                TermConnection::Contact(_) | TermConnection::Frame { .. } | TermConnection::Apart => &[],
             };
             for &(kind, why) in expected {
                 if !own.iter().any(|t| (t.kind, t.of, t.to) == (kind, of, to)) {
@@ -386,12 +389,12 @@ impl Reporter<'_> {
     }
 }
 
-fn terms(chains: &[Chain]) -> impl Iterator<Item = &Term> {
+fn terms(chains: &[TermChain]) -> impl Iterator<Item = &Term> {
     chains.iter().flat_map(|c| c.known.iter().chain(&c.unknown))
 }
 
-fn count<'a>(steps: impl IntoIterator<Item = &'a Step>) -> usize {
-    steps.into_iter().filter(|s| matches!(s, Step::Equation { .. })).count()
+fn count<'a>(steps: impl IntoIterator<Item = &'a PlanStep>) -> usize {
+    steps.into_iter().filter(|s| matches!(s, PlanStep::Equation { .. })).count()
 }
 
 /// Returns a formula in plain characters and in the label language.

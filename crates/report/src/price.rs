@@ -5,25 +5,25 @@ use hodograph_base::digits::significant;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Lang, Scene};
 use hodograph_worked::accuracy::Rung;
-use hodograph_worked::effort::ways::{Measured, Near, Way};
+use hodograph_worked::effort::ways::{AnswerMethod, MethodMeasurement, TogglePose};
 use serde_json::{Value as Json, json};
 
 /// Returns the name of a way of solution.
-pub fn name(way: Way, lang: Lang) -> String {
+pub fn name(way: AnswerMethod, lang: Lang) -> String {
     let power = |x: f64| format!("{x:e}");
     match way {
-        Way::Paper(mm) => format!("{} {mm} mm", tr(lang, "paper, pencil", "图纸，铅笔误差")),
-        Way::DrawingSingle => tr(lang, "drawing, f32", "图解 f32").into(),
-        Way::Drawing => tr(lang, "drawing, f64", "图解 f64").into(),
-        Way::ClosedSingle => tr(lang, "closed form, f32", "杆组法 f32").into(),
-        Way::Closed => tr(lang, "closed form, f64", "杆组法 f64").into(),
-        Way::ClosedDouble => tr(lang, "closed form, double-double", "杆组法 双双精度").into(),
-        Way::ClosedLong(bits) => format!("{} {bits} bit", tr(lang, "closed form,", "杆组法")),
-        Way::Loops(t) => format!("{} {}", tr(lang, "loop equations, Newton to", "解析法，牛顿迭代至"), power(t)),
-        Way::Differences(h) => format!("{} {}", tr(lang, "finite differences, step", "有限差分，步长"), power(h)),
-        Way::Certified(Rung::Double) => tr(lang, "certified, f64", "可靠界 f64").into(),
-        Way::Certified(Rung::DoubleDouble) => tr(lang, "certified, double-double", "可靠界 双双精度").into(),
-        Way::Certified(Rung::Long(bits)) => format!("{} {bits} bit", tr(lang, "certified,", "可靠界")),
+        AnswerMethod::Paper(mm) => format!("{} {mm} mm", tr(lang, "paper, pencil", "图纸，铅笔误差")),
+        AnswerMethod::DrawingSingle => tr(lang, "drawing, f32", "图解 f32").into(),
+        AnswerMethod::Drawing => tr(lang, "drawing, f64", "图解 f64").into(),
+        AnswerMethod::ClosedSingle => tr(lang, "closed form, f32", "杆组法 f32").into(),
+        AnswerMethod::Closed => tr(lang, "closed form, f64", "杆组法 f64").into(),
+        AnswerMethod::ClosedDouble => tr(lang, "closed form, double-double", "杆组法 双双精度").into(),
+        AnswerMethod::ClosedLong(bits) => format!("{} {bits} bit", tr(lang, "closed form,", "杆组法")),
+        AnswerMethod::Loops(t) => format!("{} {}", tr(lang, "loop equations, Newton to", "解析法，牛顿迭代至"), power(t)),
+        AnswerMethod::Differences(h) => format!("{} {}", tr(lang, "finite differences, step", "有限差分，步长"), power(h)),
+        AnswerMethod::Certified(Rung::Double) => tr(lang, "certified, f64", "可靠界 f64").into(),
+        AnswerMethod::Certified(Rung::DoubleDouble) => tr(lang, "certified, double-double", "可靠界 双双精度").into(),
+        AnswerMethod::Certified(Rung::Long(bits)) => format!("{} {bits} bit", tr(lang, "certified,", "可靠界")),
     }
 }
 
@@ -51,7 +51,7 @@ fn table(rows: &[Vec<String>]) -> String {
 }
 
 /// Returns the table of all ways of solution.
-pub fn text(scene: &Scene, ways: &[Measured], lang: Lang) -> String {
+pub fn text(scene: &Scene, ways: &[MethodMeasurement], lang: Lang) -> String {
     let heading = [("way", "方法"), ("velocity", "速度误差"), ("acceleration", "加速度误差"), ("time", "用时")];
     let mut rows = vec![heading.map(|(en, zh)| tr(lang, en, zh).to_string()).to_vec()];
     for m in ways {
@@ -72,7 +72,7 @@ pub fn text(scene: &Scene, ways: &[Measured], lang: Lang) -> String {
 
 /// Returns the table of a series of poses: errors of the accelerations (of the velocities if no
 /// acceleration is requested).
-pub fn series_text(series: &[Near], lang: Lang) -> String {
+pub fn series_text(series: &[TogglePose], lang: Lang) -> String {
     let Some(first) = series.iter().find(|n| !n.ways.is_empty()) else { return String::new() };
     let mut rows = vec![
         std::iter::once(tr(lang, "before the toggle", "距极限位置").to_string())
@@ -91,9 +91,9 @@ pub fn series_text(series: &[Near], lang: Lang) -> String {
 }
 
 /// Returns both tables as JSON.
-pub fn json(ways: &[Measured], series: &[Near]) -> Json {
+pub fn json(ways: &[MethodMeasurement], series: &[TogglePose]) -> Json {
     let finite = |e: Option<f64>| e.filter(|e| e.is_finite());
-    let one = |m: &Measured| {
+    let one = |m: &MethodMeasurement| {
         json!({
             "way": name(m.way, Lang::En),
             "velocity": finite(m.errors[0]),

@@ -2,7 +2,7 @@
 //! wrong equations that the scene names, compared with the printed values.
 
 use hodograph_base::digits::{direction_degrees, significant};
-use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_methods::attempts::Attempt;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Find, Lang, Scene};
@@ -17,7 +17,7 @@ const DIGITS: usize = 5;
 const GIVES: f64 = 0.006;
 
 /// One reading with its solution.
-pub struct Read {
+pub struct SolvedReading {
     /// Name of the reading; empty for the unchanged file.
     pub name: String,
     /// Scene of the reading.
@@ -30,19 +30,24 @@ pub struct Read {
 
 /// One line: a question, the way it is answered, the answer, and a flag if it equals the printed
 /// value.
-struct Line {
+struct ReadingLine {
     find: Find,
     by: Option<&'static str>,
-    value: Value,
+    value: AnswerValue,
     gives: Option<bool>,
 }
 
-fn lines(r: &Read) -> Vec<Line> {
+fn lines(r: &SolvedReading) -> Vec<ReadingLine> {
     let printed = |text: &str| r.scene.attempts.iter().flat_map(|a| &a.printed).find(|(f, _)| f.text == text).map(|(_, v)| v.value);
-    let line = |find: &Find, by, value: Value| Line { find: find.clone(), by, value, gives: printed(&find.text).map(|p| gives(p, value)) };
+    let line = |find: &Find, by, value: AnswerValue| ReadingLine {
+        find: find.clone(),
+        by,
+        value,
+        gives: printed(&find.text).map(|p| gives(p, value)),
+    };
     let right = r.worked.results.iter().map(|o| line(&r.scene.find[o.find], None, o.value()));
     let wrong = r.attempts.iter().flat_map(|a| {
-        let row = |row: &hodograph_methods::attempts::Row| {
+        let row = |row: &hodograph_methods::attempts::AttemptAnswer| {
             Some(line(&r.scene.find[r.worked.results[row.result].find], Some(a.site.mistake().name()), row.wrong?))
         };
         a.rows.iter().filter_map(row).collect::<Vec<_>>()
@@ -50,24 +55,24 @@ fn lines(r: &Read) -> Vec<Line> {
     right.chain(wrong).collect()
 }
 
-fn gives(printed: f64, value: Value) -> bool {
+fn gives(printed: f64, value: AnswerValue) -> bool {
     let value = match value {
-        Value::Scalar(s) => s,
-        Value::Vector(v) => v.norm(),
-        Value::Point(_) => return false,
+        AnswerValue::Scalar(s) => s,
+        AnswerValue::Vector(v) => v.norm(),
+        AnswerValue::Point(_) => return false,
     };
     (printed - value).abs() <= GIVES * printed.abs()
 }
 
-fn value_words(scene: &Scene, find: &Find, value: Value) -> String {
+fn value_words(scene: &Scene, find: &Find, value: AnswerValue) -> String {
     let (kind, book) = (find.what.kind(), &scene.book);
     match value {
-        Value::Scalar(s) => book.text(kind, &significant(book.value(kind, s), DIGITS)),
-        Value::Vector(v) => {
+        AnswerValue::Scalar(s) => book.text(kind, &significant(book.value(kind, s), DIGITS)),
+        AnswerValue::Vector(v) => {
             let size = book.text(kind, &significant(book.value(kind, v.norm()), DIGITS));
             if v.norm() == 0.0 { size } else { format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), DIGITS)) }
         }
-        Value::Point(p) => {
+        AnswerValue::Point(p) => {
             let number = |c: f64| significant(book.value(kind, c), DIGITS);
             book.text(kind, &format!("({}, {})", number(p.x), number(p.y)))
         }
@@ -75,15 +80,15 @@ fn value_words(scene: &Scene, find: &Find, value: Value) -> String {
 }
 
 /// Returns the table as text: a column for each reading; a star marks values that agree with print.
-pub fn text(all: &[Read], lang: Lang) -> String {
-    let name = |r: &Read| match (r.name.as_str(), lang) {
+pub fn text(all: &[SolvedReading], lang: Lang) -> String {
+    let name = |r: &SolvedReading| match (r.name.as_str(), lang) {
         ("", Lang::En) => "as given".to_owned(),
         ("", Lang::Zh) => "原题读法".to_owned(),
         (name, Lang::En) => format!("reading {name}"),
         (name, Lang::Zh) => format!("读法 {name}"),
     };
     let mut rows: Vec<Vec<String>> = vec![std::iter::once(String::new()).chain(all.iter().map(name)).collect()];
-    let each: Vec<Vec<Line>> = all.iter().map(lines).collect();
+    let each: Vec<Vec<ReadingLine>> = all.iter().map(lines).collect();
     let mut keys: Vec<(String, Option<&'static str>)> = Vec::new();
     for line in each.iter().flatten() {
         let key = (line.find.text.clone(), line.by);
@@ -121,13 +126,13 @@ pub fn text(all: &[Read], lang: Lang) -> String {
 }
 
 /// Returns the table as JSON, in SI.
-pub fn json(all: &[Read]) -> Json {
-    let value = |v: Value| match v {
-        Value::Scalar(s) => json!(s),
-        Value::Vector(v) => json!([v.x, v.y]),
-        Value::Point(p) => json!([p.x, p.y]),
+pub fn json(all: &[SolvedReading]) -> Json {
+    let value = |v: AnswerValue| match v {
+        AnswerValue::Scalar(s) => json!(s),
+        AnswerValue::Vector(v) => json!([v.x, v.y]),
+        AnswerValue::Point(p) => json!([p.x, p.y]),
     };
-    let line = |l: &Line| json!({"find": l.find.text, "by": l.by, "value": value(l.value), "gives_printed": l.gives});
-    let one = |r: &Read| json!({"reading": r.name, "answers": lines(r).iter().map(line).collect::<Vec<_>>()});
+    let line = |l: &ReadingLine| json!({"find": l.find.text, "by": l.by, "value": value(l.value), "gives_printed": l.gives});
+    let one = |r: &SolvedReading| json!({"reading": r.name, "answers": lines(r).iter().map(line).collect::<Vec<_>>()});
     json!({"schema": "hodograph/readings/1", "readings": all.iter().map(one).collect::<Vec<_>>()})
 }

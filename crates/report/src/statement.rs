@@ -2,15 +2,15 @@
 
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{Phrase, Piece};
+use hodograph_paper::paper::phrase::{Phrase, PhrasePiece};
 use hodograph_scene::statement::Run;
 use hodograph_scene::{Lang, Scene};
 
 /// Returns the paragraphs of the statement; empty if the scene has no statement.
 pub fn paragraphs(scene: &Scene, lang: Lang) -> Vec<Phrase> {
     let piece = |run: &Run| match run {
-        Run::Words(words) => Piece::Words(words.clone()),
-        Run::Formula(formula, _) => Piece::Formula(formula.clone()),
+        Run::Words(words) => PhrasePiece::Words(words.clone()),
+        Run::Formula(formula, _) => PhrasePiece::Formula(formula.clone()),
     };
     let all = scene.statement.as_ref().map(|s| s.get(lang)).unwrap_or_default();
     all.iter().map(|runs| Phrase::of_pieces(runs.iter().map(piece).collect())).collect()

@@ -11,9 +11,9 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{self as scene, Book, Guide, Kind, Lang, PointId, Scene};
 use hodograph_sweep::station::position_now;
-use hodograph_sweep::{self as sweep, Placed, Stations, Width};
-use hodograph_synthesis::candidate::{Number, scene_text};
-use hodograph_synthesis::{Board, Candidate, Design, Task, Wanted, judge};
+use hodograph_sweep::{self as sweep, PlacedScene, Stations, Width};
+use hodograph_synthesis::candidate::{DesignNumber, scene_text};
+use hodograph_synthesis::{Design, DesignCandidate, SynthesisBoard, Task, WantedPosition, judge};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
@@ -76,7 +76,7 @@ fn printed(name: &str) -> String {
 }
 
 /// Returns the motion of the finished scene in one line.
-pub fn motion(c: &Candidate, lang: Lang) -> String {
+pub fn motion(c: &DesignCandidate, lang: Lang) -> String {
     let j = &c.judged;
     let mut parts = Vec::new();
     parts.extend(j.grashof.map(|g| grashof_words(g, lang).to_owned()));
@@ -111,7 +111,7 @@ fn turn(degrees: f64) -> f64 {
 }
 
 /// Returns a number of a design with its unit.
-pub fn value(book: &Book, n: &Number) -> String {
+pub fn value(book: &Book, n: &DesignNumber) -> String {
     match n.kind {
         // Values with a unit requested by the file.
         Some(kind @ (Kind::Length | Kind::Angle)) if book.chosen(kind).is_some() => {
@@ -162,7 +162,7 @@ pub fn taken(design: &Design, lang: Lang) -> String {
 
 /// Returns the construction as JSON: steps, the marks that each adds (m), and the readings (mm of
 /// paper, rad).
-pub fn construction(board: &Board) -> Json {
+pub fn construction(board: &SynthesisBoard) -> Json {
     let marks = |marks: &[(String, Point)]| -> Vec<Json> {
         let told =
             |(name, p): &(String, Point)| json!({"name": Label::math(name.as_str()).plain(), "x": p.x * board.mu_l, "y": p.y * board.mu_l});
@@ -185,11 +185,11 @@ pub fn json(task: &Task, design: &Design) -> Json {
     })
 }
 
-fn named(numbers: &[Number]) -> Json {
+fn named(numbers: &[DesignNumber]) -> Json {
     Json::Object(numbers.iter().map(|n| (n.name.clone(), json!(n.value))).collect())
 }
 
-fn candidate(c: &Candidate) -> Json {
+fn candidate(c: &DesignCandidate) -> Json {
     let j = &c.judged;
     let positions: Vec<Json> = c
         .draft
@@ -221,18 +221,18 @@ fn note(d: &Diagnostic) -> Json {
 }
 
 /// A position of a linkage: each moving link with its points (m), and the fixed pivots.
-pub struct Posed {
+pub struct LinkagePosition {
     /// Links by their index in the scene.
     pub links: Vec<(usize, Vec<(String, Point)>)>,
     /// Pivots on the ground.
     pub fixed: Vec<(String, Point)>,
     /// Blocks of sliders, in the order of the scene's guides.
-    pub sliders: Vec<Block>,
+    pub sliders: Vec<SliderBlock>,
 }
 
 /// A slider's block.
 #[derive(Clone, Copy, Debug)]
-pub struct Block {
+pub struct SliderBlock {
     /// Position of its pin (m).
     pub at: Point,
     /// Direction of its guide, a unit vector.
@@ -242,11 +242,11 @@ pub struct Block {
 }
 
 /// Returns the linkage in all its prescribed positions, as computed by the general position solver.
-pub fn positions(candidate: &Candidate) -> Vec<Posed> {
+pub fn positions(candidate: &DesignCandidate) -> Vec<LinkagePosition> {
     candidate.draft.wanted.iter().filter_map(|w| posed(&candidate.draft.scene, w)).collect()
 }
 
-fn posed(scene: &Json, wanted: &Wanted) -> Option<Posed> {
+fn posed(scene: &Json, wanted: &WantedPosition) -> Option<LinkagePosition> {
     let mut scene = scene.clone();
     let object = scene.as_object_mut()?;
     object.shift_remove("side");
@@ -263,7 +263,7 @@ fn posed(scene: &Json, wanted: &Wanted) -> Option<Posed> {
 
 /// Returns the positions of all parts of a scene, for drawing. A lever that is known by its slot
 /// extends to the block on it.
-pub fn pose_of(scene: &Scene, at: &Configuration) -> Posed {
+pub fn pose_of(scene: &Scene, at: &Configuration) -> LinkagePosition {
     let named = |p: &PointId| Some((scene.points[p.0].name.clone(), at.points[p.0]?));
     let of = |l: usize| (l, scene.links[l].points.iter().filter_map(named).collect::<Vec<_>>());
     let on = |l: usize| scene.guides.iter().filter(move |g| g.on.0 == l).filter_map(|g| named(&g.pin?));
@@ -275,21 +275,23 @@ pub fn pose_of(scene: &Scene, at: &Configuration) -> Posed {
         (l, points)
     });
     let block = |(g, path): (&Guide, &Option<Path>)| match path {
-        Some(Path::Line { direction, .. }) => Some(Block { at: at.points[g.pin?.0]?, direction: *direction, fixed: g.on == scene.ground }),
+        Some(Path::Line { direction, .. }) => {
+            Some(SliderBlock { at: at.points[g.pin?.0]?, direction: *direction, fixed: g.on == scene.ground })
+        }
         Some(Path::Arc { .. }) | None => None,
     };
     let sliders = scene.guides.iter().zip(&at.guides).filter_map(block).collect();
-    Posed { links: links.filter(|l| l.1.len() > 1).collect(), fixed: of(scene.ground.0).1, sliders }
+    LinkagePosition { links: links.filter(|l| l.1.len() > 1).collect(), fixed: of(scene.ground.0).1, sliders }
 }
 
 /// Returns the path of a point while the driver rotates, in pieces if the rotation is not complete;
 /// empty if the linkage has no such point.
-pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
+pub fn traced(candidate: &DesignCandidate, point: &str) -> Vec<Vec<Point>> {
     const STEPS: usize = 360;
     let path = || {
         let scene = scene::read_asking(candidate.scene_text(), &format!("x_{point}, y_{point}")).ok()?.value;
         let mechanism = Mechanism::new(&scene).ok()?.value;
-        let placed = Placed::new(&scene, &mechanism).ok()?;
+        let placed = PlacedScene::new(&scene, &mechanism).ok()?;
         let now = position_now(&scene, &placed.at, 0);
         let all = (0..=STEPS).map(|k| now + TAU * (k as f64 / STEPS as f64 - 0.5)).collect();
         let table = sweep::run(&placed, 0, &Stations::of_values(all, 1.0), Width::One).ok()?;
@@ -311,7 +313,7 @@ pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
 }
 
 /// Returns the construction step by step, with the readings.
-pub fn steps(candidate: &Candidate, board: &Board, lang: Lang) -> String {
+pub fn steps(candidate: &DesignCandidate, board: &SynthesisBoard, lang: Lang) -> String {
     let mut out = match lang {
         Lang::En => format!("\nConstruction (μ_l = {} m/mm)\n", shortest(board.mu_l)),
         Lang::Zh => format!("\n作图（μ_l = {} m/mm）\n", shortest(board.mu_l)),

@@ -2,11 +2,11 @@
 //! analysis.
 
 use hodograph_base::digits::{inked, significant};
-use hodograph_board::plan::Body;
+use hodograph_board::plan::TurningBody;
 use hodograph_board::plan::names::name_label;
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::Level;
-use hodograph_methods::trains::{Train, Turns, given, trains};
+use hodograph_methods::trains::{GearTrain, TrainSpeeds, given, trains};
 use hodograph_paper::paper::phrase::{Phrase, formula, tr};
 use hodograph_scene::{DiagramKind, Kind, Lang, LinkId, Scene};
 use hodograph_worked::worked::Worked;
@@ -16,7 +16,7 @@ use unicode_width::UnicodeWidthStr;
 const DIGITS: usize = 6;
 
 /// A table of labels: a row for each motion, first its words, then the arm and all gears.
-pub struct Table {
+pub struct TrainTable {
     /// Symbols of the angular velocities above the columns.
     pub head: Vec<String>,
     /// Rows of words (not in the label language) and cells (in it).
@@ -26,7 +26,7 @@ pub struct Table {
 }
 
 /// Returns the rotations of a train: from the given data of the scene, else from the analysis.
-pub fn turns(scene: &Scene, worked: &Worked, train: &Train) -> Option<Turns> {
+pub fn turns(scene: &Scene, worked: &Worked, train: &GearTrain) -> Option<TrainSpeeds> {
     let solved = |l: LinkId| worked.solution.turning(Level::Velocity, l);
     train.turns(|l| given(scene, l)).or_else(|| train.turns(solved))
 }
@@ -48,7 +48,7 @@ pub fn number(x: f64, digits: usize) -> String {
 
 /// Returns Willis' table of a train: arm fixed and the first gear rotated by one, the same by x,
 /// all rotated by y, and the sum.
-pub fn table(scene: &Scene, train: &Train, t: Turns, lang: Lang, digits: usize) -> Table {
+pub fn table(scene: &Scene, train: &GearTrain, t: TrainSpeeds, lang: Lang, digits: usize) -> TrainTable {
     let (arm, first) = (scene.link_name(train.arm), scene.link_name(train.gears[0].link));
     let rates: Vec<f64> = (0..train.gears.len()).map(|g| train.rate(g, t)).collect();
     let largest = rates.iter().fold(t.arm.abs().max(t.first.abs()), |m, r| m.max(r.abs()));
@@ -77,16 +77,16 @@ pub fn table(scene: &Scene, train: &Train, t: Turns, lang: Lang, digits: usize) 
         if let Some((words, _)) = rows.last_mut() {
             *words = with_unit(words);
         }
-        return Table { head, rows, results: results(scene, train, t, digits) };
+        return TrainTable { head, rows, results: results(scene, train, t, digits) };
     }
     rows.push((tr(lang, "all turn by $y$ with the arm", "整体附加 $y$").into(), row(shown(t.arm), &|_| shown(t.arm))));
     rows.push((with_unit(tr(lang, "sum", "合成")), row(shown(t.arm), &|g| shown(rates[g]))));
-    Table { head, rows, results: results(scene, train, t, digits) }
+    TrainTable { head, rows, results: results(scene, train, t, digits) }
 }
 
 /// Returns Willis' equation between the first gear and the last about its axis, and the ratio that
 /// it gives if one member is fixed.
-fn results(scene: &Scene, train: &Train, t: Turns, digits: usize) -> Vec<String> {
+fn results(scene: &Scene, train: &GearTrain, t: TrainSpeeds, digits: usize) -> Vec<String> {
     let w = |l: LinkId| omega(scene, l);
     let (arm, first) = (train.arm, &train.gears[0]);
     let fixed = arm == scene.ground;
@@ -107,7 +107,7 @@ fn results(scene: &Scene, train: &Train, t: Turns, digits: usize) -> Vec<String>
 
 /// Returns Willis' equation of each train and the resulting ratio, for programs.
 pub fn formulas(scene: &Scene, worked: &Worked) -> Vec<String> {
-    let of = |train: &Train| turns(scene, worked, train).map(|t| results(scene, train, t, DIGITS));
+    let of = |train: &GearTrain| turns(scene, worked, train).map(|t| results(scene, train, t, DIGITS));
     trains(scene).iter().filter_map(of).flatten().map(|r| formula(&r)).collect()
 }
 
@@ -121,7 +121,7 @@ pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
     out
 }
 
-fn of_train(scene: &Scene, worked: &Worked, train: &Train, t: Turns, lang: Lang) -> String {
+fn of_train(scene: &Scene, worked: &Worked, train: &GearTrain, t: TrainSpeeds, lang: Lang) -> String {
     let arm = scene.link_name(train.arm);
     let strands = train.meshes.iter().all(|m| scene.rolling[m.0].contact().is_none());
     let en = if strands { "belt or chain drive" } else { "gear train" };
@@ -163,12 +163,12 @@ fn of_train(scene: &Scene, worked: &Worked, train: &Train, t: Turns, lang: Lang)
 
 /// Returns the largest differences between the rates of drawing and analysis and those of the
 /// table, relative to the largest rate; `None` if no rate is drawn.
-fn apart(worked: &Worked, train: &Train, t: Turns) -> Option<[String; 2]> {
+fn apart(worked: &Worked, train: &GearTrain, t: TrainSpeeds) -> Option<[String; 2]> {
     let members: Vec<(LinkId, f64)> =
         std::iter::once((train.arm, t.arm)).chain(train.gears.iter().enumerate().map(|(k, g)| (g.link, train.rate(k, t)))).collect();
     let largest = members.iter().map(|m| m.1.abs()).fold(0.0, f64::max);
     let worst = |of: &dyn Fn(LinkId) -> Option<f64>| members.iter().filter_map(|(l, w)| Some((of(*l)? - w).abs())).reduce(f64::max);
-    let drawn = worst(&|l| worked.construction.rate(DiagramKind::Velocity, Body::Link(l)))?;
+    let drawn = worst(&|l| worked.construction.rate(DiagramKind::Velocity, TurningBody::Link(l)))?;
     let solved = worst(&|l| worked.solution.turning(Level::Velocity, l))?;
     (largest > 0.0).then(|| [drawn, solved].map(|d| significant(d / largest, 1)))
 }

@@ -67,7 +67,7 @@ impl Scene {
                 let [rate, acceleration] = if driver.kind.turns() { ["rad/s", "rad/s^2"] } else { ["m/s", "m/s^2"] };
                 own.rate = Some(quantity(driver.rate.value, rate, driver.span));
                 own.acceleration = driver.acceleration.as_ref().map(|a| quantity(a.value, acceleration, driver.span));
-                stand(&mut own.kind, driver);
+                write_position(&mut own.kind, driver);
             }
             for cam in &mut raw.cams {
                 cam.angle = cam.angle.as_ref().and_then(|told| Some(quantity(angle(cam)?, "rad", told.span)));
@@ -115,7 +115,7 @@ impl Scene {
 }
 
 /// Gives a driver with a stated position its present position.
-fn stand(own: &mut RawDriverKind, driver: &Driver) {
+fn write_position(own: &mut RawDriverKind, driver: &Driver) {
     let Some(position) = driver.kind.position() else { return };
     let (RawDriverKind::Turn { angle: slot, .. }
     | RawDriverKind::Slide { position: slot, .. }

@@ -4,8 +4,8 @@
 //! and their written forms. All values of the program are in SI units; printing converts them once,
 //! by [`Book`].
 
-use super::expr::{self, Expr, ExprKind, Op};
-use super::units::{Dim, UNITS, Unit, Wanted};
+use super::expr::{self, Expr, ExprKind, Operator};
+use super::units::{Dim, RequiredQuantity, UNITS, Unit};
 use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 use hodograph_base::trig::radians;
@@ -34,9 +34,9 @@ impl BookUnit {
         let word: String = text.split_whitespace().collect();
         // After a number `r/min` is a unit, and not a parameter divided by minutes.
         let expr = expr::parse(&format!("1 {word}"), &[]).ok()?;
-        let mut made = Made { dim: Dim::NUMBER, up: 1.0, down: 1.0, degrees: 0 };
+        let mut made = UnitProduct { dim: Dim::NUMBER, up: 1.0, down: 1.0, degrees: 0 };
         made.multiply(&expr, 1)?;
-        let whole = made.dim == Wanted::of(kind).dim() && (0..=1).contains(&made.degrees);
+        let whole = made.dim == RequiredQuantity::of(kind).dim() && (0..=1).contains(&made.degrees);
         whole.then(|| BookUnit {
             name: superscripts(&word),
             label: labelled(&word),
@@ -85,16 +85,16 @@ impl BookUnit {
 /// Returns the units of a kind: those of a unit of length or angle and seconds, and those with
 /// their own names.
 fn fitting(kind: Kind) -> Vec<String> {
-    let dim = Wanted::of(kind).dim();
+    let dim = RequiredQuantity::of(kind).dim();
     let per = match dim.time {
         0 => "",
         -1 => "/s",
         _ => "/s^2",
     };
     let base = Dim { time: 0, ..dim };
-    let named = |wanted: Wanted| UNITS.iter().filter(move |u| u.dim == wanted.dim()).map(|u| u.name);
+    let named = |wanted: RequiredQuantity| UNITS.iter().filter(move |u| u.dim == wanted.dim()).map(|u| u.name);
     let made = UNITS.iter().filter(|u| u.dim == base && u.name != "°").map(|u| format!("{}{per}", u.name));
-    let moments = named(Wanted::Force).flat_map(|force| named(Wanted::Length).map(move |arm| format!("{force}*{arm}")));
+    let moments = named(RequiredQuantity::Force).flat_map(|force| named(RequiredQuantity::Length).map(move |arm| format!("{force}*{arm}")));
     let moments = moments.filter(|text| kind == Kind::Moment && BookUnit::of_kind(text, kind).is_some());
     made.chain(moments)
         .chain((kind == Kind::Power).then(|| "N*m/s".to_owned()))
@@ -103,24 +103,28 @@ fn fitting(kind: Kind) -> Vec<String> {
 }
 
 /// A product of powers of units.
-struct Made {
+struct UnitProduct {
     dim: Dim,
     up: f64,
     down: f64,
     degrees: i32,
 }
 
-impl Made {
+impl UnitProduct {
     /// Multiplies by the `k`-th power of an expression; returns `None` if it contains anything but
     /// units.
     fn multiply(&mut self, expr: &Expr, k: i32) -> Option<()> {
         match &expr.kind {
             ExprKind::Unit(unit) => self.unit(unit, k),
             ExprKind::Number(one) => (one == "1").then_some(()),
-            ExprKind::Binary(Op::Mul, a, b) => self.multiply(a, k).and_then(|()| self.multiply(b, k)),
-            ExprKind::Binary(Op::Div, a, b) => self.multiply(a, k).and_then(|()| self.multiply(b, -k)),
-            ExprKind::Binary(Op::Pow, a, n) => self.multiply(a, k * exponent(n)?),
-            ExprKind::Binary(Op::Add | Op::Sub, ..) | ExprKind::Pi | ExprKind::Parameter(_) | ExprKind::Neg(_) | ExprKind::Call(..) => None,
+            ExprKind::Binary(Operator::Mul, a, b) => self.multiply(a, k).and_then(|()| self.multiply(b, k)),
+            ExprKind::Binary(Operator::Div, a, b) => self.multiply(a, k).and_then(|()| self.multiply(b, -k)),
+            ExprKind::Binary(Operator::Pow, a, n) => self.multiply(a, k * exponent(n)?),
+            ExprKind::Binary(Operator::Add | Operator::Sub, ..)
+            | ExprKind::Pi
+            | ExprKind::Parameter(_)
+            | ExprKind::Neg(_)
+            | ExprKind::Call(..) => None,
         }
     }
 

@@ -15,8 +15,8 @@ use super::model::Lang;
 use super::raw::*;
 use super::{cams, expr, keys};
 use hodograph_base::diag::{Diagnostic, Faults, Span, both};
-use hodograph_base::json::fields::{self, Fields, What, list, object, word, wrong};
-use hodograph_base::json::{Kind, Node, Word};
+use hodograph_base::json::fields::{self, FaultSubject, Fields, list, object, word, wrong};
+use hodograph_base::json::{Node, NodeKind, Word};
 
 /// Largest number of links. A textbook mechanism has a dozen; the solvers' matrices grow with the
 /// square of the number of links and their time with its cube, so these bounds keep a run under a
@@ -34,7 +34,7 @@ pub(super) const MAX_STATEMENT: usize = 10_000;
 
 /// Decodes a whole file; it must give the data that `extent` demands. Faults are collected, and the
 /// readable parts are returned so that later stages find their faults too.
-pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<RawScene> {
+pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> Option<RawScene> {
     let f = Fields::open(root, both!("a scene", "机构文件"), keys::SCENE, faults)?;
     let mut raw = RawScene { extent, ..RawScene::default() };
     if let Some(node) = f.get("title") {
@@ -102,13 +102,13 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
         false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),
     };
     match drivers {
-        Some(Node { kind: Kind::Array(list), span }) if list.is_empty() && !extent.is_at_rest() => {
+        Some(Node { kind: NodeKind::Array(list), span }) if list.is_empty() && !extent.is_at_rest() => {
             faults.push(
                 Diagnostic::error("empty", both!("\"driver\" is empty: nothing drives the mechanism", "\"driver\" 为空：没有原动件"))
                     .at(*span),
             );
         }
-        Some(Node { kind: Kind::Array(_), .. }) => {
+        Some(Node { kind: NodeKind::Array(_), .. }) => {
             for node in items(drivers, "\"driver\"", faults) {
                 raw.drivers.extend(driver::driver(node, &raw, faults));
             }
@@ -152,8 +152,8 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
 pub(super) fn front(root: &Node, faults: &mut Faults) -> RawScene {
     let mut raw = RawScene::default();
     let get = |key: &str| match &root.kind {
-        Kind::Object(members) => members.iter().find(|(k, _)| k.text == key).map(|(_, node)| node),
-        Kind::Text(_) | Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Array(_) => None,
+        NodeKind::Object(members) => members.iter().find(|(k, _)| k.text == key).map(|(_, node)| node),
+        NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null | NodeKind::Array(_) => None,
     };
     raw.title = get("title").and_then(|node| localized(node, "\"title\"", MAX_TITLE, faults));
     for (key, node) in entries(get("parameters"), "\"parameters\"", faults) {
@@ -174,7 +174,7 @@ pub(super) fn front(root: &Node, faults: &mut Faults) -> RawScene {
 }
 
 /// Returns the members of an optional object, up to the limit.
-fn entries<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [(Word, Node)] {
+fn entries<'a>(node: Option<&'a Node>, what: impl Into<FaultSubject>, faults: &mut Faults) -> &'a [(Word, Node)] {
     let what = what.into();
     let limit = if what.is("\"links\"") { MAX_LINKS } else { MAX_ENTRIES };
     let members = node.and_then(|n| object(n, &what, faults)).unwrap_or_default();
@@ -182,13 +182,19 @@ fn entries<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Fault
 }
 
 /// Returns the items of an optional list, up to the limit.
-pub(super) fn items<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [Node] {
+pub(super) fn items<'a>(node: Option<&'a Node>, what: impl Into<FaultSubject>, faults: &mut Faults) -> &'a [Node] {
     let what = what.into();
     let items = node.and_then(|n| list(n, &what, faults)).unwrap_or_default();
     within(items, MAX_ENTRIES, &what, faults, |n| n.span)
 }
 
-fn within<'a, T>(all: &'a [T], limit: usize, what: &What, faults: &mut Faults, span: impl Fn(&T) -> hodograph_base::diag::Span) -> &'a [T] {
+fn within<'a, T>(
+    all: &'a [T],
+    limit: usize,
+    what: &FaultSubject,
+    faults: &mut Faults,
+    span: impl Fn(&T) -> hodograph_base::diag::Span,
+) -> &'a [T] {
     match all.get(limit) {
         None => all,
         Some(first) => {
@@ -202,8 +208,8 @@ fn within<'a, T>(all: &'a [T], limit: usize, what: &What, faults: &mut Faults, s
 /// Reads true or false.
 fn flag(node: &Node, key: &str, faults: &mut Faults) -> Option<bool> {
     match node.kind {
-        Kind::Bool(value) => Some(value),
-        Kind::Text(_) | Kind::Number(_) | Kind::Null | Kind::Array(_) | Kind::Object(_) => {
+        NodeKind::Bool(value) => Some(value),
+        NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Null | NodeKind::Array(_) | NodeKind::Object(_) => {
             let message = both!("\"{key}\" is {}, not true or false", "\"{key}\" 是{}，应为 true 或 false", node.what());
             faults.push(Diagnostic::error("wrong-type", message).at(node.span));
             None
@@ -211,7 +217,7 @@ fn flag(node: &Node, key: &str, faults: &mut Faults) -> Option<bool> {
     }
 }
 
-fn words(node: Option<&Node>, what: impl Into<What>, faults: &mut Faults) -> Vec<Word> {
+fn words(node: Option<&Node>, what: impl Into<FaultSubject>, faults: &mut Faults) -> Vec<Word> {
     let what = what.into();
     items(node, &what, faults).iter().filter_map(|n| word(n, both!("an entry of {}", "{}的一项", what), faults)).collect()
 }
@@ -222,10 +228,10 @@ pub(super) fn localized(node: &Node, what: &'static str, most: usize, faults: &m
 }
 
 fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {
-    if let Kind::Array(_) = node.kind {
+    if let NodeKind::Array(_) = node.kind {
         return two_quantities(node, both!("a place", "位置"), faults).map(RawPlace::At);
     }
-    let has = |key: &str| matches!(&node.kind, Kind::Object(m) if m.iter().any(|(k, _)| k.text == key));
+    let has = |key: &str| matches!(&node.kind, NodeKind::Object(m) if m.iter().any(|(k, _)| k.text == key));
     let (xy, polar) = (has("x") || has("y"), has("length") || has("angle"));
     if xy && polar {
         let d = Diagnostic::error(
@@ -287,8 +293,8 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
 /// Reads a point by its name or by coordinates.
 fn through(f: &Fields, faults: &mut Faults) -> Option<RawThrough> {
     f.get("through").and_then(|n| match &n.kind {
-        Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
-        Kind::Text(_) | Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Object(_) => {
+        NodeKind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
+        NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null | NodeKind::Object(_) => {
             word(n, "\"through\"", faults).map(RawThrough::Point)
         }
     })
@@ -299,7 +305,7 @@ fn paper(node: &Node, faults: &mut Faults) -> RawPaper {
         return RawPaper::default();
     };
     let size = f.get("size").and_then(|n| match &n.kind {
-        Kind::Array(_) => two_quantities(n, "\"size\"", faults).map(RawSize::Sides),
+        NodeKind::Array(_) => two_quantities(n, "\"size\"", faults).map(RawSize::Sides),
         _ => word(n, "\"size\"", faults).map(RawSize::Named),
     });
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
@@ -308,34 +314,34 @@ fn paper(node: &Node, faults: &mut Faults) -> RawPaper {
 
 /// Returns the members of one section, undecoded; empty if there is no such object.
 pub(super) fn members_of<'a>(root: &'a Node, section: &str) -> &'a [(Word, Node)] {
-    let Kind::Object(members) = &root.kind else { return &[] };
+    let NodeKind::Object(members) = &root.kind else { return &[] };
     match members.iter().find(|(key, _)| key.text == section) {
-        Some((_, Node { kind: Kind::Object(inner), .. })) => inner,
+        Some((_, Node { kind: NodeKind::Object(inner), .. })) => inner,
         _ => &[],
     }
 }
 
 /// Returns the language that the scene names, if it is a known one.
 pub(super) fn language_of(root: &Node) -> Option<Lang> {
-    let Kind::Object(members) = &root.kind else { return None };
+    let NodeKind::Object(members) = &root.kind else { return None };
     match &members.iter().find(|(key, _)| key.text == "language")?.1.kind {
-        Kind::Text(name) => Lang::named(name),
-        Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Array(_) | Kind::Object(_) => None,
+        NodeKind::Text(name) => Lang::named(name),
+        NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null | NodeKind::Array(_) | NodeKind::Object(_) => None,
     }
 }
 
 /// Reads a number or an expression in quotation marks.
-pub(super) fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
+pub(super) fn quantity(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<RawQuantity> {
     let (text, bare) = match &node.kind {
-        Kind::Number(text) => (text.clone(), true),
-        Kind::Text(_) => (written(node, what, faults)?, false),
+        NodeKind::Number(text) => (text.clone(), true),
+        NodeKind::Text(_) => (written(node, what, faults)?, false),
         _ => return wrong(node, what, both!("a quantity such as \"100 mm\"", "量，如 \"100 mm\""), faults),
     };
     Some(RawQuantity { text, span: node.span, bare })
 }
 
 /// Returns the text of an expression within the limit of length.
-fn written(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<String> {
+fn written(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<String> {
     let text = word(node, what, faults)?.text;
     let Err(d) = expr::bounded(&text) else { return Some(text) };
     let Span { start, end } = node.span;
@@ -346,7 +352,7 @@ fn written(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<St
 }
 
 /// Reads two quantities, such as coordinates.
-pub(super) fn two_quantities(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
+pub(super) fn two_quantities(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
     let what = what.into();
     match list(node, &what, faults)? {
         [a, b] => {

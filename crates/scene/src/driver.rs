@@ -3,26 +3,26 @@
 //!
 //! A new kind of driver implements these methods, and the modules that call them need no change.
 
-use super::{Angle, DriverKind, Given, GuideId, LinkId, PointId};
+use super::{Angle, DriverKind, GivenQuantity, GuideId, LinkId, PointId};
 
 /// The position of a driver as the file gives it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Position<'a> {
     /// An angle, measured as the driver defines it.
-    Angle(&'a Given<Angle>),
+    Angle(&'a GivenQuantity<Angle>),
     /// A coordinate along a guide, or a distance (m).
-    Length(&'a Given),
+    Length(&'a GivenQuantity),
 }
 
 /// The storage of a driver's position.
 #[derive(Debug)]
 pub enum PositionSlot<'a> {
     /// An angle, measured as the driver defines it.
-    Angle(&'a mut Option<Given<Angle>>),
+    Angle(&'a mut Option<GivenQuantity<Angle>>),
     /// A coordinate along a guide (m), of either sign.
-    Coordinate(&'a mut Option<Given>),
+    Coordinate(&'a mut Option<GivenQuantity>),
     /// A distance (m), which is not negative.
-    Distance(&'a mut Option<Given>),
+    Distance(&'a mut Option<GivenQuantity>),
 }
 
 impl Position<'_> {
@@ -117,7 +117,7 @@ impl DriverKind {
     }
 
     /// Returns its given angle, if any.
-    pub fn angle(&self) -> Option<&Given<Angle>> {
+    pub fn angle(&self) -> Option<&GivenQuantity<Angle>> {
         match self.position()? {
             Position::Angle(angle) => Some(angle),
             Position::Length(_) => None,
@@ -125,7 +125,7 @@ impl DriverKind {
     }
 
     /// Returns its given coordinate or distance, if any.
-    pub fn length(&self) -> Option<&Given> {
+    pub fn length(&self) -> Option<&GivenQuantity> {
         match self.position()? {
             Position::Length(length) => Some(length),
             Position::Angle(_) => None,

@@ -1,10 +1,10 @@
 //! Small changes to a scene from outside its file: other questions, and quantities from a command
 //! line.
 
-use super::eval::{NoValue, Value, evaluate};
-use super::json::{self, Kind};
+use super::eval::{DimensionedValue, NoValue, evaluate};
+use super::json::{self, NodeKind};
 use super::model::Angle;
-use super::units::{Dim, Wanted};
+use super::units::{Dim, RequiredQuantity};
 use super::{exact, expr};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::number::Ball;
@@ -21,7 +21,7 @@ use hodograph_base::number::Ball;
 pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
     let mut faults = Faults::default();
     let (source, root) = json::parse(text.as_bytes(), &mut faults)?;
-    let Kind::Object(members) = &root.kind else {
+    let NodeKind::Object(members) = &root.kind else {
         return Err(Diagnostic::error("not-a-scene", both!("a scene is a JSON object", "机构文件是一个 JSON 对象")).at(root.span).into());
     };
     let list = serde_json::json!(find).to_string();
@@ -79,38 +79,38 @@ pub fn angle(text: &str) -> Result<Angle, Faults> {
 /// ```
 pub fn angles(from: &str, to: &str) -> Result<[Angle; 2], Faults> {
     let [first, last] = [angle_read(from)?, angle_read(to)?];
-    if first.told() && last.told() {
+    if first.is_resolved() && last.is_resolved() {
         return Ok([first.value.angle(), last.value.angle()]);
     }
     let start = first.less_turns();
     let way = angle_read(&format!("({}) - ({})", last.text, first.text))?.value;
     // In the unit of the start.
     let way = if start.degrees { way.angle().degrees() } else { way.si() };
-    Ok([start.angle(), Value { number: start.number + way, ..start }.angle()])
+    Ok([start.angle(), DimensionedValue { number: start.number + way, ..start }.angle()])
 }
 
 /// A quantity with its full text.
-struct Read {
+struct ReadQuantity {
     text: String,
-    value: Value,
+    value: DimensionedValue,
     /// Bound on the error of the value.
     off: f64,
 }
 
-impl Read {
+impl ReadQuantity {
     /// Returns true if `f64` resolves the angle within its turn.
-    fn told(&self) -> bool {
-        exact::tells(self.value.angle(), self.off)
+    fn is_resolved(&self) -> bool {
+        exact::is_resolved(self.value.angle(), self.off)
     }
 
     /// Returns the angle, without whole turns if there are too many.
-    fn less_turns(&self) -> Value {
-        let rest = if self.told() { None } else { exact::less_turns(&[], &self.text, self.value.degrees) };
-        rest.map_or(self.value, |(number, _)| Value { number, ..self.value })
+    fn less_turns(&self) -> DimensionedValue {
+        let rest = if self.is_resolved() { None } else { exact::less_turns(&[], &self.text, self.value.degrees) };
+        rest.map_or(self.value, |(number, _)| DimensionedValue { number, ..self.value })
     }
 }
 
-fn angle_read(text: &str) -> Result<Read, Faults> {
+fn angle_read(text: &str) -> Result<ReadQuantity, Faults> {
     let read = quantity(text, "deg")?;
     if read.value.dim != Dim::ANGLE {
         return Err(wrong(text, both!("an angle", "角度"), read.value));
@@ -143,18 +143,18 @@ pub fn length(text: &str) -> Result<f64, Faults> {
 /// ```
 pub fn time(text: &str) -> Result<f64, Faults> {
     let value = quantity(text, "s")?.value;
-    if value.dim != Wanted::Time.dim() {
+    if value.dim != RequiredQuantity::Time.dim() {
         return Err(wrong(text, both!("a time", "时间"), value));
     }
     Ok(value.si())
 }
 
-fn wrong(text: &str, wanted: Both, value: Value) -> Faults {
+fn wrong(text: &str, wanted: Both, value: DimensionedValue) -> Faults {
     Diagnostic::error("dimension", both!("`{text}` is {}; {} is wanted", "`{text}` 是{}；此处需要{}", value.dim.describe(), wanted)).into()
 }
 
 /// Reads a quantity without parameters; a bare number gets the unit.
-fn quantity(text: &str, unit: &str) -> Result<Read, Faults> {
+fn quantity(text: &str, unit: &str) -> Result<ReadQuantity, Faults> {
     let parsed = expr::parse(text, &[])?;
     let bare = expr::is_bare(&parsed);
     let text = if bare { format!("({text}) {unit}") } else { text.to_owned() };
@@ -163,8 +163,8 @@ fn quantity(text: &str, unit: &str) -> Result<Read, Faults> {
         NoValue::Fault(d) => d.into(),
         NoValue::Reported => Faults::default(),
     })?;
-    let unknown = Value { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
+    let unknown = DimensionedValue { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
     let (value, ball) = exact::settled(&[], &text, value, evaluate(&parsed, &|_| None).unwrap_or(unknown));
     let off = exact::distance(&value, ball);
-    Ok(Read { text, value, off })
+    Ok(ReadQuantity { text, value, off })
 }

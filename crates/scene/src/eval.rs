@@ -3,7 +3,7 @@
 //!
 //! Decisions (domains, whole exponents, sizes) use the nearest `f64`.
 
-use super::expr::{Expr, ExprKind, Function, Op};
+use super::expr::{Expr, ExprKind, Function, Operator};
 use super::model::Angle;
 use super::units::{Dim, Unit};
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -17,7 +17,7 @@ const HUGE: f64 = 1e90;
 
 /// A number with its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Value<N = f64> {
+pub struct DimensionedValue<N = f64> {
     /// In SI units (metres, seconds, radians); if `degrees` is true, one angle in it is in degrees.
     pub number: N,
     /// Its dimension.
@@ -27,9 +27,9 @@ pub struct Value<N = f64> {
     pub degrees: bool,
 }
 
-impl<N: Real> Value<N> {
+impl<N: Real> DimensionedValue<N> {
     fn number(number: N) -> Self {
-        Value { number, dim: Dim::NUMBER, degrees: false }
+        DimensionedValue { number, dim: Dim::NUMBER, degrees: false }
     }
 
     /// Returns the SI value (radians).
@@ -39,7 +39,7 @@ impl<N: Real> Value<N> {
 
     /// Returns the value in SI units throughout.
     fn plain(self) -> Self {
-        Value { number: self.si(), degrees: false, ..self }
+        DimensionedValue { number: self.si(), degrees: false, ..self }
     }
 
     /// Returns (sin, cos); meaningful if `dim` is that of an angle.
@@ -49,11 +49,11 @@ impl<N: Real> Value<N> {
 
     /// An angle in degrees.
     fn deg(number: N) -> Self {
-        Value { number, dim: Dim::ANGLE, degrees: true }
+        DimensionedValue { number, dim: Dim::ANGLE, degrees: true }
     }
 }
 
-impl Value {
+impl DimensionedValue {
     /// Returns the value as an angle; meaningful if `dim` is that of an angle.
     pub fn angle(self) -> Angle {
         if self.degrees { Angle::Deg(self.number) } else { Angle::Rad(self.number) }
@@ -75,32 +75,32 @@ pub enum NoValue {
 /// # Errors
 /// Dimensions that do not fit, functions outside their domain, values that are not finite or are
 /// out of range.
-pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value<N>>) -> Result<Value<N>, NoValue> {
+pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<DimensionedValue<N>>) -> Result<DimensionedValue<N>, NoValue> {
     let of = |e: &Expr| evaluate(e, lookup);
     let fault = |message: Both| NoValue::Fault(Diagnostic::error("expression", message).at(expr.span));
     let value = match &expr.kind {
-        ExprKind::Number(text) => Value::number(literal(text).map_err(fault)?),
-        ExprKind::Pi => Value::number(N::pi()),
-        ExprKind::Unit(unit) => in_unit(Value::number(N::from_f64(1.0)), unit),
+        ExprKind::Number(text) => DimensionedValue::number(literal(text).map_err(fault)?),
+        ExprKind::Pi => DimensionedValue::number(N::pi()),
+        ExprKind::Unit(unit) => in_unit(DimensionedValue::number(N::from_f64(1.0)), unit),
         ExprKind::Parameter(name) => lookup(name).ok_or(NoValue::Reported)?,
         ExprKind::Neg(a) => {
             let a = of(a)?;
-            Value { number: -a.number, ..a }
+            DimensionedValue { number: -a.number, ..a }
         }
         // A number with its unit is rounded once: 250 mm is 250/1000, not 250 * 0.001.
-        ExprKind::Binary(Op::Mul, a, b) if matches!(b.kind, ExprKind::Unit(_)) => match &b.kind {
+        ExprKind::Binary(Operator::Mul, a, b) if matches!(b.kind, ExprKind::Unit(_)) => match &b.kind {
             ExprKind::Unit(unit) => in_unit(of(a)?, unit),
             _ => multiply(of(a)?, of(b)?, 1),
         },
         ExprKind::Binary(op, a, b) => {
             let (a, b) = (of(a)?, of(b)?);
             match op {
-                Op::Add => add(a, b, false).map_err(fault)?,
-                Op::Sub => add(a, b, true).map_err(fault)?,
-                Op::Mul => multiply(a, b, 1),
-                Op::Div if b.number.approx() == 0.0 => return Err(fault(both!("division by zero", "除数为零"))),
-                Op::Div => multiply(a, b, -1),
-                Op::Pow => power(a, b).map_err(fault)?,
+                Operator::Add => add(a, b, false).map_err(fault)?,
+                Operator::Sub => add(a, b, true).map_err(fault)?,
+                Operator::Mul => multiply(a, b, 1),
+                Operator::Div if b.number.approx() == 0.0 => return Err(fault(both!("division by zero", "除数为零"))),
+                Operator::Div => multiply(a, b, -1),
+                Operator::Pow => power(a, b).map_err(fault)?,
             }
         }
         ExprKind::Call(f, a) => call(*f, of(a)?).map_err(fault)?,
@@ -131,17 +131,17 @@ fn literal<N: Real>(text: &str) -> Result<N, Both> {
     Ok(if number == 0.0 || number.abs() > HUGE { N::from_f64(number) } else { N::from_decimal(text) })
 }
 
-fn in_unit<N: Real>(a: Value<N>, unit: &Unit) -> Value<N> {
+fn in_unit<N: Real>(a: DimensionedValue<N>, unit: &Unit) -> DimensionedValue<N> {
     // Only one factor can be kept in degrees.
     let a = if unit.degrees { a.plain() } else { a };
     let (up, down) = (N::from_f64(unit.numerator), N::from_f64(unit.denominator));
     // A factor of one is omitted: it would only add to the error bound.
     let number = if unit.numerator == 1.0 { a.number } else { a.number * up };
     let number = if unit.denominator == 1.0 { number } else { number / down };
-    Value { number, dim: a.dim.times(unit.dim, 1), degrees: a.degrees || unit.degrees }
+    DimensionedValue { number, dim: a.dim.times(unit.dim, 1), degrees: a.degrees || unit.degrees }
 }
 
-fn multiply<N: Real>(a: Value<N>, b: Value<N>, k: i32) -> Value<N> {
+fn multiply<N: Real>(a: DimensionedValue<N>, b: DimensionedValue<N>, k: i32) -> DimensionedValue<N> {
     let dim = a.dim.times(b.dim, k);
     let (a, b, degrees) = match (a.degrees, b.degrees) {
         // The degrees of a ratio cancel exactly.
@@ -150,10 +150,10 @@ fn multiply<N: Real>(a: Value<N>, b: Value<N>, k: i32) -> Value<N> {
         (false, true) if k < 0 => (a.number, b.si(), false),
         _ => (a.number, b.number, a.degrees || b.degrees),
     };
-    Value { number: if k < 0 { a / b } else { a * b }, dim, degrees }
+    DimensionedValue { number: if k < 0 { a / b } else { a * b }, dim, degrees }
 }
 
-fn add<N: Real>(a: Value<N>, b: Value<N>, minus: bool) -> Result<Value<N>, Both> {
+fn add<N: Real>(a: DimensionedValue<N>, b: DimensionedValue<N>, minus: bool) -> Result<DimensionedValue<N>, Both> {
     if a.dim != b.dim && !(a.dim.serves(b.dim) || b.dim.serves(a.dim)) {
         let (first, second) = if minus { (b.dim, a.dim) } else { (a.dim, b.dim) };
         let [first, second] = [first.describe(), second.describe()];
@@ -168,10 +168,10 @@ fn add<N: Real>(a: Value<N>, b: Value<N>, minus: bool) -> Result<Value<N>, Both>
     let dim = if plain(a.dim) { a.dim } else { b.dim };
     let (a, b) = if a.degrees == b.degrees && a.dim == b.dim { (a, b) } else { (a.plain(), b.plain()) };
     let number = if minus { a.number - b.number } else { a.number + b.number };
-    Ok(Value { number, dim, degrees: a.degrees })
+    Ok(DimensionedValue { number, dim, degrees: a.degrees })
 }
 
-fn power<N: Real>(a: Value<N>, b: Value<N>) -> Result<Value<N>, Both> {
+fn power<N: Real>(a: DimensionedValue<N>, b: DimensionedValue<N>) -> Result<DimensionedValue<N>, Both> {
     if b.dim != Dim::NUMBER {
         return Err(both!("an exponent is a pure number, this is {}", "指数应为纯数，此处为{}", b.dim.describe()));
     }
@@ -181,7 +181,7 @@ fn power<N: Real>(a: Value<N>, b: Value<N>) -> Result<Value<N>, Both> {
         if a.number.approx() < 0.0 && whole != exponent {
             return Err(both!("a negative number has no broken power", "负数没有非整数次幂"));
         }
-        return Ok(Value::number(a.number.pow(b.number)));
+        return Ok(DimensionedValue::number(a.number.pow(b.number)));
     }
     if whole != exponent || whole.abs() > 6.0 {
         return Err(both!(
@@ -194,10 +194,10 @@ fn power<N: Real>(a: Value<N>, b: Value<N>) -> Result<Value<N>, Both> {
         return Ok(a);
     }
     let a = a.plain();
-    Ok(Value { number: a.number.pow(N::from_f64(whole)), dim: Dim::NUMBER.times(a.dim, k), degrees: false })
+    Ok(DimensionedValue { number: a.number.pow(N::from_f64(whole)), dim: Dim::NUMBER.times(a.dim, k), degrees: false })
 }
 
-fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
+fn call<N: Real>(f: Function, a: DimensionedValue<N>) -> Result<DimensionedValue<N>, Both> {
     let wants = |dim: Dim, name: &str| match a.dim == dim {
         true => Ok(()),
         false if dim == Dim::ANGLE && a.dim == Dim::NUMBER && a.number.approx() == 0.0 => Ok(()),
@@ -207,21 +207,21 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
         )),
         false => Err(both!("{name} wants {}, this is {}", "{name} 需要{}，此处为{}", dim.describe(), a.dim.describe())),
     };
-    let inverse = |name: &str, known: fn(f64) -> Angle, g: &dyn Fn(N) -> Value<N>| {
+    let inverse = |name: &str, known: fn(f64) -> Angle, g: &dyn Fn(N) -> DimensionedValue<N>| {
         wants(Dim::NUMBER, name)?;
         let x = a.number.approx();
         match known(x) {
             Angle::Rad(r) if r.is_nan() => Err(both!("{name} has no value at {x}", "{name} 在 {x} 处无值")),
             // The angle in degrees is exact only if the number equals its `f64`.
-            Angle::Deg(d) if a.number == N::from_f64(x) => Ok(Value::deg(N::from_f64(d))),
+            Angle::Deg(d) if a.number == N::from_f64(x) => Ok(DimensionedValue::deg(N::from_f64(d))),
             _ => Ok(g(a.number)),
         }
     };
-    let rad = |number: N| Value { number, dim: Dim::ANGLE, degrees: false };
+    let rad = |number: N| DimensionedValue { number, dim: Dim::ANGLE, degrees: false };
     // The other leg of a right triangle with hypotenuse one.
     let leg = |x: N| ((N::from_f64(1.0) - x) * (N::from_f64(1.0) + x)).sqrt_or_zero();
     Ok(match f {
-        Function::Abs => Value { number: a.number.magnitude(), ..a },
+        Function::Abs => DimensionedValue { number: a.number.magnitude(), ..a },
         Function::Sqrt => {
             if a.number.approx() < 0.0 {
                 return Err(both!("sqrt of the negative value {}", "对负值 {} 开平方", a.number.approx()));
@@ -231,15 +231,15 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
                 return Err(both!("sqrt of {}: its unit is no square", "对{}开平方：其单位不是平方", d.describe()));
             }
             let dim = Dim { length: d.length / 2, time: d.time / 2, angle: d.angle / 2, mass: d.mass / 2 };
-            Value { number: a.si().sqrt(), dim, degrees: false }
+            DimensionedValue { number: a.si().sqrt(), dim, degrees: false }
         }
         Function::Sin => {
             wants(Dim::ANGLE, "sin")?;
-            Value::number(a.sin_cos().0)
+            DimensionedValue::number(a.sin_cos().0)
         }
         Function::Cos => {
             wants(Dim::ANGLE, "cos")?;
-            Value::number(a.sin_cos().1)
+            DimensionedValue::number(a.sin_cos().1)
         }
         Function::Tan => {
             wants(Dim::ANGLE, "tan")?;
@@ -247,7 +247,7 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
             if c.approx() == 0.0 {
                 return Err(both!("tan of a right angle", "直角的正切不存在"));
             }
-            Value::number(s / c)
+            DimensionedValue::number(s / c)
         }
         Function::Ln | Function::Log10 => {
             wants(Dim::NUMBER, f.name())?;
@@ -255,11 +255,11 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
                 return Err(both!("{} has no value at {}", "{} 在 {} 处无值", f.name(), a.number.approx()));
             }
             let ln = a.number.ln();
-            Value::number(if f == Function::Ln { ln } else { ln / N::from_f64(10.0).ln() })
+            DimensionedValue::number(if f == Function::Ln { ln } else { ln / N::from_f64(10.0).ln() })
         }
         Function::Exp => {
             wants(Dim::NUMBER, "exp")?;
-            Value::number(a.number.exp())
+            DimensionedValue::number(a.number.exp())
         }
         Function::Asin => inverse("asin", trig::asin, &|x| rad(x.atan2(leg(x))))?,
         Function::Acos => inverse("acos", trig::acos, &|x| rad(leg(x).atan2(x)))?,
@@ -275,12 +275,12 @@ mod tests {
     use hodograph_base::trig::radians;
 
     /// Returns the value of an expression with r = 100 mm, phi = 30°, k = 2.
-    fn value(text: &str) -> Result<Value, String> {
+    fn value(text: &str) -> Result<DimensionedValue, String> {
         let length = value_of("100 mm").expect("a length");
         let lookup = |name: &str| match name {
             "r" => Some(length),
-            "phi" => Some(Value::deg(30.0)),
-            "k" => Some(Value::number(2.0)),
+            "phi" => Some(DimensionedValue::deg(30.0)),
+            "k" => Some(DimensionedValue::number(2.0)),
             _ => None,
         };
         let expr = parse(text, &["r", "phi", "k", "broken"]).map_err(|d| d.to_string())?;
@@ -290,7 +290,7 @@ mod tests {
         })
     }
 
-    fn value_of(text: &str) -> Option<Value> {
+    fn value_of(text: &str) -> Option<DimensionedValue> {
         evaluate(&parse(text, &[]).ok()?, &|_| None).ok()
     }
 
@@ -347,7 +347,7 @@ mod tests {
     #[test]
     fn minutes_and_seconds_of_arc() {
         let degrees = |text: &str| {
-            let value: Value<f64> = evaluate(&parse(text, &["a"]).unwrap_or_else(|d| panic!("{text}: {d}")), &|_| None).unwrap();
+            let value: DimensionedValue<f64> = evaluate(&parse(text, &["a"]).unwrap_or_else(|d| panic!("{text}: {d}")), &|_| None).unwrap();
             assert!(value.degrees && value.dim == Dim::ANGLE, "{text}");
             value.number
         };
@@ -386,7 +386,7 @@ mod tests {
 
     #[test]
     fn number_literals_keep_their_text() {
-        let Expr { kind: ExprKind::Binary(Op::Mul, number, unit), span } = parse(" 0.10000000000000000001 mm", &[]).unwrap() else {
+        let Expr { kind: ExprKind::Binary(Operator::Mul, number, unit), span } = parse(" 0.10000000000000000001 mm", &[]).unwrap() else {
             panic!("no product")
         };
         assert_eq!(number.kind, ExprKind::Number("0.10000000000000000001".to_owned()));

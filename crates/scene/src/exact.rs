@@ -4,9 +4,9 @@
 //! bound from the reader; a longer one reads the text again, the parameters first, in the order of
 //! the scene.
 
-use super::eval::{Value, evaluate};
+use super::eval::{DimensionedValue, evaluate};
 use super::expr;
-use super::model::{Angle, Driver, Given, Scene};
+use super::model::{Angle, Driver, GivenQuantity, Scene};
 use hodograph_base::number::{Ball, Big, Real, within};
 
 /// Precisions in bits for reading a quantity again: numbers of a scene are between 1e-90 and 1e90,
@@ -24,7 +24,12 @@ const NOTHING: f64 = 1e-100;
 /// Returns the value of a text and its value with an error bound. If the difference of large
 /// numbers or the sine of a large angle loses digits in `f64`, they are computed in higher
 /// precision and rounded once. `texts` are the parameters before it.
-pub(super) fn settled(texts: &[(&str, &str)], text: &str, value: Value, ball: Value<Ball<f64>>) -> (Value, Value<Ball<f64>>) {
+pub(super) fn settled(
+    texts: &[(&str, &str)],
+    text: &str,
+    value: DimensionedValue,
+    ball: DimensionedValue<Ball<f64>>,
+) -> (DimensionedValue, DimensionedValue<Ball<f64>>) {
     let off = distance(&value, ball);
     if off <= LOST * value.number.abs() {
         return (value, ball);
@@ -36,11 +41,11 @@ pub(super) fn settled(texts: &[(&str, &str)], text: &str, value: Value, ball: Va
         })
     });
     let Some((number, radius)) = longer else { return (value, ball) };
-    (Value { number, ..value }, Value { number: Ball::new(number, radius), dim: value.dim, degrees: value.degrees })
+    (DimensionedValue { number, ..value }, DimensionedValue { number: Ball::new(number, radius), dim: value.dim, degrees: value.degrees })
 }
 
 /// Returns a bound on the distance of a value from the true number in a ball.
-pub(super) fn distance(value: &Value, ball: Value<Ball<f64>>) -> f64 {
+pub(super) fn distance(value: &DimensionedValue, ball: DimensionedValue<Ball<f64>>) -> f64 {
     let number = in_unit_of(ball, value.degrees);
     (number.approx() - value.number).abs() + number.radius()
 }
@@ -48,7 +53,7 @@ pub(super) fn distance(value: &Value, ball: Value<Ball<f64>>) -> f64 {
 /// Returns true if an angle with this error bound (in its own unit) is as accurate as one within a
 /// turn: a unit in the last place of a turn is 6e-14 degrees, and a mechanism magnifies it no more
 /// than the rounding of its lengths.
-pub(super) fn tells(angle: Angle, off: f64) -> bool {
+pub(super) fn is_resolved(angle: Angle, off: f64) -> bool {
     match angle {
         Angle::Deg(number) => number.abs() <= 360.0 || off <= 1e-12,
         Angle::Rad(number) => number.abs() <= std::f64::consts::TAU || off <= 2e-14,
@@ -94,7 +99,7 @@ pub(super) fn turns_taken(texts: &[(&str, &str)], text: &str, degrees: f64) -> V
     })
 }
 
-fn in_unit_of<N: Real>(v: Value<N>, degrees: bool) -> N {
+fn in_unit_of<N: Real>(v: DimensionedValue<N>, degrees: bool) -> N {
     match (v.degrees, degrees) {
         (true, true) => v.number,
         (false, true) => v.number * N::from_f64(180.0) / N::pi(),
@@ -117,7 +122,7 @@ fn rounded(x: Ball<Big>) -> Option<(f64, f64)> {
 pub struct Inputs<'a, N> {
     /// Names and values of the parameters; empty if the `f64` values of the reader are accurate
     /// enough.
-    parameters: Vec<(&'a str, Option<Value<N>>)>,
+    parameters: Vec<(&'a str, Option<DimensionedValue<N>>)>,
     /// Time since the scene's instant (s), during which the drivers move.
     time: Option<N>,
 }
@@ -148,28 +153,28 @@ impl<'a, N: Real> Inputs<'a, N> {
 
     /// Returns a quantity in SI units. Without a text it is the double-precision value with its
     /// bound; if the text has no value in this number type, the result is undecided.
-    pub fn number(&self, given: &Given) -> N {
+    pub fn number(&self, given: &GivenQuantity) -> N {
         let untold = || given.text.is_empty().then(|| N::from_f64(given.value).widened(given.radius));
         N::from_bounded(given.value, given.radius)
             .or_else(untold)
-            .or_else(|| self.read(&given.text).map(Value::si))
+            .or_else(|| self.read(&given.text).map(DimensionedValue::si))
             .unwrap_or(N::from_f64(f64::NAN))
     }
 
     /// Returns (sin, cos) of an angle, reduced in degrees if it is written in degrees.
-    pub fn sin_cos(&self, given: &Given<Angle>) -> (N, N) {
+    pub fn sin_cos(&self, given: &GivenQuantity<Angle>) -> (N, N) {
         let nothing = N::from_f64(f64::NAN);
         let untold = |x: f64| given.text.is_empty().then(|| N::from_f64(x).widened(given.radius));
         match given.value {
             Angle::Deg(d) => N::from_bounded(d, given.radius).or_else(|| untold(d)).map(Real::sin_cos_degrees),
             Angle::Rad(r) => N::from_bounded(r, given.radius).or_else(|| untold(r)).map(Real::sin_cos),
         }
-        .or_else(|| self.read(&given.text).map(Value::sin_cos))
+        .or_else(|| self.read(&given.text).map(DimensionedValue::sin_cos))
         .unwrap_or((nothing, nothing))
     }
 
     /// Returns an angle in degrees.
-    pub fn degrees(&self, given: &Given<Angle>) -> N {
+    pub fn degrees(&self, given: &GivenQuantity<Angle>) -> N {
         let known =
             |x: f64| N::from_bounded(x, given.radius).or_else(|| given.text.is_empty().then(|| N::from_f64(x).widened(given.radius)));
         let in_degrees = |radians: N| radians * N::from_f64(180.0) / N::pi();
@@ -197,13 +202,13 @@ impl<'a, N: Real> Inputs<'a, N> {
     }
 
     /// Returns the position of a sliding driver or the length of a cylinder (m).
-    pub fn driven(&self, driver: &Driver, given: &Given) -> N {
+    pub fn driven(&self, driver: &Driver, given: &GivenQuantity) -> N {
         let start = self.number(given);
         self.gone_on(driver).map_or(start, |way| start + way)
     }
 
     /// Returns (sin, cos) of the angle of a turning driver.
-    pub fn driven_sin_cos(&self, driver: &Driver, given: &Given<Angle>) -> (N, N) {
+    pub fn driven_sin_cos(&self, driver: &Driver, given: &GivenQuantity<Angle>) -> (N, N) {
         let (s, c) = self.sin_cos(given);
         match self.gone_on(driver).map(Real::sin_cos) {
             None => (s, c),
@@ -213,10 +218,10 @@ impl<'a, N: Real> Inputs<'a, N> {
 
     /// Returns the value of a text in SI units.
     pub(super) fn text(&self, text: &str) -> Option<N> {
-        self.read(text).map(Value::si).filter(|x| x.is_decided())
+        self.read(text).map(DimensionedValue::si).filter(|x| x.is_decided())
     }
 
-    fn read(&self, text: &str) -> Option<Value<N>> {
+    fn read(&self, text: &str) -> Option<DimensionedValue<N>> {
         let names: Vec<&str> = self.parameters.iter().map(|p| p.0).collect();
         let expr = expr::parse(text, &names).ok()?;
         // If a name is declared twice, the last one counts, as in the reader.
@@ -228,7 +233,7 @@ impl<'a, N: Real> Inputs<'a, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Place, read, templates};
+    use crate::{PointPlace, read, templates};
     use hodograph_base::number::decimal::Certain;
     use hodograph_base::number::{Ball, Big, Dd, within};
 
@@ -243,7 +248,7 @@ mod tests {
             let scene = read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value;
             within(300, || {
                 let (exact, double) = (Inputs::<Ball<Big>>::of(&scene), Inputs::<Ball<Dd>>::of(&scene));
-                let mut check = |given: &Given| {
+                let mut check = |given: &GivenQuantity| {
                     let (x, d) = (exact.number(given), double.number(given));
                     let off = (x - Real::from_f64(given.value)).approx().abs();
                     // The centre of curvature of a law needs some fifty operations, with a few
@@ -265,7 +270,7 @@ mod tests {
                 scene.lengths.iter().for_each(|l| check(&l.value));
                 scene.drivers.iter().for_each(|d| check(&d.rate));
                 for p in &scene.points {
-                    if let Place::At(xy) | Place::InLink { xy, .. } = &p.place {
+                    if let PointPlace::At(xy) | PointPlace::InLink { xy, .. } = &p.place {
                         xy.iter().for_each(&mut check);
                     }
                 }

@@ -56,14 +56,14 @@ pub enum ExprKind {
     /// The negative.
     Neg(Box<Expr>),
     /// Two operands.
-    Binary(Op, Box<Expr>, Box<Expr>),
+    Binary(Operator, Box<Expr>, Box<Expr>),
     /// A function of one argument.
     Call(Function, Box<Expr>),
 }
 
 /// Operators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Op {
+pub enum Operator {
     /// `+`
     Add,
     /// `-`
@@ -215,8 +215,8 @@ pub fn is_bare(expr: &Expr) -> bool {
 /// Returns a quotient with the unit outside, if the unit binds to the divisor: `(k/2) m` for
 /// `k/2 m`, which is k/(2 m). Returns `None` for other expressions.
 pub(super) fn unit_in_divisor(text: &str, expr: &Expr) -> Option<String> {
-    let ExprKind::Binary(Op::Div, _, divisor) = &expr.kind else { return None };
-    let ExprKind::Binary(Op::Mul, value, unit) = &divisor.kind else { return None };
+    let ExprKind::Binary(Operator::Div, _, divisor) = &expr.kind else { return None };
+    let ExprKind::Binary(Operator::Mul, value, unit) = &divisor.kind else { return None };
     let (left, between) = (text.get(..value.span.end)?, text.get(value.span.end..unit.span.start)?);
     // A divisor in parentheses is intended.
     let meant = left.get(..value.span.start)?.trim_end().ends_with('(') || !between.trim().is_empty();

@@ -2,8 +2,8 @@
 //! without the time (parameters, literals) are evaluated once. A pursuit evaluates a law a thousand
 //! times at each step of its integration.
 
-use super::eval::{NoValue, Value, evaluate};
-use super::expr::{Expr, ExprKind, Op};
+use super::eval::{DimensionedValue, NoValue, evaluate};
+use super::expr::{Expr, ExprKind, Operator};
 use super::front::{Law, TIME, mentions};
 use super::units::Dim;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -16,14 +16,14 @@ pub struct Folded<N> {
     /// The law, with a parameter for each part without the time.
     expr: Expr,
     /// Values of these parameters: the k-th has the name k, which no parameter of a file can have.
-    known: Vec<(String, Value<Jet<N>>)>,
+    known: Vec<(String, DimensionedValue<Jet<N>>)>,
     /// Sine and cosine of a constant angle.
     turn: Option<(Jet<N>, Jet<N>)>,
 }
 
 impl<N: Real> Folded<N> {
     pub(super) fn new(law: &Law) -> Result<Folded<N>, Diagnostic> {
-        let mut parameters: Vec<(&str, Value<N>)> = Vec::new();
+        let mut parameters: Vec<(&str, DimensionedValue<N>)> = Vec::new();
         for (name, expr) in &law.parameters {
             let value = valued(expr, &|wanted| find(&parameters, wanted))?;
             parameters.push((name, value));
@@ -34,16 +34,16 @@ impl<N: Real> Folded<N> {
             && matches!(folded.expr.kind, ExprKind::Parameter(ref name) if name != TIME)
             && (value.dim == Dim::ANGLE || value.dim == Dim::NUMBER)
         {
-            folded.turn = Some(Value::sin_cos(value));
+            folded.turn = Some(DimensionedValue::sin_cos(value));
         }
         Ok(folded)
     }
 
-    fn fold(&mut self, expr: &Expr, parameters: &[(&str, Value<N>)]) -> Result<Expr, Diagnostic> {
+    fn fold(&mut self, expr: &Expr, parameters: &[(&str, DimensionedValue<N>)]) -> Result<Expr, Diagnostic> {
         if !mentions(expr, TIME) {
-            let Value { number, dim, degrees } = valued(expr, &|wanted| find(parameters, wanted))?;
+            let DimensionedValue { number, dim, degrees } = valued(expr, &|wanted| find(parameters, wanted))?;
             let name = self.known.len().to_string();
-            self.known.push((name.clone(), Value { number: Jet::constant(number), dim, degrees }));
+            self.known.push((name.clone(), DimensionedValue { number: Jet::constant(number), dim, degrees }));
             return Ok(Expr { kind: ExprKind::Parameter(name), span: expr.span });
         }
         let mut part = |e: &Expr| self.fold(e, parameters).map(Box::new);
@@ -53,7 +53,9 @@ impl<N: Real> Folded<N> {
             ExprKind::Call(f, a) => ExprKind::Call(*f, part(a)?),
             // A unit after its number is not a separate factor: number and unit are rounded
             // together.
-            ExprKind::Binary(Op::Mul, a, b) if matches!(b.kind, ExprKind::Unit(_)) => ExprKind::Binary(Op::Mul, part(a)?, b.clone()),
+            ExprKind::Binary(Operator::Mul, a, b) if matches!(b.kind, ExprKind::Unit(_)) => {
+                ExprKind::Binary(Operator::Mul, part(a)?, b.clone())
+            }
             ExprKind::Binary(op, a, b) => ExprKind::Binary(*op, part(a)?, part(b)?),
         };
         Ok(Expr { kind, span: expr.span })
@@ -63,8 +65,8 @@ impl<N: Real> Folded<N> {
     ///
     /// # Errors
     /// A time at which the law has no value or no derivative.
-    pub fn at(&self, t: N) -> Result<Value<Jet<N>>, Diagnostic> {
-        let time = Value { number: Jet::variable(t), dim: Dim::TIME, degrees: false };
+    pub fn at(&self, t: N) -> Result<DimensionedValue<Jet<N>>, Diagnostic> {
+        let time = DimensionedValue { number: Jet::variable(t), dim: Dim::TIME, degrees: false };
         let value = valued(&self.expr, &|wanted| if wanted == TIME { Some(time) } else { find(&self.known, wanted) })?;
         // A value that the number type cannot decide is undecided as a whole; a longer number type
         // may decide it.
@@ -80,7 +82,7 @@ impl<N: Real> Folded<N> {
     /// # Errors
     /// As [`Folded::at`].
     pub fn sine_cosine(&self, t: N) -> Result<(Jet<N>, Jet<N>), Diagnostic> {
-        self.turn.map_or_else(|| self.at(t).map(Value::sin_cos), Ok)
+        self.turn.map_or_else(|| self.at(t).map(DimensionedValue::sin_cos), Ok)
     }
 }
 
@@ -88,7 +90,7 @@ fn find<S: AsRef<str>, V: Copy>(known: &[(S, V)], wanted: &str) -> Option<V> {
     known.iter().find(|(name, _)| name.as_ref() == wanted).map(|(_, value)| *value)
 }
 
-fn valued<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value<N>>) -> Result<Value<N>, Diagnostic> {
+fn valued<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<DimensionedValue<N>>) -> Result<DimensionedValue<N>, Diagnostic> {
     evaluate(expr, lookup).map_err(|e| match e {
         NoValue::Fault(d) => d,
         NoValue::Reported => Diagnostic::error("expression", both!("a parameter has no value", "参数无值")),
@@ -115,7 +117,7 @@ mod tests {
             assert!(is_folded(&folded.expr), "{text}: {:?}", folded.expr);
             for t in [0.0, 0.3, 7.0] {
                 let lookup = |name: &str| match name {
-                    TIME => Some(Value { number: Jet::variable(t), dim: Dim::TIME, degrees: false }),
+                    TIME => Some(DimensionedValue { number: Jet::variable(t), dim: Dim::TIME, degrees: false }),
                     _ => evaluate(&parameters.iter().find(|p| p.0 == name)?.1, &|_| None).ok(),
                 };
                 let (one, other) = (folded.at(t).unwrap(), evaluate(&expr, &lookup).unwrap());

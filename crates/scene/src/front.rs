@@ -7,17 +7,17 @@
 
 use super::book::Book;
 use super::decode;
-use super::eval::{NoValue, Value, evaluate};
+use super::eval::{DimensionedValue, NoValue, evaluate};
 use super::expr::{Expr, ExprKind};
 use super::folded::Folded;
 use super::model::{Lang, Localized, Paper};
 use super::raw::{RawQuantity, RawScene};
 use super::resolve;
-use super::units::{Dim, Wanted};
+use super::units::{Dim, RequiredQuantity};
 use super::values::Values;
 use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 use hodograph_base::json::Node;
-use hodograph_base::json::fields::What;
+use hodograph_base::json::fields::FaultSubject;
 use hodograph_base::number::{Jet, Real};
 
 /// The keys of a front.
@@ -52,50 +52,50 @@ impl<'a> Front<'a> {
     pub fn new(raw: &'a RawFront, source: &'a str, faults: &mut Faults) -> Front<'a> {
         let raw = &raw.0;
         let (values, _) = Values::new(source, &raw.units, &raw.parameters, faults);
-        let resolve::Opening { title, language, paper, book } = resolve::front(raw, &values, faults);
+        let resolve::SceneHeader { title, language, paper, book } = resolve::front(raw, &values, faults);
         Front { raw, values, title, language, paper, book }
     }
 
     /// Returns a quantity in SI units.
-    pub fn si(&self, node: &Node, wanted: Wanted, what: impl Into<What>, faults: &mut Faults) -> Option<f64> {
+    pub fn si(&self, node: &Node, wanted: RequiredQuantity, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<f64> {
         let quantity = decode::quantity(node, what, faults)?;
         Some(self.values.si(&quantity, wanted, faults)?.value)
     }
 
     /// Returns an angle in radians, rounded once from the written form.
-    pub fn angle(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<f64> {
+    pub fn angle(&self, node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<f64> {
         let quantity = decode::quantity(node, what, faults)?;
         Some(self.values.angle(&quantity, faults)?.value.radians())
     }
 
     /// Returns a number without a dimension.
-    pub fn number(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<f64> {
+    pub fn number(&self, node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<f64> {
         let quantity: RawQuantity = decode::quantity(node, what, faults)?;
         self.values.pure_number(&quantity, faults)
     }
 
     /// Returns a number without a dimension, or an angle: its number as written, and for an angle
     /// true if it is in degrees.
-    pub fn number_or_angle(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<(f64, Option<bool>)> {
+    pub fn number_or_angle(&self, node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<(f64, Option<bool>)> {
         let quantity: RawQuantity = decode::quantity(node, what, faults)?;
         self.values.number_or_angle(&quantity, faults)
     }
 
     /// Returns a function of a variable, such as `ln(x)`.
-    pub fn curve(&self, node: &Node, variable: &str, what: impl Into<What>, faults: &mut Faults) -> Option<Curve> {
+    pub fn curve(&self, node: &Node, variable: &str, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<Curve> {
         let quantity = decode::quantity(node, what, faults)?;
         self.values.curve(&quantity, variable).map_err(|d| faults.push(d)).ok()
     }
 
     /// Returns a law of time: an expression in `t` and the parameters, whose value at the instant
     /// `t` (s) is of the wanted kind.
-    pub fn law(&self, node: &Node, wanted: Wanted, t: f64, what: impl Into<What>, faults: &mut Faults) -> Option<Law> {
+    pub fn law(&self, node: &Node, wanted: RequiredQuantity, t: f64, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<Law> {
         let quantity = decode::quantity(node, what, faults)?;
         self.values.law(&quantity, wanted, t).map_err(|d| d.into_iter().for_each(|d| faults.push(d))).ok()
     }
 
     /// Returns a time: a law that does not depend on itself.
-    pub fn time(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<Law> {
+    pub fn time(&self, node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<Law> {
         let quantity = decode::quantity(node, what, faults)?;
         self.values.time(&quantity).map_err(|d| d.into_iter().for_each(|d| faults.push(d))).ok()
     }
@@ -128,7 +128,7 @@ pub struct Curve {
     pub(super) variable: String,
     /// `None` if the variable is a pure number; for an angle, true if it is in degrees.
     pub(super) angle: Option<bool>,
-    pub(super) parameters: Vec<(String, Value)>,
+    pub(super) parameters: Vec<(String, DimensionedValue)>,
 }
 
 impl Curve {
@@ -144,7 +144,7 @@ impl Curve {
     /// An argument without a value, or a value that is not a pure number.
     pub fn at(&self, x: f64) -> Result<f64, Diagnostic> {
         let dim = if self.angle.is_some() { Dim::ANGLE } else { Dim::NUMBER };
-        let variable = Value { number: x, dim, degrees: self.angle.unwrap_or(false) };
+        let variable = DimensionedValue { number: x, dim, degrees: self.angle.unwrap_or(false) };
         let lookup = |name: &str| match name == self.variable {
             true => Some(variable),
             false => self.parameters.iter().find(|(n, _)| n == name).map(|(_, v)| *v),
@@ -211,7 +211,7 @@ impl Law {
     ///
     /// # Errors
     /// A time at which the law has no value or no derivative.
-    pub fn at<N: Real>(&self, t: N) -> Result<Value<Jet<N>>, Diagnostic> {
+    pub fn at<N: Real>(&self, t: N) -> Result<DimensionedValue<Jet<N>>, Diagnostic> {
         self.folded()?.at(t)
     }
 

@@ -4,7 +4,7 @@
 //! for every t is `None`, so that its terms are not written. An angle inside sin, cos, tan is in
 //! radians: its derivative is divided by 1 rad.
 
-use super::expr::{Expr, ExprKind, Function, Op};
+use super::expr::{Expr, ExprKind, Function, Operator};
 use super::front::TIME;
 
 /// The reason why a law has no derivative.
@@ -30,11 +30,11 @@ pub(super) fn derivative(e: &Expr) -> Result<Option<String>, NoDerivative> {
             let (da, db) = (derivative(a)?, derivative(b)?);
             let (a, b) = (text(a), text(b));
             match op {
-                Op::Add => joined(da, "+", db),
-                Op::Sub => joined(da, "-", db),
-                Op::Mul => joined(da.map(|d| times(&d, &b)), "+", db.map(|d| times(&d, &a))),
-                Op::Div => joined(da.map(|d| format!("{d}/{b}")), "-", db.map(|d| format!("{a}*{d}/({b}*{b})"))),
-                Op::Pow => match (da, db) {
+                Operator::Add => joined(da, "+", db),
+                Operator::Sub => joined(da, "-", db),
+                Operator::Mul => joined(da.map(|d| times(&d, &b)), "+", db.map(|d| times(&d, &a))),
+                Operator::Div => joined(da.map(|d| format!("{d}/{b}")), "-", db.map(|d| format!("{a}*{d}/({b}*{b})"))),
+                Operator::Pow => match (da, db) {
                     (_, Some(_)) => return Err(NoDerivative::Exponent),
                     (Some(d), None) if b == "2" => Some(times(&d, &format!("(2*{a})"))),
                     (Some(d), None) => Some(times(&d, &format!("({b}*{a}^({b}-1))"))),
@@ -86,15 +86,15 @@ fn text(e: &Expr) -> String {
         ExprKind::Parameter(name) => name.clone(),
         ExprKind::Neg(u) => format!("(-{})", text(u)),
         ExprKind::Binary(op, a, b) => {
-            if let (Op::Mul, ExprKind::Number(n), ExprKind::Unit(u)) = (op, &a.kind, &b.kind) {
+            if let (Operator::Mul, ExprKind::Number(n), ExprKind::Unit(u)) = (op, &a.kind, &b.kind) {
                 return format!("({n} {})", u.name);
             }
             let sign = match op {
-                Op::Add => "+",
-                Op::Sub => "-",
-                Op::Mul => "*",
-                Op::Div => "/",
-                Op::Pow => "^",
+                Operator::Add => "+",
+                Operator::Sub => "-",
+                Operator::Mul => "*",
+                Operator::Div => "/",
+                Operator::Pow => "^",
             };
             format!("({}{sign}{})", text(a), text(b))
         }

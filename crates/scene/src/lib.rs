@@ -61,11 +61,11 @@ pub use quantity::{Asked, Axis};
 pub use rolling::{Contours, Flanks, Normal, Relation, Rolling, RollingId, RollingKind, Sizes, Touch};
 pub use swept::Swept;
 pub use write::write;
-pub use written::Told;
+pub use written::QuantityText;
 
 use hodograph_base::diag::{Diagnostic, Faults, Severity, Span, Warned, both};
 use hodograph_base::json;
-use raw::Extent;
+use raw::RequiredData;
 
 /// Reads the pencil error in the form of `"paper": {"pencil": ...}`, such as `0.1 mm`; returns mm.
 ///
@@ -167,7 +167,7 @@ pub fn language_of(source: &[u8]) -> Option<Lang> {
 /// assert!(hodograph_scene::read(text).is_err());
 /// ```
 pub fn read_topology(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
-    read_as(source.as_ref(), None, Extent::Pairs)
+    read_as(source.as_ref(), None, RequiredData::Pairs)
 }
 
 /// Reads a mechanism in its pose: drivers and their rates may be missing. A missing rate counts as
@@ -183,7 +183,7 @@ pub fn read_topology(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> 
 /// assert!(hodograph_scene::read(text).is_err());
 /// ```
 pub fn read_pose(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
-    read_as(source.as_ref(), None, Extent::Pose)
+    read_as(source.as_ref(), None, RequiredData::Pose)
 }
 
 /// Reads a scene for quantities that do not depend on rates. Missing rates are zero; without a
@@ -198,7 +198,7 @@ pub fn read_pose(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
 /// assert_eq!(hodograph_scene::read_at_rest(text).unwrap().value.drivers[0].rate.value, 0.0);
 /// ```
 pub fn read_at_rest(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
-    read_as(source.as_ref(), None, Extent::Rest)
+    read_as(source.as_ref(), None, RequiredData::Rest)
 }
 
 /// Reads a scene without a rate or without a driver. The missing rate is one unit where no question
@@ -213,12 +213,12 @@ pub fn read_at_rest(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
 /// assert!(!hodograph_scene::read_at_any_rate(text).unwrap().value.drivers[0].rate_told);
 /// ```
 pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
-    let told = read_as(source.as_ref(), None, Extent::Motion);
+    let told = read_as(source.as_ref(), None, RequiredData::Motion);
     let Err(faults) = told else { return told };
     // Friction depends on the senses of the velocities.
     let asks_no_rate =
         |f: &Find| matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Time | Kind::Number) && !matches!(f.what, Asked::Force(_));
-    let free = read_as(source.as_ref(), None, Extent::AnyRate).ok().filter(|read| read.value.find.iter().all(asks_no_rate));
+    let free = read_as(source.as_ref(), None, RequiredData::AnyRate).ok().filter(|read| read.value.find.iter().all(asks_no_rate));
     let mut read = free.ok_or(faults)?;
     let message = both!(
         "no rate is given, and nothing asked depends on it: one unit of it is taken",
@@ -229,10 +229,10 @@ pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Fault
 }
 
 fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Faults> {
-    read_as(source, questions, Extent::Motion)
+    read_as(source, questions, RequiredData::Motion)
 }
 
-fn read_as(source: &[u8], questions: Option<&str>, extent: Extent) -> Result<Warned<Scene>, Faults> {
+fn read_as(source: &[u8], questions: Option<&str>, extent: RequiredData) -> Result<Warned<Scene>, Faults> {
     let mut faults = Faults::default();
     let (text, root) = json::parse(source, &mut faults)?;
     let raw = decode::scene(&root, extent, &mut faults).map(|raw| match questions {

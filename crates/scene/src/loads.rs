@@ -1,7 +1,7 @@
 //! Forces of a scene: masses and gravity, applied forces and moments, springs, and the place of the
 //! balancing force.
 
-use super::model::{Angle, Given, GuideId, LinkId, PointId, Scene};
+use super::model::{Angle, GivenQuantity, GuideId, LinkId, PointId, Scene};
 use hodograph_base::diag::{Diagnostic, Span};
 use std::sync::{Arc, OnceLock};
 
@@ -9,7 +9,7 @@ use std::sync::{Arc, OnceLock};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Loads {
     /// Acceleration of free fall (m/s²), x and y.
-    pub gravity: Option<[Given; 2]>,
+    pub gravity: Option<[GivenQuantity; 2]>,
     /// Masses of links.
     pub masses: Vec<Mass>,
     /// Applied forces and moments.
@@ -40,11 +40,11 @@ pub struct Mass {
     /// The link.
     pub link: LinkId,
     /// Mass (kg).
-    pub m: Option<Given>,
+    pub m: Option<GivenQuantity>,
     /// Weight (N), if the file gives it instead of the mass.
-    pub weight: Option<Given>,
+    pub weight: Option<GivenQuantity>,
     /// Moment of inertia about the centre of mass (kg·m²).
-    pub j: Option<Given>,
+    pub j: Option<GivenQuantity>,
     /// The centre of mass; absent if only a moment of inertia is given.
     pub at: Option<PointId>,
     /// Its place in the file.
@@ -59,57 +59,57 @@ pub struct Applied {
     /// Point of application; `None` for a couple.
     pub at: Option<PointId>,
     /// Size and direction; for a diagram the largest amount.
-    pub size: Size,
+    pub size: LoadSize,
     /// The part of the motion over which it acts; `None`: all of it.
-    pub course: Option<Course>,
+    pub course: Option<LoadCourse>,
     /// Its place in the file.
     pub span: Span,
 }
 
 /// Size and direction of a load.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Size {
+pub enum LoadSize {
     /// Components of a force (N) along the axes.
-    Components([Given; 2]),
+    Components([GivenQuantity; 2]),
     /// A force (N) at an angle from the x axis, or from the line of two points of a link, with
     /// which it turns.
     Directed {
         /// Signed magnitude.
-        force: Given,
+        force: GivenQuantity,
         /// Reference line, from the first point toward the second.
         line: Option<(PointId, PointId)>,
         /// Angle from the line or the axis, positive counter-clockwise.
-        angle: Option<Given<Angle>>,
+        angle: Option<GivenQuantity<Angle>>,
     },
     /// A force (N) opposite to the velocity of its point.
-    AgainstMotion(Given),
+    AgainstMotion(GivenQuantity),
     /// A couple (N·m), positive counter-clockwise.
-    Couple(Given),
+    Couple(GivenQuantity),
     /// A couple (N·m) opposite to the rotation of its link.
-    AgainstTurning(Given),
+    AgainstTurning(GivenQuantity),
 }
 
-impl Size {
+impl LoadSize {
     /// True if the motion determines its direction.
     pub fn is_against_motion(&self) -> bool {
-        matches!(self, Size::AgainstMotion(_) | Size::AgainstTurning(_))
+        matches!(self, LoadSize::AgainstMotion(_) | LoadSize::AgainstTurning(_))
     }
 }
 
 /// The part of the motion over which a load acts, and its diagram.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Course {
+pub struct LoadCourse {
     /// The motion.
-    pub along: Along,
+    pub along: LoadTravel,
     /// Stations, at least two, in order; the load acts from the first to the last.
-    pub stations: Vec<Station>,
+    pub stations: Vec<LoadStation>,
     /// Its place in the file.
     pub span: Span,
 }
 
 /// The motion along which a load is given.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Along {
+pub enum LoadTravel {
     /// The working stroke of a point in a straight guide on ground. The load does not act during
     /// the return stroke.
     Stroke {
@@ -118,16 +118,16 @@ pub enum Along {
         /// Its guide.
         guide: GuideId,
         /// Direction of the working stroke, from the x axis; `None`: the slower one.
-        toward: Option<Given<Angle>>,
+        toward: Option<GivenQuantity<Angle>>,
         /// Its ends, computed at the first use.
-        ends: Ends,
+        ends: StrokeEnds,
     },
     /// The angle of a driven link.
     Turn {
         /// Its driver.
         driver: usize,
         /// The angle after which the load repeats.
-        period: Given<Angle>,
+        period: GivenQuantity<Angle>,
     },
 }
 
@@ -135,32 +135,32 @@ pub enum Along {
 /// there is none: computed once for a scene and its copies. All compare equal, because they follow
 /// from the rest of the scene.
 #[derive(Clone, Debug, Default)]
-pub struct Ends(pub Arc<OnceLock<Result<[Given; 2], Diagnostic>>>);
+pub struct StrokeEnds(pub Arc<OnceLock<Result<[GivenQuantity; 2], Diagnostic>>>);
 
-impl PartialEq for Ends {
-    fn eq(&self, _: &Ends) -> bool {
+impl PartialEq for StrokeEnds {
+    fn eq(&self, _: &StrokeEnds) -> bool {
         true
     }
 }
 
 /// A station of a course.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Station {
+pub struct LoadStation {
     /// Its place.
     pub at: Abscissa,
     /// Amount of the load there, linear between stations; `None` if the load is constant.
-    pub amount: Option<Given>,
+    pub amount: Option<GivenQuantity>,
 }
 
 /// A place of a course.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Abscissa {
     /// A fraction of the stroke, 0 to 1.
-    Part(Given),
+    Part(GivenQuantity),
     /// Distance (m) from the beginning of the stroke.
-    Way(Given),
+    Way(GivenQuantity),
     /// An angle of the link.
-    Angle(Given<Angle>),
+    Angle(GivenQuantity<Angle>),
 }
 
 impl Abscissa {
@@ -179,9 +179,9 @@ pub struct Spring {
     /// Its ends, each with the link on which it acts.
     pub ends: [(PointId, LinkId); 2],
     /// Stiffness k (N/m).
-    pub stiffness: Given,
+    pub stiffness: GivenQuantity,
     /// Free length (m).
-    pub free: Given,
+    pub free: GivenQuantity,
     /// Its place in the file.
     pub span: Span,
 }
@@ -205,14 +205,14 @@ pub enum Rub {
         /// The link on which the pin is fixed; the others turn on it.
         fast: LinkId,
         /// The radius ρ = f r.
-        circle: Given,
+        circle: GivenQuantity,
     },
     /// A straight guide, with its coefficient of friction.
     Guide {
         /// The guide.
         guide: GuideId,
         /// The coefficient f = tan φ.
-        f: Given,
+        f: GivenQuantity,
     },
 }
 
@@ -222,7 +222,7 @@ pub struct Balance {
     /// The link on which it acts.
     pub link: LinkId,
     /// Point of application and direction of a force; `None` for a moment.
-    pub force: Option<(PointId, Given<Angle>)>,
+    pub force: Option<(PointId, GivenQuantity<Angle>)>,
     /// Its place in the file.
     pub span: Span,
 }
@@ -237,8 +237,8 @@ impl Applied {
     /// Returns the point and guide of the stroke in which it acts.
     pub fn stroke(&self) -> Option<(PointId, GuideId)> {
         match self.course.as_ref()?.along {
-            Along::Stroke { point, guide, .. } => Some((point, guide)),
-            Along::Turn { .. } => None,
+            LoadTravel::Stroke { point, guide, .. } => Some((point, guide)),
+            LoadTravel::Turn { .. } => None,
         }
     }
 }

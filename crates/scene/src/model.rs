@@ -13,8 +13,10 @@ use super::units::Unit;
 use hodograph_base::diag::Span;
 use hodograph_base::kind::{ByKind, Kind};
 
-pub use super::cams::{Cam, Follows, Pieces, Turning};
-pub use super::loads::{Abscissa, Along, Applied, Balance, Course, Ends, Friction, Loads, Mass, Rub, Size, Spring, Station};
+pub use super::cams::{Cam, Follows, Pieces, TurningCam};
+pub use super::loads::{
+    Abscissa, Applied, Balance, Friction, LoadCourse, LoadSize, LoadStation, LoadTravel, Loads, Mass, Rub, Spring, StrokeEnds,
+};
 pub use super::mistake::Mistake;
 pub use hodograph_base::lang::Lang;
 pub use hodograph_base::trig::Angle;
@@ -52,7 +54,7 @@ impl Localized {
 
 /// A quantity as the scene writes it, with its SI value and its place in the file.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Given<T = f64> {
+pub struct GivenQuantity<T = f64> {
     /// SI value.
     pub value: T,
     /// Bound on the error of `value`: few decimals are an exact `f64` (of an angle: in its unit).
@@ -65,11 +67,11 @@ pub struct Given<T = f64> {
 
 /// A named point.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Point {
+pub struct NamedPoint {
     /// Name as written, such as `A` or `O2`.
     pub name: String,
     /// The data that give its place, if any.
-    pub place: Place,
+    pub place: PointPlace,
     /// Rough coordinates (m) that select the assembly.
     pub sketch: Option<[f64; 2]>,
     /// Place of the first mention.
@@ -78,17 +80,17 @@ pub struct Point {
 
 /// The data that give a point's place.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Place {
+pub enum PointPlace {
     /// Not given; it follows from lengths and guides.
     Unknown,
     /// Coordinates in the fixed plane at the instant (m): a fixed pivot, or part of the pose.
-    At([Given; 2]),
+    At([GivenQuantity; 2]),
     /// Coordinates (m) in the link that carries `base`: origin `base.0`, x toward `base.1`, y left.
     InLink {
         /// Two points of the link.
         base: (PointId, PointId),
         /// x and y.
-        xy: [Given; 2],
+        xy: [GivenQuantity; 2],
     },
     /// Polar coordinates in the link that carries `base`: at `length` (m) from `base.0`, in the
     /// direction of `base.0`→`base.1` turned by `angle` (counter-clockwise).
@@ -96,9 +98,9 @@ pub enum Place {
         /// Two points of the link.
         base: (PointId, PointId),
         /// Distance from `base.0`.
-        length: Given,
+        length: GivenQuantity,
         /// Angle from the base, positive counter-clockwise.
-        angle: Given<Angle>,
+        angle: GivenQuantity<Angle>,
     },
 }
 
@@ -129,7 +131,7 @@ pub struct Guide {
     /// Shape of the guide.
     pub path: GuidePath,
     /// Bearing length of the slider (m), centred on the reference point of the guide force.
-    pub length: Option<Given>,
+    pub length: Option<GivenQuantity>,
     /// The rolling pair that needs this guide for its second centre, unless the guide is one of the
     /// file: it keeps the two links in touch. The guide of a toothed pair only constrains what no
     /// other pair constrains.
@@ -146,16 +148,16 @@ pub enum GuidePath {
         /// A point of the line (before `offset`).
         through: Through,
         /// Its direction, also the positive sense of sliding.
-        direction: Direction,
+        direction: GuideDirection,
         /// Distance (m) from the parallel through `through`, positive to the left of the direction.
-        offset: Option<Given>,
+        offset: Option<GivenQuantity>,
     },
     /// A slot along a circle about a point of the carrying link.
     Arc {
         /// Centre, a point of the carrying link.
         centre: PointId,
         /// Radius (m); if absent, the distance from centre to pin in the pose.
-        radius: Option<Given>,
+        radius: Option<GivenQuantity>,
     },
 }
 
@@ -167,22 +169,22 @@ pub enum Through {
     /// A point of the carrying link.
     Point(PointId),
     /// A place in the fixed plane (m); for guides on ground.
-    At([Given; 2]),
+    At([GivenQuantity; 2]),
 }
 
 /// The direction of a straight guide.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Direction {
+pub enum GuideDirection {
     /// Angle from the x axis at the instant.
-    Instant(Given<Angle>),
+    Instant(GivenQuantity<Angle>),
     /// From the first point toward the second, on the carrying link, turned by the angle if given.
-    Along(PointId, PointId, Option<Given<Angle>>),
+    Along(PointId, PointId, Option<GivenQuantity<Angle>>),
     /// Not given: no other data fix the direction of the carrying link, so the guide *is* the
     /// link's direction (a lever known by its pivot and its slot only).
     Own,
     /// Turned by this angle from the guide in which the carrying link slides, a guide of another
     /// moving link: the face of a follower.
-    Slid(Given<Angle>),
+    Slid(GivenQuantity<Angle>),
 }
 
 /// A driver of the mechanism.
@@ -191,9 +193,9 @@ pub struct Driver {
     /// The motion that is given.
     pub kind: DriverKind,
     /// Rate: rad/s for a turning driver, m/s for a sliding one and a cylinder.
-    pub rate: Given,
+    pub rate: GivenQuantity,
     /// Time derivative of the rate; `None`: the rate is constant.
-    pub acceleration: Option<Given>,
+    pub acceleration: Option<GivenQuantity>,
     /// True if the scene gives the rate; for reading a pose, a missing rate may count as one unit.
     pub rate_told: bool,
     /// The law of time for its position; rate and acceleration at the instant follow from it.
@@ -225,14 +227,14 @@ pub enum DriverKind {
         /// Zero line of the angle on `against`; default: x axis, or its first two points.
         against_line: Option<(PointId, PointId)>,
         /// The angle (rad); absent if coordinates give the pose.
-        angle: Option<Given<Angle>>,
+        angle: Option<GivenQuantity<Angle>>,
     },
     /// A pin or slider moves along its guide.
     Slide {
         /// The guide.
         guide: GuideId,
         /// Coordinate along the guide from its `through` point (m; arc length on a curved guide).
-        position: Option<Given>,
+        position: Option<GivenQuantity>,
     },
     /// The distance of two points is given: a cylinder.
     Cylinder {
@@ -241,7 +243,7 @@ pub enum DriverKind {
         /// The other end.
         b: PointId,
         /// Their distance (m); absent if coordinates give the pose.
-        length: Option<Given>,
+        length: Option<GivenQuantity>,
         /// Numbers of barrel and rod, if any: links that turn with the line a–b without further
         /// points.
         links: Vec<LinkId>,
@@ -256,7 +258,7 @@ pub struct Length {
     /// The other end.
     pub b: PointId,
     /// Distance (m).
-    pub value: Given,
+    pub value: GivenQuantity,
 }
 
 /// The side of the directed line `from`→`to` on which a point is.
@@ -296,7 +298,7 @@ pub struct Find {
 
 /// The moving point of a composite motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Moving {
+pub enum CompositePoint {
     /// A point of the scene.
     Point(OnLink),
     /// The point of a link, the cam or its follower, at which the two touch at the instant.
@@ -310,9 +312,9 @@ pub enum Moving {
 
 /// A moving point and the frame from which its motion is observed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Seen {
+pub struct ObservedPoint {
     /// The moving point.
-    pub of: Moving,
+    pub of: CompositePoint,
     /// The frame.
     pub frame: Frame,
     /// Place in the file.
@@ -330,7 +332,7 @@ pub struct Attempted {
     /// The link for which it is made.
     pub link: Option<LinkId>,
     /// Printed results, each with its question; of a vector the magnitude.
-    pub printed: Vec<(Find, Given)>,
+    pub printed: Vec<(Find, GivenQuantity)>,
     /// The author's explanation of the mistake.
     pub why: Option<Localized>,
     /// Place in the file.
@@ -370,9 +372,9 @@ pub struct Scene {
     /// The problem statement, if the file has one.
     pub statement: Option<Statement>,
     /// Named parameters with their SI values, as written.
-    pub parameters: Vec<(String, Given)>,
+    pub parameters: Vec<(String, GivenQuantity)>,
     /// Points in order of first mention.
-    pub points: Vec<Point>,
+    pub points: Vec<NamedPoint>,
     /// Links; sliders that only a guide names follow those of `links`.
     pub links: Vec<Link>,
     /// The fixed link.
@@ -395,7 +397,7 @@ pub struct Scene {
     /// The questions.
     pub find: Vec<Find>,
     /// Moving points and frames of the composite motions to show.
-    pub composite: Vec<Seen>,
+    pub composite: Vec<ObservedPoint>,
     /// Wrong solutions to show beside the right one.
     pub attempts: Vec<Attempted>,
     /// Names of other readings of a figure that is lost; see [`readings`](super::readings).

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use super::model::{Link, LinkId, OnLink, Point, PointId};
+use super::model::{Link, LinkId, NamedPoint, OnLink, PointId};
 use super::quantity::Frame;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::json::Word;
@@ -19,7 +19,7 @@ const MAX_RUN: usize = 4 * MAX_NAME + 1;
 
 /// The declared names.
 pub(super) struct Names<'a> {
-    pub points: &'a [Point],
+    pub points: &'a [NamedPoint],
     pub links: &'a [Link],
     by_point: HashMap<&'a str, PointId>,
     by_link: HashMap<&'a str, LinkId>,
@@ -77,7 +77,7 @@ fn halves(text: &str) -> Option<(&str, &str)> {
 
 impl<'a> Names<'a> {
     /// Returns the names of these points and links.
-    pub fn new(points: &'a [Point], links: &'a [Link]) -> Self {
+    pub fn new(points: &'a [NamedPoint], links: &'a [Link]) -> Self {
         let by_point = points.iter().enumerate().map(|(i, p)| (p.name.as_str(), PointId(i))).collect();
         let by_link = links.iter().enumerate().map(|(i, l)| (l.name.as_str(), LinkId(i))).collect();
         Names { points, links, by_point, by_link }

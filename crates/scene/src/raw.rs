@@ -285,7 +285,7 @@ pub(super) struct RawBalance {
 
 /// The data of a mechanism that a file must give.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Extent {
+pub(super) enum RequiredData {
     /// Links and pairs: a driver, the direction of a guide and the profile of a cam may be missing.
     Pairs,
     /// The pose as well: only drivers and their rates may be missing.
@@ -300,28 +300,28 @@ pub(super) enum Extent {
     Motion,
 }
 
-impl Extent {
+impl RequiredData {
     /// True if links and pairs are enough.
     pub fn is_of_pairs(self) -> bool {
-        self == Extent::Pairs
+        self == RequiredData::Pairs
     }
 
     /// True if drivers and their rates may be missing.
     pub fn is_at_rest(self) -> bool {
-        self != Extent::Motion
+        self != RequiredData::Motion
     }
 
     /// True if a missing driver is added.
     pub fn is_driven(self) -> bool {
-        matches!(self, Extent::Rest | Extent::AnyRate)
+        matches!(self, RequiredData::Rest | RequiredData::AnyRate)
     }
 
     /// Returns the rate of a driver without one, in the unit of the driver. It is one where figures
     /// show it, so that they show the positive sense.
     pub fn rate(self) -> f64 {
         match self {
-            Extent::Rest => 0.0,
-            Extent::Pairs | Extent::Pose | Extent::AnyRate | Extent::Motion => 1.0,
+            RequiredData::Rest => 0.0,
+            RequiredData::Pairs | RequiredData::Pose | RequiredData::AnyRate | RequiredData::Motion => 1.0,
         }
     }
 }
@@ -330,7 +330,7 @@ impl Extent {
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawScene {
     /// The data that the file must give.
-    pub extent: Extent,
+    pub extent: RequiredData,
     pub title: Option<RawLocalized>,
     pub statement: Option<RawLocalized>,
     pub parameters: Vec<(Word, RawQuantity)>,

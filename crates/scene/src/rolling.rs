@@ -17,7 +17,7 @@
 //! words. The solvers use the relation, the touch and the [sizes](Rolling::sizes).
 
 use super::exact::Inputs;
-use super::model::{Angle, Given, GuideId, LinkId, PointId};
+use super::model::{Angle, GivenQuantity, GuideId, LinkId, PointId};
 use hodograph_base::diag::Span;
 use hodograph_base::number::Real;
 
@@ -39,7 +39,7 @@ pub struct Rolling {
     pub kind: RollingKind,
     /// Angle of the second link's line from the line of centres, when the first link's line
     /// coincides with it.
-    pub phase: Option<Given<Angle>>,
+    pub phase: Option<GivenQuantity<Angle>>,
     /// Data of the flanks, if the pair is two gears, or a gear on its rack, with numbers of teeth.
     pub flanks: Option<Flanks>,
     /// Place of the declaration.
@@ -99,7 +99,7 @@ pub enum Contours {
         /// The wheel's centre.
         centre: PointId,
         /// The wheel's radius (m).
-        radius: Given,
+        radius: GivenQuantity,
         /// The guide of the centre, parallel to the contact line.
         guide: GuideId,
     },
@@ -108,7 +108,7 @@ pub enum Contours {
         /// The centres, one of each link.
         centres: [PointId; 2],
         /// The radii (m); for sprockets, those with which the chain's speed is ω r.
-        radii: [Given; 2],
+        radii: [GivenQuantity; 2],
         /// Numbers of teeth of sprockets.
         teeth: Option<[u32; 2]>,
         /// True if the strand crosses the line of centres, so that the two rotate in opposite
@@ -175,7 +175,7 @@ pub enum Normal {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Sizes {
     /// Pitch radii (m).
-    Radii([Given; 2]),
+    Radii([GivenQuantity; 2]),
     /// Numbers of teeth: the pitch radii divide the distance of the centres in this ratio.
     Teeth([u32; 2]),
 }
@@ -226,7 +226,7 @@ impl RollingKind {
 
 impl Contours {
     /// Returns the radii that the scene gives (m), for variation.
-    pub fn radii_mut(&mut self) -> Vec<&mut Given> {
+    pub fn radii_mut(&mut self) -> Vec<&mut GivenQuantity> {
         match self {
             Contours::Circles { sizes: Sizes::Radii(radii), .. } | Contours::Belt { radii, .. } => radii.iter_mut().collect(),
             Contours::Circles { sizes: Sizes::Teeth(_), .. } => Vec::new(),
@@ -298,7 +298,7 @@ impl Rolling {
     }
 
     /// Returns the radii of the two circles (m), if the scene gives both.
-    pub fn radii(&self) -> Option<[&Given; 2]> {
+    pub fn radii(&self) -> Option<[&GivenQuantity; 2]> {
         match &self.contours {
             Contours::Circles { sizes: Sizes::Radii([a, b]), .. } | Contours::Belt { radii: [a, b], .. } => Some([a, b]),
             Contours::Circles { sizes: Sizes::Teeth(_), .. } | Contours::Track { .. } => None,

@@ -11,7 +11,7 @@ pub fn schema() -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Kind, keys, templates, units::Wanted};
+    use crate::{Kind, keys, templates, units::RequiredQuantity};
     use serde_json::Value;
     use std::collections::BTreeSet;
 
@@ -63,8 +63,8 @@ mod tests {
     #[test]
     fn schema_and_decoder_know_the_same_keys() {
         let schema: Value = serde_json::from_str(schema()).unwrap();
-        let units = Wanted::TABLE.map(|(key, _)| key);
-        let printed: Vec<&str> = Kind::ALL.into_iter().filter_map(|kind| Wanted::of(kind).key()).collect();
+        let units = RequiredQuantity::TABLE.map(|(key, _)| key);
+        let printed: Vec<&str> = Kind::ALL.into_iter().filter_map(|kind| RequiredQuantity::of(kind).key()).collect();
         for (place, known) in [
             ("", keys::SCENE),
             ("/$defs/text/oneOf/1", &["en", "zh"]),

@@ -5,12 +5,12 @@ use super::model::Localized;
 use super::{decode, expr};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
 use hodograph_base::json::fields::suggest;
-use hodograph_base::json::{self, Kind, Node, Word};
+use hodograph_base::json::{self, Node, NodeKind, Word};
 use hodograph_templates::SCENES;
 
 /// The description of a template, for lists.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Template {
+pub struct SceneTemplate {
     /// Its name in commands, such as `crank-rocker`.
     pub name: &'static str,
     /// Its title.
@@ -21,7 +21,7 @@ pub struct Template {
 
 /// Returns all templates, in order. A test checks the templates' files, so unreadable parts remain
 /// empty here.
-pub fn list() -> Vec<Template> {
+pub fn list() -> Vec<SceneTemplate> {
     SCENES
         .iter()
         .map(|(name, text)| {
@@ -31,7 +31,7 @@ pub fn list() -> Vec<Template> {
                 Err(_) => Localized::default(),
             };
             let parameters = parameters(text, &mut faults).into_iter().filter(|p| p.unit.is_none()).map(|p| (p.name, p.old.text)).collect();
-            Template { name, title, parameters }
+            SceneTemplate { name, title, parameters }
         })
         .collect()
 }
@@ -163,12 +163,12 @@ fn parameters(text: &str, faults: &mut Faults) -> Vec<Parameter> {
         return Vec::new();
     };
     let spanned = |node: &Node| match &node.kind {
-        Kind::Text(text) | Kind::Number(text) => Some(Word { text: text.clone(), span: node.span }),
+        NodeKind::Text(text) | NodeKind::Number(text) => Some(Word { text: text.clone(), span: node.span }),
         _ => None,
     };
     let of = |(key, node): &(Word, Node)| Some(Parameter { name: key.text.clone(), old: spanned(node)?, unit: None });
     let mut all: Vec<Parameter> = decode::members_of(&root, "parameters").iter().filter_map(of).collect();
-    if let Kind::Object(members) = &root.kind
+    if let NodeKind::Object(members) = &root.kind
         && let Some(old) = members.iter().find(|(key, _)| key.text == "time").and_then(|(_, node)| spanned(node))
         && all.iter().all(|p| p.name != TIME)
     {

@@ -63,9 +63,9 @@ fn the_first_example() {
     assert_eq!(scene.ground, LinkId(3));
     let lengths: Vec<_> = scene.lengths.iter().map(|l| l.value.value).collect();
     assert_eq!(lengths, [0.1, 0.25, 0.2, 0.3, 0.15, 0.14]);
-    let Place::At([x, y]) = &scene.points[4].place else { panic!("{:?}", scene.points[4]) };
+    let PointPlace::At([x, y]) = &scene.points[4].place else { panic!("{:?}", scene.points[4]) };
     assert_eq!((x.value, y.value, x.text.as_str()), (0.3, 0.0, "300 mm"));
-    let Place::At([x, y]) = &scene.points[0].place else { panic!("{:?}", scene.points[0]) };
+    let PointPlace::At([x, y]) = &scene.points[0].place else { panic!("{:?}", scene.points[0]) };
     assert_eq!((x.value, y.value), (0.0, 0.0));
     let DriverKind::Turn { link: LinkId(0), against: LinkId(3), line: None, angle: Some(angle), .. } = &scene.drivers[0].kind else {
         panic!("{:?}", scene.drivers)
@@ -92,12 +92,12 @@ fn guides_of_all_kinds() {
     let scene = good(&crank(r#"{"pin": "C", "slider": "3", "on": "4", "through": "A", "angle": "0 deg", "offset": "10 mm"}"#));
     assert_eq!(scene.links[3].name, "3");
     assert_eq!(scene.links[3].points, [PointId(2)]);
-    let (through, Direction::Instant(angle), Some(0.01)) = line(&scene, 0) else { panic!() };
+    let (through, GuideDirection::Instant(angle), Some(0.01)) = line(&scene, 0) else { panic!() };
     assert_eq!((through, angle.value), (Through::Point(PointId(0)), Angle::Deg(0.0)));
     assert_eq!(scene.drivers[0].rate.value, radians(180.0));
     // No "on": the ground; no "through": the pin.
     let scene = good(&crank(r#"{"pin": "C", "slider": "3", "angle": "pi/2*1 rad"}"#));
-    let (through, Direction::Instant(angle), None) = line(&scene, 0) else { panic!() };
+    let (through, GuideDirection::Instant(angle), None) = line(&scene, 0) else { panic!() };
     assert_eq!((scene.guides[0].on, through, angle.value), (LinkId(2), Through::Pin, Angle::Rad(std::f64::consts::FRAC_PI_2)));
     let scene = good(&crank(r#"{"pin": "C", "through": ["1 cm", 0], "angle": 0}"#));
     assert_eq!(scene.guides[0].slider, None);
@@ -111,9 +111,9 @@ fn guides_of_all_kinds() {
         )
     };
     let scene = good(&lever(r#""3": ["O2", "D"]"#, r#"{"pin": "B", "slider": "2", "on": "3", "line": "O2D"}"#));
-    assert_eq!(line(&scene, 0), (Through::Point(PointId(2)), Direction::Along(PointId(2), PointId(3), None), None));
+    assert_eq!(line(&scene, 0), (Through::Point(PointId(2)), GuideDirection::Along(PointId(2), PointId(3), None), None));
     let scene = good(&lever(r#""3": ["O2"]"#, r#"{"pin": "B", "slider": "2", "on": "3", "through": "O2"}"#));
-    assert_eq!(line(&scene, 0), (Through::Point(PointId(2)), Direction::Own, None));
+    assert_eq!(line(&scene, 0), (Through::Point(PointId(2)), GuideDirection::Own, None));
     let scene = good(&lever(r#""3": ["O2", "K"]"#, r#"{"pin": "B", "on": "3", "centre": "K", "radius": "50 mm"}"#));
     assert!(matches!(&scene.guides[0].path, GuidePath::Arc { centre: PointId(3), radius: Some(r) } if r.value == 0.05));
 
@@ -203,9 +203,9 @@ fn places_sides_and_paper() {
         "driver": {"link": "1", "omega": "10 rad/s"}, "language": "zh", "notation": "cn",
         "paper": {"size": "A4 landscape", "mu_l": "0.002 m/mm", "mu_v": "0.05 (m/s)/mm", "mu_a": "1 (m/s^2)/mm", "pencil": "0.2 mm"}}"#,
     );
-    assert!(matches!(&scene.points[3].place, Place::InLink { base: (PointId(1), PointId(2)), xy } if xy[1].value == -0.02));
+    assert!(matches!(&scene.points[3].place, PointPlace::InLink { base: (PointId(1), PointId(2)), xy } if xy[1].value == -0.02));
     assert!(
-        matches!(&scene.points[4].place, Place::Polar { base: (PointId(2), PointId(1)), angle, .. } if angle.value == Angle::Deg(30.0))
+        matches!(&scene.points[4].place, PointPlace::Polar { base: (PointId(2), PointId(1)), angle, .. } if angle.value == Angle::Deg(30.0))
     );
     assert_eq!(scene.points[2].sketch, Some([3.0, 2.0]));
     assert!(!scene.sides[0].left);

@@ -74,7 +74,7 @@ impl Dim {
     /// Returns it in words: `a length`, `an angle`, `a quantity in m^2/s`.
     pub fn describe(self) -> Both {
         match (self.length, self.time, self.angle) {
-            _ if self.mass != 0 => match Wanted::OF_MASS.into_iter().find(|w| w.dim() == self) {
+            _ if self.mass != 0 => match RequiredQuantity::OF_MASS.into_iter().find(|w| w.dim() == self) {
                 Some(wanted) => wanted.describe(),
                 None => both!("a quantity in {}", "以 {} 为单位的量", self.units()),
             },
@@ -191,7 +191,7 @@ pub fn unit_named(name: &str) -> Option<&'static Unit> {
 
 /// The quantity that a place in the scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wanted {
+pub enum RequiredQuantity {
     /// A length (m).
     Length,
     /// An angle (rad or degrees).
@@ -230,86 +230,93 @@ pub enum Wanted {
     ScaleOfForces,
 }
 
-impl Wanted {
+impl RequiredQuantity {
     /// Returns the amount that a scene writes for a kind of quantity.
-    pub const fn of(kind: Kind) -> Wanted {
+    pub const fn of(kind: Kind) -> RequiredQuantity {
         match kind {
-            Kind::Length => Wanted::Length,
-            Kind::Angle => Wanted::Angle,
-            Kind::Velocity => Wanted::Velocity,
-            Kind::Acceleration => Wanted::Acceleration,
-            Kind::Omega => Wanted::Omega,
-            Kind::Alpha => Wanted::Alpha,
-            Kind::Time => Wanted::Time,
-            Kind::Number => Wanted::Number,
-            Kind::Force => Wanted::Force,
-            Kind::Moment => Wanted::Moment,
-            Kind::Power => Wanted::Power,
+            Kind::Length => RequiredQuantity::Length,
+            Kind::Angle => RequiredQuantity::Angle,
+            Kind::Velocity => RequiredQuantity::Velocity,
+            Kind::Acceleration => RequiredQuantity::Acceleration,
+            Kind::Omega => RequiredQuantity::Omega,
+            Kind::Alpha => RequiredQuantity::Alpha,
+            Kind::Time => RequiredQuantity::Time,
+            Kind::Number => RequiredQuantity::Number,
+            Kind::Force => RequiredQuantity::Force,
+            Kind::Moment => RequiredQuantity::Moment,
+            Kind::Power => RequiredQuantity::Power,
         }
     }
 
     /// The quantities whose dimension contains a mass.
-    const OF_MASS: [Wanted; 6] = [Wanted::Force, Wanted::Moment, Wanted::Power, Wanted::Mass, Wanted::Inertia, Wanted::Stiffness];
+    const OF_MASS: [RequiredQuantity; 6] = [
+        RequiredQuantity::Force,
+        RequiredQuantity::Moment,
+        RequiredQuantity::Power,
+        RequiredQuantity::Mass,
+        RequiredQuantity::Inertia,
+        RequiredQuantity::Stiffness,
+    ];
 
     /// The quantities in the `units` table of a scene, with their keys.
-    pub const TABLE: [(&'static str, Wanted); 12] = [
-        ("length", Wanted::Length),
-        ("angle", Wanted::Angle),
-        ("omega", Wanted::Omega),
-        ("alpha", Wanted::Alpha),
-        ("velocity", Wanted::Velocity),
-        ("acceleration", Wanted::Acceleration),
-        ("force", Wanted::Force),
-        ("moment", Wanted::Moment),
-        ("power", Wanted::Power),
-        ("mass", Wanted::Mass),
-        ("inertia", Wanted::Inertia),
-        ("stiffness", Wanted::Stiffness),
+    pub const TABLE: [(&'static str, RequiredQuantity); 12] = [
+        ("length", RequiredQuantity::Length),
+        ("angle", RequiredQuantity::Angle),
+        ("omega", RequiredQuantity::Omega),
+        ("alpha", RequiredQuantity::Alpha),
+        ("velocity", RequiredQuantity::Velocity),
+        ("acceleration", RequiredQuantity::Acceleration),
+        ("force", RequiredQuantity::Force),
+        ("moment", RequiredQuantity::Moment),
+        ("power", RequiredQuantity::Power),
+        ("mass", RequiredQuantity::Mass),
+        ("inertia", RequiredQuantity::Inertia),
+        ("stiffness", RequiredQuantity::Stiffness),
     ];
 
     /// Returns its dimension.
     pub const fn dim(self) -> Dim {
         match self {
-            Wanted::Length => LENGTH,
-            Wanted::Angle => Dim::ANGLE,
-            Wanted::Omega => RATE,
-            Wanted::Alpha => Dim::new(0, -2, 1),
-            Wanted::Velocity => Dim::new(1, -1, 0),
-            Wanted::Acceleration => Dim::new(1, -2, 0),
-            Wanted::Time => TIME,
-            Wanted::Number | Wanted::ScaleOfLengths => Dim::NUMBER,
-            Wanted::ScaleOfVelocities => Dim::new(0, -1, 0),
-            Wanted::ScaleOfAccelerations => Dim::new(0, -2, 0),
-            Wanted::Force => FORCE,
-            Wanted::Moment => Dim::of_mass(2, -2),
-            Wanted::Power => POWER,
-            Wanted::Mass => MASS,
-            Wanted::Inertia => Dim::of_mass(2, 0),
-            Wanted::Stiffness | Wanted::ScaleOfForces => Dim::of_mass(0, -2),
+            RequiredQuantity::Length => LENGTH,
+            RequiredQuantity::Angle => Dim::ANGLE,
+            RequiredQuantity::Omega => RATE,
+            RequiredQuantity::Alpha => Dim::new(0, -2, 1),
+            RequiredQuantity::Velocity => Dim::new(1, -1, 0),
+            RequiredQuantity::Acceleration => Dim::new(1, -2, 0),
+            RequiredQuantity::Time => TIME,
+            RequiredQuantity::Number | RequiredQuantity::ScaleOfLengths => Dim::NUMBER,
+            RequiredQuantity::ScaleOfVelocities => Dim::new(0, -1, 0),
+            RequiredQuantity::ScaleOfAccelerations => Dim::new(0, -2, 0),
+            RequiredQuantity::Force => FORCE,
+            RequiredQuantity::Moment => Dim::of_mass(2, -2),
+            RequiredQuantity::Power => POWER,
+            RequiredQuantity::Mass => MASS,
+            RequiredQuantity::Inertia => Dim::of_mass(2, 0),
+            RequiredQuantity::Stiffness | RequiredQuantity::ScaleOfForces => Dim::of_mass(0, -2),
         }
     }
 
     /// Returns it in words for a message: `a length`.
     pub fn describe(self) -> Both {
         match self {
-            Wanted::Length => both!("a length", "长度"),
-            Wanted::Angle => both!("an angle", "角度"),
-            Wanted::Omega => both!("an angular velocity", "角速度"),
-            Wanted::Alpha => both!("an angular acceleration", "角加速度"),
-            Wanted::Velocity => both!("a velocity", "速度"),
-            Wanted::Acceleration => both!("an acceleration", "加速度"),
-            Wanted::Time => both!("a time", "时间"),
-            Wanted::Number => both!("a number", "数"),
-            Wanted::ScaleOfLengths => both!("a scale of lengths", "长度比例尺"),
-            Wanted::ScaleOfVelocities => both!("a scale of velocities", "速度比例尺"),
-            Wanted::ScaleOfAccelerations => both!("a scale of accelerations", "加速度比例尺"),
-            Wanted::Force => both!("a force", "力"),
-            Wanted::Moment => both!("a moment", "力矩"),
-            Wanted::Power => both!("a power", "功率"),
-            Wanted::Mass => both!("a mass", "质量"),
-            Wanted::Inertia => both!("a moment of inertia", "转动惯量"),
-            Wanted::Stiffness => both!("a stiffness", "刚度"),
-            Wanted::ScaleOfForces => both!("a scale of forces", "力比例尺"),
+            RequiredQuantity::Length => both!("a length", "长度"),
+            RequiredQuantity::Angle => both!("an angle", "角度"),
+            RequiredQuantity::Omega => both!("an angular velocity", "角速度"),
+            RequiredQuantity::Alpha => both!("an angular acceleration", "角加速度"),
+            RequiredQuantity::Velocity => both!("a velocity", "速度"),
+            RequiredQuantity::Acceleration => both!("an acceleration", "加速度"),
+            RequiredQuantity::Time => both!("a time", "时间"),
+            RequiredQuantity::Number => both!("a number", "数"),
+            RequiredQuantity::ScaleOfLengths => both!("a scale of lengths", "长度比例尺"),
+            RequiredQuantity::ScaleOfVelocities => both!("a scale of velocities", "速度比例尺"),
+            RequiredQuantity::ScaleOfAccelerations => both!("a scale of accelerations", "加速度比例尺"),
+            RequiredQuantity::Force => both!("a force", "力"),
+            RequiredQuantity::Moment => both!("a moment", "力矩"),
+            RequiredQuantity::Power => both!("a power", "功率"),
+            RequiredQuantity::Mass => both!("a mass", "质量"),
+            RequiredQuantity::Inertia => both!("a moment of inertia", "转动惯量"),
+            RequiredQuantity::Stiffness => both!("a stiffness", "刚度"),
+            RequiredQuantity::ScaleOfForces => both!("a scale of forces", "力比例尺"),
         }
     }
 
@@ -331,29 +338,29 @@ impl Wanted {
     /// Returns a unit to suggest for a bare number.
     pub const fn usual_unit(self) -> &'static str {
         match self {
-            Wanted::Length => "mm",
-            Wanted::Angle => "deg",
-            Wanted::Omega => "rad/s",
-            Wanted::Alpha => "rad/s^2",
-            Wanted::Velocity => "m/s",
-            Wanted::Acceleration => "m/s^2",
-            Wanted::Time => "s",
-            Wanted::Number => "",
-            Wanted::ScaleOfLengths => "m/mm",
-            Wanted::ScaleOfVelocities => "(m/s)/mm",
-            Wanted::ScaleOfAccelerations => "(m/s^2)/mm",
-            Wanted::Force => "N",
-            Wanted::Moment => "N*m",
-            Wanted::Power => "W",
-            Wanted::Mass => "kg",
-            Wanted::Inertia => "kg*m^2",
-            Wanted::Stiffness => "N/m",
-            Wanted::ScaleOfForces => "N/mm",
+            RequiredQuantity::Length => "mm",
+            RequiredQuantity::Angle => "deg",
+            RequiredQuantity::Omega => "rad/s",
+            RequiredQuantity::Alpha => "rad/s^2",
+            RequiredQuantity::Velocity => "m/s",
+            RequiredQuantity::Acceleration => "m/s^2",
+            RequiredQuantity::Time => "s",
+            RequiredQuantity::Number => "",
+            RequiredQuantity::ScaleOfLengths => "m/mm",
+            RequiredQuantity::ScaleOfVelocities => "(m/s)/mm",
+            RequiredQuantity::ScaleOfAccelerations => "(m/s^2)/mm",
+            RequiredQuantity::Force => "N",
+            RequiredQuantity::Moment => "N*m",
+            RequiredQuantity::Power => "W",
+            RequiredQuantity::Mass => "kg",
+            RequiredQuantity::Inertia => "kg*m^2",
+            RequiredQuantity::Stiffness => "N/m",
+            RequiredQuantity::ScaleOfForces => "N/mm",
         }
     }
 
     /// Returns the key in the `units` table for bare numbers of this kind; scales have none.
     pub fn key(self) -> Option<&'static str> {
-        Wanted::TABLE.iter().find(|(_, w)| *w == self).map(|(k, _)| *k)
+        RequiredQuantity::TABLE.iter().find(|(_, w)| *w == self).map(|(k, _)| *k)
     }
 }

@@ -4,31 +4,31 @@
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 
-use super::eval::{NoValue, Value, evaluate};
+use super::eval::{DimensionedValue, NoValue, evaluate};
 use super::exact;
 use super::expr::{self, Expr};
 use super::front::{self, Law};
-use super::model::{Angle, Given};
+use super::model::{Angle, GivenQuantity};
 use super::parameters;
 use super::raw::RawQuantity;
-use super::units::{Dim, Wanted};
+use super::units::{Dim, RequiredQuantity};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
 use hodograph_base::json::Word;
 use hodograph_base::json::fields::suggest;
 use hodograph_base::number::{Ball, Real};
 
 /// An expression, its value, and its value with an error bound.
-type Evaluated = (Expr, Value, Value<Ball<f64>>);
+type Evaluated = (Expr, DimensionedValue, DimensionedValue<Ball<f64>>);
 
 /// A parameter's value, without and with an error bound.
 #[derive(Clone, Copy)]
-struct Known {
-    value: Value,
-    ball: Value<Ball<f64>>,
+struct ParameterValue {
+    value: DimensionedValue,
+    ball: DimensionedValue<Ball<f64>>,
 }
 
 /// The full text of a quantity, its value, and its value with an error bound.
-type Read = (String, Value, Value<Ball<f64>>);
+type EvaluatedText = (String, DimensionedValue, DimensionedValue<Ball<f64>>);
 
 /// Returns a bound on the distance of a value from the true number in a ball.
 fn distance(value: f64, ball: Ball<f64>) -> f64 {
@@ -40,7 +40,7 @@ pub(super) struct Values<'a> {
     source: &'a str,
     /// Names in the order of the file, including parameters with a fault, which have no value.
     names: Vec<&'a str>,
-    known: HashMap<&'a str, Option<Known>>,
+    known: HashMap<&'a str, Option<ParameterValue>>,
     /// Names and texts of the parameters that have a value, in the order of the file.
     texts: Vec<(&'a str, &'a str)>,
     units: HashMap<&'static str, String>,
@@ -55,7 +55,7 @@ impl<'a> Values<'a> {
         units: &[(Word, Word)],
         parameters: &'a [(Word, RawQuantity)],
         faults: &mut Faults,
-    ) -> (Self, Vec<(String, Given)>) {
+    ) -> (Self, Vec<(String, GivenQuantity)>) {
         let mut values = Values {
             source,
             names: Vec::new(),
@@ -72,7 +72,7 @@ impl<'a> Values<'a> {
         faults.list.extend(circular);
         for (name, quantity) in order.into_iter().map(|i| &parameters[i]) {
             let value = match values.evaluate(quantity) {
-                Ok((_, value, ball)) => Some(Known { value, ball }),
+                Ok((_, value, ball)) => Some(ParameterValue { value, ball }),
                 Err(fault) => {
                     faults.list.extend(fault);
                     None
@@ -95,9 +95,13 @@ impl<'a> Values<'a> {
                 values.names.push(&name.text);
                 values.known.insert(&name.text, value);
             }
-            if let Some(Known { value, ball }) = value {
-                let given =
-                    Given { value: value.si(), radius: distance(value.si(), ball.si()), text: quantity.text.clone(), span: quantity.span };
+            if let Some(ParameterValue { value, ball }) = value {
+                let given = GivenQuantity {
+                    value: value.si(),
+                    radius: distance(value.si(), ball.si()),
+                    text: quantity.text.clone(),
+                    span: quantity.span,
+                };
                 list.push((name.text.clone(), given));
                 values.texts.push((&name.text, &quantity.text));
             }
@@ -106,10 +110,10 @@ impl<'a> Values<'a> {
     }
 
     fn unit(&mut self, key: &Word, unit: &Word, faults: &mut Faults) {
-        let Some((name, wanted)) = Wanted::TABLE.iter().find(|(k, _)| *k == key.text) else {
+        let Some((name, wanted)) = RequiredQuantity::TABLE.iter().find(|(k, _)| *k == key.text) else {
             let d = Diagnostic::error("unknown-key", both!("`{}` is not a quantity of \"units\"", "`{}` 不是 \"units\" 中的量", key.text))
                 .at(key.span);
-            faults.push(d.help(suggest(&key.text, Wanted::TABLE.iter().map(|(k, _)| *k), both!("the quantities are", "量有"))));
+            faults.push(d.help(suggest(&key.text, RequiredQuantity::TABLE.iter().map(|(k, _)| *k), both!("the quantities are", "量有"))));
             return;
         };
         let quantity = RawQuantity { text: unit.text.clone(), span: unit.span, bare: false };
@@ -165,7 +169,7 @@ impl<'a> Values<'a> {
 
     /// Returns a law of time; its dimension is checked where it is needed. Without the time in it,
     /// a bare number has the unit of the table.
-    pub fn law(&self, quantity: &RawQuantity, wanted: Wanted, t: f64) -> Result<Law, Vec<Diagnostic>> {
+    pub fn law(&self, quantity: &RawQuantity, wanted: RequiredQuantity, t: f64) -> Result<Law, Vec<Diagnostic>> {
         let located = |d: Diagnostic| vec![self.locate(quantity, d)];
         let law = self.unchecked_law(&quantity.text, quantity).map_err(located)?;
         if !law.depends_on_time() {
@@ -219,24 +223,24 @@ impl<'a> Values<'a> {
     }
 
     /// Returns true if the `units` table has a unit for bare numbers of a kind.
-    pub fn has_unit(&self, wanted: Wanted) -> bool {
+    pub fn has_unit(&self, wanted: RequiredQuantity) -> bool {
         wanted.key().is_some_and(|k| self.units.contains_key(k))
     }
 
     /// Returns the unit in the `units` table for bare numbers of a kind, as written.
-    pub fn unit_of(&self, wanted: Wanted) -> Option<&str> {
+    pub fn unit_of(&self, wanted: RequiredQuantity) -> Option<&str> {
         self.units.get(wanted.key()?).map(String::as_str)
     }
 
     /// Returns a quantity in SI units.
-    pub fn si(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
+    pub fn si(&self, quantity: &RawQuantity, wanted: RequiredQuantity, faults: &mut Faults) -> Option<GivenQuantity> {
         let (text, value, ball) = self.value(quantity, wanted, faults)?;
-        Some(Given { value: value.si(), radius: distance(value.si(), ball.si()), text, span: quantity.span })
+        Some(GivenQuantity { value: value.si(), radius: distance(value.si(), ball.si()), text, span: quantity.span })
     }
 
     /// Returns a length that must be greater than zero.
-    pub fn positive_length(&self, quantity: &RawQuantity, what: Both, faults: &mut Faults) -> Option<Given> {
-        let given = self.si(quantity, Wanted::Length, faults)?;
+    pub fn positive_length(&self, quantity: &RawQuantity, what: Both, faults: &mut Faults) -> Option<GivenQuantity> {
+        let given = self.si(quantity, RequiredQuantity::Length, faults)?;
         if given.value > 0.0 {
             return Some(given);
         }
@@ -270,12 +274,12 @@ impl<'a> Values<'a> {
     }
 
     /// Returns an angle, in degrees if it is written in degrees.
-    pub fn angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
+    pub fn angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<GivenQuantity<Angle>> {
         let mut angle = self.angle_in_full(quantity, faults)?;
         let degrees = matches!(angle.value, Angle::Deg(_));
         // `f64` no longer resolves the place within the turn of an angle of so many turns: whole
         // turns are subtracted from the written expression.
-        if !exact::tells(angle.value, angle.radius)
+        if !exact::is_resolved(angle.value, angle.radius)
             && let Some((number, radius)) = exact::less_turns(&self.texts, &angle.text, degrees)
         {
             (angle.value, angle.radius) = (if degrees { Angle::Deg(number) } else { Angle::Rad(number) }, radius);
@@ -284,19 +288,19 @@ impl<'a> Values<'a> {
     }
 
     /// Returns an angle with all its turns.
-    pub fn angle_in_full(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
-        let (text, value, ball) = self.value(quantity, Wanted::Angle, faults)?;
+    pub fn angle_in_full(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<GivenQuantity<Angle>> {
+        let (text, value, ball) = self.value(quantity, RequiredQuantity::Angle, faults)?;
         // In the unit of the value: an angle that is only known to be close to a whole number of
         // degrees is in radians.
         let degrees = if ball.degrees { ball.number } else { ball.number * Ball::from_f64(180.0) / Ball::pi() };
         let number = if value.degrees { degrees } else { ball.si() };
         let radius = distance(value.number, number);
-        Some(Given { value: value.angle(), radius, text, span: quantity.span })
+        Some(GivenQuantity { value: value.angle(), radius, text, span: quantity.span })
     }
 
     /// Returns the text of an angle minus the whole turns that were subtracted from its value, so
     /// that formulas with the text agree with computations with the value.
-    pub fn text_of(&self, angle: &Given<Angle>) -> String {
+    pub fn text_of(&self, angle: &GivenQuantity<Angle>) -> String {
         let turns = exact::turns_taken(&self.texts, &angle.text, angle.value.degrees());
         // With a precision, all digits of a large number are printed, not only the shortest
         // representation.
@@ -304,15 +308,15 @@ impl<'a> Values<'a> {
     }
 
     /// Returns two coordinates in metres.
-    pub fn two_lengths(&self, xy: &[RawQuantity; 2], faults: &mut Faults) -> Option<[Given; 2]> {
-        let x = self.si(&xy[0], Wanted::Length, faults);
-        let y = self.si(&xy[1], Wanted::Length, faults);
+    pub fn two_lengths(&self, xy: &[RawQuantity; 2], faults: &mut Faults) -> Option<[GivenQuantity; 2]> {
+        let x = self.si(&xy[0], RequiredQuantity::Length, faults);
+        let y = self.si(&xy[1], RequiredQuantity::Length, faults);
         Some([x?, y?])
     }
 
     /// Returns the value with checked dimension, and its full text (a bare number gets the unit of
     /// the table).
-    fn value(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Read> {
+    fn value(&self, quantity: &RawQuantity, wanted: RequiredQuantity, faults: &mut Faults) -> Option<EvaluatedText> {
         let result = self.evaluate(quantity).and_then(|(expr, value, ball)| self.fit(quantity, &expr, (value, ball), wanted).map_err(Some));
         match result {
             Ok(found) => Some(found),
@@ -327,9 +331,9 @@ impl<'a> Values<'a> {
         &self,
         quantity: &RawQuantity,
         expr: &Expr,
-        (value, ball): (Value, Value<Ball<f64>>),
-        wanted: Wanted,
-    ) -> Result<Read, Diagnostic> {
+        (value, ball): (DimensionedValue, DimensionedValue<Ball<f64>>),
+        wanted: RequiredQuantity,
+    ) -> Result<EvaluatedText, Diagnostic> {
         let text = &quantity.text;
         // A scale such as m/mm has no dimension, yet a bare number in its place has no defined
         // unit.
@@ -349,9 +353,9 @@ impl<'a> Values<'a> {
             });
         }
         if value.number == 0.0 {
-            let zero = Value { number: 0.0, dim: wanted.dim(), degrees: wanted == Wanted::Angle };
+            let zero = DimensionedValue { number: 0.0, dim: wanted.dim(), degrees: wanted == RequiredQuantity::Angle };
             // An expression may be zero by rounding only.
-            return Ok((text.clone(), zero, Value { degrees: zero.degrees, ..ball }));
+            return Ok((text.clone(), zero, DimensionedValue { degrees: zero.degrees, ..ball }));
         }
         let simple = text.strip_prefix('-').unwrap_or(text).bytes().all(|b| b.is_ascii_digit() || b == b'.');
         let with_unit = |unit: &str| match (simple, unit.bytes().all(|b| b.is_ascii_alphabetic())) {
@@ -409,9 +413,9 @@ impl<'a> Values<'a> {
 
     /// Returns the value with an error bound; the bound is infinite if an operation may leave its
     /// domain by rounding.
-    fn ball(&self, expr: &Expr, value: Value) -> Value<Ball<f64>> {
+    fn ball(&self, expr: &Expr, value: DimensionedValue) -> DimensionedValue<Ball<f64>> {
         let lookup = |name: &str| self.known.get(name).copied().flatten().map(|k| k.ball);
-        let unknown = Value { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
+        let unknown = DimensionedValue { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
         evaluate(expr, &lookup).unwrap_or(unknown)
     }
 

@@ -3,12 +3,12 @@
 
 use super::book::BookUnit;
 use super::expr::{self, Expr, ExprKind};
-use super::model::{Given, Scene};
+use super::model::{GivenQuantity, Scene};
 use hodograph_base::kind::Kind;
 
 /// A given quantity in the form for a reader.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Told {
+pub enum QuantityText {
     /// A number and a unit, as written.
     AsWritten(String, BookUnit),
     /// A computed value (`2*r`), or one written in another unit: its value in the unit.
@@ -23,12 +23,12 @@ impl Scene {
     ///
     /// The unit is that of the book, else that of the text, else that of the first parameter in the
     /// text with a unit of the kind.
-    pub fn told(&self, kind: Kind, text: &str, si: f64) -> Told {
+    pub fn told(&self, kind: Kind, text: &str, si: f64) -> QuantityText {
         let written = as_written(&self.parameters, kind, text, si);
         match (self.book.chosen(kind), written) {
-            (Some(chosen), Told::AsWritten(number, unit)) if unit == *chosen => Told::AsWritten(number, unit),
-            (Some(_), Told::Usual) if si == 0.0 => Told::Usual,
-            (Some(chosen), _) => Told::Computed(chosen.of(si), chosen.clone()),
+            (Some(chosen), QuantityText::AsWritten(number, unit)) if unit == *chosen => QuantityText::AsWritten(number, unit),
+            (Some(_), QuantityText::Usual) if si == 0.0 => QuantityText::Usual,
+            (Some(chosen), _) => QuantityText::Computed(chosen.of(si), chosen.clone()),
             (None, written) => written,
         }
     }
@@ -36,15 +36,15 @@ impl Scene {
 
 /// Returns the form of a quantity in a scene with these parameters, independent of the units of
 /// answers.
-pub(super) fn as_written(parameters: &[(String, Given)], kind: Kind, text: &str, si: f64) -> Told {
+pub(super) fn as_written(parameters: &[(String, GivenQuantity)], kind: Kind, text: &str, si: f64) -> QuantityText {
     if let Some((number, unit)) = literal(text, kind) {
-        return Told::AsWritten(number, unit);
+        return QuantityText::AsWritten(number, unit);
     }
-    unit_in(parameters, text, kind).map_or(Told::Usual, |unit| Told::Computed(unit.of(si), unit))
+    unit_in(parameters, text, kind).map_or(QuantityText::Usual, |unit| QuantityText::Computed(unit.of(si), unit))
 }
 
 /// Returns the unit of a text that may contain these parameters.
-fn unit_in(parameters: &[(String, Given)], text: &str, kind: Kind) -> Option<BookUnit> {
+fn unit_in(parameters: &[(String, GivenQuantity)], text: &str, kind: Kind) -> Option<BookUnit> {
     if let Some((_, unit)) = literal(text, kind) {
         return Some(unit);
     }
@@ -52,7 +52,7 @@ fn unit_in(parameters: &[(String, Given)], text: &str, kind: Kind) -> Option<Boo
     unit_of(parameters, &expr::parse(text, &names).ok()?, kind)
 }
 
-fn unit_of(parameters: &[(String, Given)], expr: &Expr, kind: Kind) -> Option<BookUnit> {
+fn unit_of(parameters: &[(String, GivenQuantity)], expr: &Expr, kind: Kind) -> Option<BookUnit> {
     match &expr.kind {
         ExprKind::Number(_) | ExprKind::Pi => None,
         ExprKind::Unit(unit) => BookUnit::read(unit.name, kind).ok(),
@@ -100,24 +100,24 @@ mod tests {
         let unit = |text: &str, kind| BookUnit::read(text, kind).unwrap();
         let (inch, rpm) = (unit("in", Kind::Length), unit("rpm", Kind::Omega));
         for (kind, text, si, told) in [
-            (Kind::Length, "4.50 in", 0.1143, Told::AsWritten("4.50".into(), inch.clone())),
-            (Kind::Length, "b + 1 mm", 0.254, Told::Computed(10.0, inch.clone())),
-            (Kind::Length, "1e-2 in", 0.000254, Told::AsWritten("1e-2".into(), inch)),
-            (Kind::Length, "0", 0.0, Told::Usual),
-            (Kind::Omega, "-300 rpm", -31.4, Told::AsWritten("-300".into(), rpm.clone())),
-            (Kind::Omega, "n", rpm.size() * 300.0, Told::Computed(300.0, rpm)),
-            (Kind::Velocity, "n*r", 3.6, Told::Usual),
-            (Kind::Angle, "phi", 0.5, Told::Computed(0.5, unit("rad", Kind::Angle))),
+            (Kind::Length, "4.50 in", 0.1143, QuantityText::AsWritten("4.50".into(), inch.clone())),
+            (Kind::Length, "b + 1 mm", 0.254, QuantityText::Computed(10.0, inch.clone())),
+            (Kind::Length, "1e-2 in", 0.000254, QuantityText::AsWritten("1e-2".into(), inch)),
+            (Kind::Length, "0", 0.0, QuantityText::Usual),
+            (Kind::Omega, "-300 rpm", -31.4, QuantityText::AsWritten("-300".into(), rpm.clone())),
+            (Kind::Omega, "n", rpm.size() * 300.0, QuantityText::Computed(300.0, rpm)),
+            (Kind::Velocity, "n*r", 3.6, QuantityText::Usual),
+            (Kind::Angle, "phi", 0.5, QuantityText::Computed(0.5, unit("rad", Kind::Angle))),
         ] {
             match (plain.told(kind, text, si), told) {
-                (Told::Computed(a, u), Told::Computed(b, w)) => assert!((a - b).abs() < 1e-12 && u == w, "{text}: {a} {b}"),
+                (QuantityText::Computed(a, u), QuantityText::Computed(b, w)) => assert!((a - b).abs() < 1e-12 && u == w, "{text}: {a} {b}"),
                 (told, expected) => assert_eq!(told, expected, "{text}"),
             }
         }
         let cm = unit("cm", Kind::Length);
-        assert_eq!(book.told(Kind::Length, "4.50 in", 0.25), Told::Computed(25.0, cm.clone()));
-        assert_eq!(book.told(Kind::Length, "30 cm", 0.3), Told::AsWritten("30".into(), cm));
-        assert_eq!(book.told(Kind::Omega, "300 rpm", 2.0), Told::Computed(2.0, unit("rad/s", Kind::Omega)));
-        assert_eq!(book.told(Kind::Length, "0", 0.0), Told::Usual);
+        assert_eq!(book.told(Kind::Length, "4.50 in", 0.25), QuantityText::Computed(25.0, cm.clone()));
+        assert_eq!(book.told(Kind::Length, "30 cm", 0.3), QuantityText::AsWritten("30".into(), cm));
+        assert_eq!(book.told(Kind::Omega, "300 rpm", 2.0), QuantityText::Computed(2.0, unit("rad/s", Kind::Omega)));
+        assert_eq!(book.told(Kind::Length, "0", 0.0), QuantityText::Usual);
     }
 }

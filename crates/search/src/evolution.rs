@@ -11,12 +11,12 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 const REFINED: usize = 12;
 
 /// A stream of random numbers from 0 to 1.
-pub(super) struct Random(Pcg64);
+pub(super) struct RandomStream(Pcg64);
 
-impl Random {
+impl RandomStream {
     /// Returns the stream of a seed.
-    pub fn new(seed: u64) -> Random {
-        Random(Pcg64::seed_from_u64(seed))
+    pub fn new(seed: u64) -> RandomStream {
+        RandomStream(Pcg64::seed_from_u64(seed))
     }
 
     /// Returns a number from 0 to 1.
@@ -48,9 +48,9 @@ pub(super) struct Population<'a, const N: usize> {
 /// Runs the evolution; returns the best members that differ, in order of cost.
 pub(super) fn evolve<const N: usize>(
     population: &Population<N>,
-    born: impl Fn(&mut Random) -> [f64; N],
+    born: impl Fn(&mut RandomStream) -> [f64; N],
     mut cost: impl FnMut(&[f64; N]) -> f64,
-    random: &mut Random,
+    random: &mut RandomStream,
 ) -> Vec<[f64; N]> {
     let count = population.count;
     let mut all: Vec<([f64; N], f64)> = Vec::with_capacity(count);

@@ -19,7 +19,7 @@
 mod evolution;
 pub mod timed;
 
-use evolution::{Population, Random, evolve};
+use evolution::{Population, RandomStream, evolve};
 use hodograph_base::budget::here;
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
@@ -58,7 +58,7 @@ const PLACES: usize = 16;
 
 /// A crank-rocker with its coupler point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Linkage {
+pub struct CouplerLinkage {
     /// The crank pivot.
     pub a: Point,
     /// The lengths AB, BC, CD, AD (m).
@@ -73,7 +73,7 @@ pub struct Linkage {
 
 /// The points of a position.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct PositionPoints {
     /// The pin of the crank.
     pub b: Point,
     /// The pin of the follower.
@@ -87,7 +87,7 @@ pub struct Place {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
     /// The linkage.
-    pub linkage: Linkage,
+    pub linkage: CouplerLinkage,
     /// The crank's angle at each place (rad).
     pub cranks: Vec<f64>,
     /// The root mean square distance (m).
@@ -105,10 +105,10 @@ pub struct Search {
     pub runs: usize,
 }
 
-impl Linkage {
-    fn of(genes: &[f64; 10]) -> Linkage {
+impl CouplerLinkage {
+    fn of(genes: &[f64; 10]) -> CouplerLinkage {
         let [ax, ay, a, b, c, d, phi, u, v, side] = *genes;
-        Linkage { a: Point::new(ax, ay), lengths: [a, b, c, d], phi, e: Vec2::new(u, v), left: side > 0.0 }
+        CouplerLinkage { a: Point::new(ax, ay), lengths: [a, b, c, d], phi, e: Vec2::new(u, v), left: side > 0.0 }
     }
 
     /// Returns the follower pivot.
@@ -138,19 +138,19 @@ impl Linkage {
     }
 
     /// Returns its points at a crank angle (rad, in the plane); `None` if it does not close.
-    pub fn place(&self, crank: f64) -> Option<Place> {
+    pub fn place(&self, crank: f64) -> Option<PositionPoints> {
         let [a, bc, cd, _] = self.lengths;
         let b = self.a + Vec2::from_angle(crank) * a;
         let [on_left, on_right] = crossing(b, bc, self.d(), cd)?;
         let c = if self.left { on_left } else { on_right };
         let axis = (c - b) * (1.0 / bc);
-        Some(Place { b, c, e: b + self.e.rotate_by(axis) })
+        Some(PositionPoints { b, c, e: b + self.e.rotate_by(axis) })
     }
 
-    fn moved(&self, by: &SVector<f64, 9>) -> Linkage {
+    fn moved(&self, by: &SVector<f64, 9>) -> CouplerLinkage {
         let mut lengths = self.lengths;
         lengths.iter_mut().enumerate().for_each(|(i, l)| *l += by[2 + i]);
-        Linkage {
+        CouplerLinkage {
             a: Point::new(self.a.x + by[0], self.a.y + by[1]),
             lengths,
             phi: self.phi + by[6],
@@ -196,7 +196,7 @@ impl Linkage {
 pub fn search(points: &[Point], seed: u64) -> Search {
     let (middle, size) = extent(points);
     let same = |a: &Fit, b: &Fit| (a.rms - b.rms).abs() <= 1e-9 * size.max(b.rms);
-    let few = few(points);
+    let few = selected_places(points);
     let found = until_sure(size, &same, |run| alone(&few, middle, size, stream(seed, run)));
     if few.len() == points.len() {
         return found;
@@ -235,7 +235,7 @@ pub fn remarks(fit: &Fit, points: &[Point]) -> Vec<Diagnostic> {
 }
 
 /// The places that the runs use, the first place among them.
-fn few<T: Copy>(all: &[T]) -> Vec<T> {
+fn selected_places<T: Copy>(all: &[T]) -> Vec<T> {
     let count = all.len().min(PLACES);
     (0..count).map(|i| all[i * all.len() / count]).collect()
 }
@@ -296,10 +296,10 @@ fn alone(points: &[Point], middle: Point, size: f64, seed: u64) -> (Vec<Fit>, u6
     let mut evaluations = 0;
     let apart = |o: &[f64; 10], p: &[f64; 10]| (0..9).any(|k| (o[k] - p[k]).abs() > 0.05 * size) || (o[9] > 0.0) != (p[9] > 0.0);
     let population = Population { count: POPULATION, generations: GENERATIONS, apart: &apart };
-    let mut random = Random::new(seed);
+    let mut random = RandomStream::new(seed);
     let ranked = evolve(&population, |r| born(middle, size, r), |genes| cost(genes, points, size, &mut evaluations), &mut random);
     let fits = ranked.iter().filter_map(|genes| {
-        let linkage = Linkage::of(genes);
+        let linkage = CouplerLinkage::of(genes);
         let cranks = nearest(&linkage, points, &mut evaluations)?;
         refine(linkage, cranks, points, size, &mut evaluations)
     });
@@ -318,7 +318,7 @@ pub fn extent(points: &[Point]) -> (Point, f64) {
 }
 
 /// A random linkage around the places, to begin with.
-fn born(middle: Point, size: f64, random: &mut Random) -> [f64; 10] {
+fn born(middle: Point, size: f64, random: &mut RandomStream) -> [f64; 10] {
     let a = random.between(0.1, 0.8);
     let rest = [random.between(0.5, 3.0), random.between(0.5, 3.0), random.between(0.5, 3.0)];
     [
@@ -338,7 +338,7 @@ fn born(middle: Point, size: f64, random: &mut Random) -> [f64; 10] {
 /// The mean square distance to the sampled curve, relative to the square of the size; other
 /// linkages than crank-rockers cost more than any crank-rocker.
 fn cost(genes: &[f64; 10], points: &[Point], size: f64, evaluations: &mut u64) -> f64 {
-    let linkage = Linkage::of(genes);
+    let linkage = CouplerLinkage::of(genes);
     let fault = linkage.fault();
     if fault > 0.0 {
         return 1e6 * (1.0 + fault);
@@ -352,12 +352,12 @@ fn cost(genes: &[f64; 10], points: &[Point], size: f64, evaluations: &mut u64) -
         / (points.len() as f64 * size * size)
 }
 
-fn sampled(linkage: &Linkage) -> Vec<Point> {
+fn sampled(linkage: &CouplerLinkage) -> Vec<Point> {
     (0..SAMPLES).filter_map(|k| Some(linkage.place(TAU * k as f64 / SAMPLES as f64)?.e)).collect()
 }
 
 /// The crank angles nearest to the places, from finer samples.
-fn nearest(linkage: &Linkage, points: &[Point], evaluations: &mut u64) -> Option<Vec<f64>> {
+fn nearest(linkage: &CouplerLinkage, points: &[Point], evaluations: &mut u64) -> Option<Vec<f64>> {
     const FINE: usize = 360;
     *evaluations += FINE as u64;
     let angle = |k: usize| TAU * k as f64 / FINE as f64;
@@ -369,8 +369,8 @@ fn nearest(linkage: &Linkage, points: &[Point], evaluations: &mut u64) -> Option
 
 /// Refines a linkage by Gauss–Newton with Levenberg's damping; `None` if it leads away from
 /// crank-rockers.
-fn refine(mut linkage: Linkage, mut cranks: Vec<f64>, points: &[Point], size: f64, evaluations: &mut u64) -> Option<Fit> {
-    let sum = |l: &Linkage, t: &[f64]| points.iter().zip(t).map(|(p, t)| Some((l.place(*t)?.e - *p).norm2())).sum::<Option<f64>>();
+fn refine(mut linkage: CouplerLinkage, mut cranks: Vec<f64>, points: &[Point], size: f64, evaluations: &mut u64) -> Option<Fit> {
+    let sum = |l: &CouplerLinkage, t: &[f64]| points.iter().zip(t).map(|(p, t)| Some((l.place(*t)?.e - *p).norm2())).sum::<Option<f64>>();
     let mut best = sum(&linkage, &cranks)?;
     let mut damping = 1e-3;
     let mut still = 0;

@@ -7,8 +7,8 @@
 //! Levenberg's damping then refines all ten unknowns. The cognate whose crank turns with the crank
 //! (Roberts) meets the same places at the same angles: both are returned.
 
-use super::evolution::{Population, Random, evolve};
-use super::{Fit, Linkage, Search, extent, few, stream, until_sure};
+use super::evolution::{Population, RandomStream, evolve};
+use super::{CouplerLinkage, Fit, Search, extent, selected_places, stream, until_sure};
 use hodograph_base::geom::{Point, Vec2};
 use nalgebra::{SMatrix, SVector};
 use std::f64::consts::TAU;
@@ -28,10 +28,10 @@ pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
         (a.rms - b.rms).abs() <= 1e-9 * size.max(b.rms)
             && a.linkage.lengths.iter().zip(b.linkage.lengths).all(|(p, q)| (p - q).abs() <= 1e-6 * size)
     };
-    let (some, at) = (few(points), few(turns));
-    let mut found = until_sure(size, &same, |run| Timed { points: &some, turns: &at, size }.alone(stream(seed, run)));
+    let (some, at) = (selected_places(points), selected_places(turns));
+    let mut found = until_sure(size, &same, |run| TimedRun { points: &some, turns: &at, size }.alone(stream(seed, run)));
     if some.len() < points.len() {
-        let all = Timed { points, turns, size };
+        let all = TimedRun { points, turns, size };
         found = found.of_all(&same, |fit, evaluations| all.refine((fit.linkage, *fit.cranks.first()?), evaluations));
     }
     // Of the optima at the bound only one is kept.
@@ -73,7 +73,7 @@ fn twin(fit: &Fit) -> Option<Fit> {
     if by < 1e-9 {
         return None;
     }
-    let linkage = Linkage {
+    let linkage = CouplerLinkage {
         a: l.a + (l.d() - l.a).rotate_by(lambda),
         lengths: [a * by, c * by, b * by, d * by],
         phi: l.phi + stretch.angle(),
@@ -83,19 +83,19 @@ fn twin(fit: &Fit) -> Option<Fit> {
     Some(Fit { linkage, cranks: fit.cranks.iter().map(|t| t + stretch.angle()).collect(), rms: fit.rms })
 }
 
-struct Timed<'a> {
+struct TimedRun<'a> {
     points: &'a [Point],
     turns: &'a [f64],
     size: f64,
 }
 
-impl Timed<'_> {
+impl TimedRun<'_> {
     /// Makes one run; returns its optima and the number of positions evaluated.
     fn alone(&self, seed: u64) -> (Vec<Fit>, u64) {
         let mut evaluations = 0;
         let apart = |o: &[f64; 5], p: &[f64; 5]| (0..4).any(|k| (o[k] - p[k]).abs() > 0.05) || (o[4] > 0.0) != (p[4] > 0.0);
         let population = Population { count: POPULATION, generations: GENERATIONS, apart: &apart };
-        let mut random = Random::new(seed);
+        let mut random = RandomStream::new(seed);
         let ranked = evolve(&population, born, |genes| self.cost(genes, &mut evaluations), &mut random);
         let fits = ranked.iter().filter_map(|genes| self.refine(self.projected(genes)?.0, &mut evaluations)).collect();
         (fits, evaluations)
@@ -112,7 +112,7 @@ impl Timed<'_> {
 
     /// The best linkage of a shape and first angle, and its sum of squares: linear least squares in
     /// three complex numbers.
-    fn projected(&self, genes: &[f64; 5]) -> Option<((Linkage, f64), f64)> {
+    fn projected(&self, genes: &[f64; 5]) -> Option<((CouplerLinkage, f64), f64)> {
         let (shape, start) = (shape(genes), genes[3]);
         let at = |turn: f64| shape.place(start + turn - self.turns[0]);
         let rows: Option<Vec<[Vec2; 3]>> = self
@@ -149,7 +149,8 @@ impl Timed<'_> {
         // Z₁.
         let way = z1.unit()?;
         let a = Point::ORIGIN + mean[2] - mean[0].rotate_by(z1) - mean[1].rotate_by(z2);
-        let linkage = Linkage { a, lengths: shape.lengths.map(|l| l * scale), phi: way.angle(), e: z2.divide_by(way), left: shape.left };
+        let linkage =
+            CouplerLinkage { a, lengths: shape.lengths.map(|l| l * scale), phi: way.angle(), e: z2.divide_by(way), left: shape.left };
         linkage.small(self.size).then(|| ((linkage, start + way.angle()), sum))
     }
 
@@ -158,13 +159,13 @@ impl Timed<'_> {
         self.turns.iter().map(|t| start + t - self.turns[0]).collect()
     }
 
-    fn sum(&self, l: &Linkage, start: f64) -> Option<f64> {
+    fn sum(&self, l: &CouplerLinkage, start: f64) -> Option<f64> {
         self.cranks(start).iter().zip(self.points).map(|(t, p)| Some((l.place(*t)?.e - *p).norm2())).sum()
     }
 
     /// Refines all ten unknowns by Gauss–Newton with Levenberg's damping; `None` if it creeps along
     /// a valley without converging.
-    fn refine(&self, (mut linkage, mut start): (Linkage, f64), evaluations: &mut u64) -> Option<Fit> {
+    fn refine(&self, (mut linkage, mut start): (CouplerLinkage, f64), evaluations: &mut u64) -> Option<Fit> {
         let mut best = self.sum(&linkage, start)?;
         let mut damping = 1e-3;
         let mut still = 0;
@@ -209,7 +210,7 @@ impl Timed<'_> {
 }
 
 /// A random shape to begin with.
-fn born(random: &mut Random) -> [f64; 5] {
+fn born(random: &mut RandomStream) -> [f64; 5] {
     let mut ratio = || random.between(libm::log(RATIO[0]), libm::log(RATIO[1]));
     let [b, c, d] = [ratio(), ratio(), ratio()];
     [b, c, d, random.between(0.0, TAU), random.between(-1.0, 1.0)]
@@ -217,9 +218,9 @@ fn born(random: &mut Random) -> [f64; 5] {
 
 /// The linkage of a shape: a crank of length 1 at the origin, the frame along x; the genes are
 /// logarithms of the other lengths, the crank's first angle, and the assembly.
-fn shape(genes: &[f64; 5]) -> Linkage {
+fn shape(genes: &[f64; 5]) -> CouplerLinkage {
     let [b, c, d, _, side] = *genes;
-    Linkage { a: Point::ORIGIN, lengths: [1.0, libm::exp(b), libm::exp(c), libm::exp(d)], phi: 0.0, e: Vec2::ZERO, left: side > 0.0 }
+    CouplerLinkage { a: Point::ORIGIN, lengths: [1.0, libm::exp(b), libm::exp(c), libm::exp(d)], phi: 0.0, e: Vec2::ZERO, left: side > 0.0 }
 }
 
 #[cfg(test)]
@@ -230,7 +231,7 @@ mod tests {
     fn the_twin_meets_the_same_places_at_the_same_turns() {
         for left in [true, false] {
             let linkage =
-                Linkage { a: Point::new(0.01, -0.02), lengths: [0.03, 0.08, 0.07, 0.09], phi: 0.3, e: Vec2::new(0.05, 0.04), left };
+                CouplerLinkage { a: Point::new(0.01, -0.02), lengths: [0.03, 0.08, 0.07, 0.09], phi: 0.3, e: Vec2::new(0.05, 0.04), left };
             let cranks: Vec<f64> = (0..12).map(|k| 0.5 * f64::from(k)).collect();
             let other = twin(&Fit { linkage, cranks: cranks.clone(), rms: 0.0 }).unwrap();
             for (one, two) in cranks.iter().zip(&other.cranks) {
@@ -238,7 +239,7 @@ mod tests {
                 assert!(far < 1e-15, "{far}");
             }
         }
-        let at_c = Linkage { a: Point::ORIGIN, lengths: [0.03, 0.08, 0.07, 0.09], phi: 0.0, e: Vec2::new(0.08, 0.0), left: true };
+        let at_c = CouplerLinkage { a: Point::ORIGIN, lengths: [0.03, 0.08, 0.07, 0.09], phi: 0.0, e: Vec2::new(0.08, 0.0), left: true };
         assert_eq!(twin(&Fit { linkage: at_c, cranks: vec![0.0], rms: 0.0 }), None);
     }
 }

@@ -7,16 +7,16 @@
 
 use super::chunks::run_on_branches;
 use super::general::General;
-use super::pieces::{Stop, never};
+use super::pieces::{StopSignal, never};
 use super::station::{Stations, angle_per_value};
 use super::vary::Variation;
-use super::{Ends, Placed, Width, beside, compile, without_program};
+use super::{PlacedScene, TravelEnds, Width, beside, compile, without_program};
 use hodograph_base::budget::here;
 use hodograph_base::diag::Faults;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::{self, Configuration};
 use hodograph_scene::Scene;
-use hodograph_scene::eval::Value;
+use hodograph_scene::eval::DimensionedValue;
 use hodograph_scene::with_driver_at;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -26,7 +26,7 @@ use std::borrow::Cow;
 /// The choice of the parameters' values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Choice {
+pub enum ParameterChoice {
     /// Every combination; the last parameter varies fastest.
     Grid,
     /// Random mechanisms, each parameter evenly distributed between its first and last value.
@@ -47,9 +47,9 @@ pub struct Batch<'a> {
     /// The parameters.
     pub variation: Variation,
     /// The values of each parameter.
-    pub values: Vec<Vec<Value>>,
+    pub values: Vec<Vec<DimensionedValue>>,
     /// The choice of values for each mechanism.
-    pub choice: Choice,
+    pub choice: ParameterChoice,
     /// The driver that is swept.
     pub driver: usize,
     /// Its positions; `None` for the scene's own position.
@@ -69,8 +69,8 @@ impl Batch<'_> {
     /// The number of mechanisms.
     pub fn mechanisms(&self) -> u64 {
         match self.choice {
-            Choice::Grid => self.values.iter().map(|v| v.len() as u64).fold(1, u64::saturating_mul),
-            Choice::Random { count, .. } => count,
+            ParameterChoice::Grid => self.values.iter().map(|v| v.len() as u64).fold(1, u64::saturating_mul),
+            ParameterChoice::Random { count, .. } => count,
         }
     }
 
@@ -91,11 +91,11 @@ impl Batch<'_> {
     }
 
     /// The varied parameters of a mechanism.
-    pub fn parameters(&self, number: u64) -> Vec<Value> {
+    pub fn parameters(&self, number: u64) -> Vec<DimensionedValue> {
         match self.choice {
-            Choice::Grid => {
+            ParameterChoice::Grid => {
                 let mut rest = number;
-                let mut out: Vec<Value> = self
+                let mut out: Vec<DimensionedValue> = self
                     .values
                     .iter()
                     .rev()
@@ -108,13 +108,13 @@ impl Batch<'_> {
                 out.reverse();
                 out
             }
-            Choice::Random { seed, .. } => {
+            ParameterChoice::Random { seed, .. } => {
                 let mut rng = Pcg64Mcg::seed_from_u64(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(number));
-                let between = |v: &Vec<Value>, rng: &mut Pcg64Mcg| {
+                let between = |v: &Vec<DimensionedValue>, rng: &mut Pcg64Mcg| {
                     let (a, b) = (v[0], v[v.len() - 1]);
                     // 53 random bits give evenly spread multiples of 2^-53.
                     let t = (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
-                    Value { number: a.number + (b.number - a.number) * t, ..a }
+                    DimensionedValue { number: a.number + (b.number - a.number) * t, ..a }
                 };
                 self.values.iter().map(|v| between(v, &mut rng)).collect()
             }
@@ -133,7 +133,7 @@ impl Batch<'_> {
     }
 
     /// [`Batch::block_in`] that can be stopped; returns `None` if `stop` asks for it.
-    pub fn block_unless(&self, from: u64, to: u64, used: Block, stop: Stop) -> Option<Block> {
+    pub fn block_unless(&self, from: u64, to: u64, used: Block, stop: StopSignal) -> Option<Block> {
         let (width, positions) = (self.columns().len(), self.positions().max(1));
         let mut columns = used.columns;
         columns.resize_with(width, Vec::new);
@@ -176,7 +176,7 @@ impl Batch<'_> {
     fn rows(&self, scene: &Scene, (mechanism, demand): (&Mechanism, &Demand), mut columns: Vec<&mut [f64]>) -> Result<Vec<usize>, Faults> {
         let (at, moved) = self.place(scene, mechanism, demand)?;
         let scene = moved.as_ref().unwrap_or(scene);
-        let placed = Placed { scene, mechanism, demand: demand.clone(), at, ends: Ends::default() };
+        let placed = PlacedScene { scene, mechanism, demand: demand.clone(), at, ends: TravelEnds::default() };
         let per_value = angle_per_value(scene, &placed.at, self.driver);
         let here = || Stations::of_values(vec![super::station::driver_positions(scene, &placed.at)[self.driver]], per_value);
         let stations = self.stations.as_ref().map_or_else(|| Cow::Owned(here()), Cow::Borrowed);

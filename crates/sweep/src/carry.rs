@@ -5,7 +5,7 @@
 //! points is the image of the arm, P = O + k d with a complex constant k. The velocities and
 //! accelerations of the three points obey the same relation (影像).
 
-use super::kernel::{Kernel, Pair, Reg};
+use super::kernel::{Kernel, Reg, RegPair};
 use super::lane::Lane;
 use hodograph_base::geom::Vec2;
 
@@ -13,9 +13,9 @@ use hodograph_base::geom::Vec2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Image {
     /// The link's reference point, or its velocity, or its acceleration.
-    pub o: Pair,
+    pub o: RegPair,
     /// The arm, or its rates.
-    pub d: Pair,
+    pub d: RegPair,
     /// Real and imaginary part of k.
     pub k: [f64; 2],
 }
@@ -37,9 +37,9 @@ impl Kernel<4, 2> for Image {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arm {
     /// The start A.
-    pub from: Pair,
+    pub from: RegPair,
     /// The end B.
-    pub to: Pair,
+    pub to: RegPair,
 }
 
 impl Kernel<4, 2> for Arm {
@@ -58,7 +58,7 @@ impl Kernel<4, 2> for Arm {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist {
     /// The arm.
-    pub d: Pair,
+    pub d: RegPair,
     /// Real and imaginary part of k.
     pub k: [f64; 2],
 }
@@ -80,9 +80,9 @@ impl Kernel<2, 2> for Twist {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Product {
     /// The first factor.
-    pub a: Pair,
+    pub a: RegPair,
     /// The second factor.
-    pub b: Pair,
+    pub b: RegPair,
 }
 
 impl Kernel<4, 2> for Product {
@@ -100,16 +100,16 @@ impl Kernel<4, 2> for Product {
 
 /// The point Q + s t.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Along {
+pub struct PointAlong {
     /// The start Q.
-    pub q: Pair,
+    pub q: RegPair,
     /// The direction t.
-    pub t: Pair,
+    pub t: RegPair,
     /// The distance s.
     pub s: Reg,
 }
 
-impl Kernel<5, 2> for Along {
+impl Kernel<5, 2> for PointAlong {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 5] {
         [self.q.x, self.q.y, self.t.x, self.t.y, self.s]
@@ -123,16 +123,16 @@ impl Kernel<5, 2> for Along {
 
 /// v_P = v_O + ω × r, with the arm r from O to P.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Swing {
+pub struct ArmSwing {
     /// v_O.
-    pub v: Pair,
+    pub v: RegPair,
     /// r.
-    pub r: Pair,
+    pub r: RegPair,
     /// ω.
     pub omega: Reg,
 }
 
-impl Kernel<5, 2> for Swing {
+impl Kernel<5, 2> for ArmSwing {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 5] {
         [self.v.x, self.v.y, self.r.x, self.r.y, self.omega]
@@ -148,9 +148,9 @@ impl Kernel<5, 2> for Swing {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SwingRate {
     /// a_O.
-    pub a: Pair,
+    pub a: RegPair,
     /// r.
-    pub r: Pair,
+    pub r: RegPair,
     /// ω.
     pub omega: Reg,
     /// α.
@@ -172,14 +172,14 @@ impl Kernel<6, 2> for SwingRate {
 
 /// Angular velocity ω of an arm d whose end has the velocity v relative to its start: d × v / d².
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turning {
+pub struct ArmTurning {
     /// The arm.
-    pub d: Pair,
+    pub d: RegPair,
     /// Its rate.
-    pub v: Pair,
+    pub v: RegPair,
 }
 
-impl Kernel<4, 1> for Turning {
+impl Kernel<4, 1> for ArmTurning {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 4] {
         [self.d.x, self.d.y, self.v.x, self.v.y]
@@ -196,11 +196,11 @@ impl Kernel<4, 1> for Turning {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningRate {
     /// The arm.
-    pub d: Pair,
+    pub d: RegPair,
     /// Its rate.
-    pub v: Pair,
+    pub v: RegPair,
     /// The arm's second derivative.
-    pub a: Pair,
+    pub a: RegPair,
     /// ω.
     pub omega: Reg,
 }

@@ -5,20 +5,20 @@
 //! branches are the same as some whole turns before, the same change points recur for ever. Travel
 //! of a million turns is therefore searched as fast as travel of a few.
 
-use super::limit::{Event, Kind, Probe};
-use super::program::{Op, Program};
+use super::limit::{Event, EventKind, Probe};
+use super::program::{Op, SweepProgram};
 
 /// Change points on the travel from the driver's position, in the order in which they are met.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changes {
     /// The change points found: all of them, or up to the first that recurs.
     pub events: Vec<Event>,
-    again: Option<Again>,
+    again: Option<Recurrence>,
 }
 
 /// A recurrence: the last event repeats an earlier one, some turns later.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Again {
+struct Recurrence {
     /// The index of the earlier event.
     first: usize,
     /// The distance between the two, in the direction of travel (rad).
@@ -40,7 +40,7 @@ impl Changes {
     /// downward.
     pub fn stretch(&self, value: f64, sense: f64) -> usize {
         let mut value = value;
-        if let (Some(Again { after, .. }), Some(last)) = (self.again, self.events.last()) {
+        if let (Some(Recurrence { after, .. }), Some(last)) = (self.again, self.events.last()) {
             let beyond = sense * (value - last.value);
             if beyond > 0.0 {
                 value -= sense * after * (beyond / after).ceil();
@@ -52,7 +52,7 @@ impl Changes {
     /// The change points up to a value, each of them once, and `true` if they recur on further
     /// turns.
     pub fn met(&self, until: f64) -> (&[Event], bool) {
-        let after_last = |Again { first, after }: Again| {
+        let after_last = |Recurrence { first, after }: Recurrence| {
             let [one, last] = [self.events.get(first)?, self.events.last()?].map(|e| e.value);
             let sense = (last - one).signum();
             // Changes repeat with the period: the next one follows the last by the distance found one period earlier.
@@ -72,7 +72,7 @@ impl Changes {
             let way = (last.value - event.value).abs();
             let turns = libm::rint(way / period);
             let same = event.joint == last.joint && behind == after && turns >= 1.0 && (way - turns * period).abs() < SAME;
-            same.then_some(Again { first, after: turns * period })
+            same.then_some(Recurrence { first, after: turns * period })
         };
         self.again = earlier.rev().find_map(comes_again);
         self.again.is_some()
@@ -103,7 +103,7 @@ impl Probe<'_> {
                 None if to == until || period.is_some() => return (None, changes),
                 None => from = to,
                 Some(event) if (event.value - until) * step > 0.0 => return (None, changes),
-                Some(limit) if limit.kind == Kind::Limit => return (Some(limit), changes),
+                Some(limit) if limit.kind == EventKind::Limit => return (Some(limit), changes),
                 Some(change) => {
                     from = change.value + 0.5 * step;
                     self.program.flip(change.joint.unwrap_or(0));
@@ -118,13 +118,13 @@ impl Probe<'_> {
     }
 }
 
-impl Program {
+impl SweepProgram {
     /// The branch of each joint.
     fn signs(&self) -> Vec<bool> {
         let sign = |step: usize| match &self.steps[0][step].op {
             Op::Circles(k) => k.sign > 0.0,
             Op::CircleLine(k) => k.sign > 0.0,
-            Op::Lever(k) => k.sign > 0.0,
+            Op::SlotLever(k) => k.sign > 0.0,
             _ => true,
         };
         self.joints.iter().map(|j| sign(j.step)).collect()
@@ -134,20 +134,20 @@ impl Program {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Placed, Stations, Table, Width, compile, run};
+    use crate::{PlacedScene, Stations, Table, Width, compile, run};
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{Angle, edit, read, templates};
     use std::f64::consts::TAU;
 
-    fn with<T>(phi: &str, see: impl FnOnce(&Placed) -> T) -> T {
+    fn with<T>(phi: &str, see: impl FnOnce(&PlacedScene) -> T) -> T {
         let text = templates::instantiate("parallelogram", &[("phi_1", phi)]).unwrap();
         let scene = read(edit::with_find(&text, &["x_C", "y_C", "v_C", "a_E", "omega_3"]).unwrap()).unwrap().value;
         let m = Mechanism::new(&scene).unwrap().value;
-        see(&Placed::new(&scene, &m).unwrap())
+        see(&PlacedScene::new(&scene, &m).unwrap())
     }
 
     /// Every tenth degree of a turn, including positions in line, `turns` turns on.
-    fn turn(placed: &Placed, turns: f64) -> Table {
+    fn turn(placed: &PlacedScene, turns: f64) -> Table {
         let [from, to] = [10.0, 370.0].map(|deg| Angle::Deg(deg + 360.0 * turns));
         run(placed, 0, &Stations::turned(from, to, 36), Width::Widest).unwrap()
     }

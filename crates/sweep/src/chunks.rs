@@ -7,12 +7,12 @@ use super::general::{self, General};
 use super::kernel::Reg;
 use super::lane::Width;
 use super::limit::{SUSPECT, dense};
-use super::pieces::{Gaps, Stop};
-use super::program::{INPUTS, Program};
+use super::pieces::{Gaps, StopSignal};
+use super::program::{INPUTS, SweepProgram};
 use super::run::{Buffer, CHUNK};
 use super::stood::Stood;
 use super::table::{Column, Table};
-use super::{Placed, Stations, branches, compile};
+use super::{PlacedScene, Stations, branches, compile};
 use hodograph_base::budget::{here, spend};
 use hodograph_base::diag::{Diagnostic, Faults};
 use hodograph_mechanism::position::Configuration;
@@ -24,7 +24,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The rows of a sweep in progress: the numbers of all columns, and the rows that exist.
 #[derive(Default)]
-pub(super) struct Rows<C = Vec<f64>> {
+pub(super) struct SweepRows<C = Vec<f64>> {
     /// The numbers, column after column.
     pub columns: Vec<C>,
     /// The missing rows, with their reasons.
@@ -34,12 +34,12 @@ pub(super) struct Rows<C = Vec<f64>> {
 }
 
 /// The numbers next to a row.
-type Near<'a> = &'a (dyn Fn(usize) -> Option<Vec<f64>> + Sync);
+type NearbyRow<'a> = &'a (dyn Fn(usize) -> Option<Vec<f64>> + Sync);
 
-impl<C: DerefMut<Target = [f64]>> Rows<C> {
+impl<C: DerefMut<Target = [f64]>> SweepRows<C> {
     /// Hands the open rows to the general solver. Where it finds several ways on, the one nearest
     /// to the numbers of `near` is taken. Stops early and returns `false` if `stop` asks for it.
-    pub fn complete(&mut self, general: &General, stations: &Stations, stop: Stop, near: Near) -> bool {
+    pub fn complete(&mut self, general: &General, stations: &Stations, stop: StopSignal, near: NearbyRow) -> bool {
         let open = std::mem::take(&mut self.open);
         let laid = Stood::beyond_change_points(general, stations, &open);
         let solve = |i: usize, at: Option<&Configuration>| general.ways(stations, i, at).map(|ways| pick_way(ways, || near(i)));
@@ -70,11 +70,11 @@ impl<C: DerefMut<Target = [f64]>> Rows<C> {
     }
 }
 
-impl Rows {
+impl SweepRows {
     /// Returns the rows with the numbers copied to other columns.
-    pub fn copied_to<C: DerefMut<Target = [f64]>>(self, mut columns: Vec<C>) -> Rows<C> {
+    pub fn copied_to<C: DerefMut<Target = [f64]>>(self, mut columns: Vec<C>) -> SweepRows<C> {
         columns.iter_mut().zip(&self.columns).for_each(|(c, v)| c.copy_from_slice(v));
-        Rows { columns, missing: self.missing, open: self.open }
+        SweepRows { columns, missing: self.missing, open: self.open }
     }
 
     /// Returns the numbers of the rows that exist, the driver's values first.
@@ -89,7 +89,14 @@ impl Rows {
         columns
     }
 
-    pub fn into_table(self, placed: &Placed, driver: usize, stations: &Stations, values: Vec<f64>, mut notes: Vec<Diagnostic>) -> Table {
+    pub fn into_table(
+        self,
+        placed: &PlacedScene,
+        driver: usize,
+        stations: &Stations,
+        values: Vec<f64>,
+        mut notes: Vec<Diagnostic>,
+    ) -> Table {
         let words = |k: usize| general::driver_words(placed.scene, driver, stations.values[k]);
         let mut gaps = Gaps::of(placed.scene);
         gaps.see_all(&self, 0);
@@ -113,11 +120,17 @@ fn pick_way(mut ways: Vec<Vec<f64>>, near: impl Fn() -> Option<Vec<f64>>) -> Vec
 }
 
 /// Runs the program of each stretch over its stations.
-pub(super) fn run_parts(parts: &[(Program, Vec<usize>)], placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
+pub(super) fn run_parts(
+    parts: &[(SweepProgram, Vec<usize>)],
+    placed: &PlacedScene,
+    driver: usize,
+    stations: &Stations,
+    width: Width,
+) -> SweepRows {
     if let [(program, _)] = parts {
         return run_program(program, placed, driver, stations, width);
     }
-    let mut whole = Rows { columns: Vec::new(), missing: BTreeMap::new(), open: Vec::new() };
+    let mut whole = SweepRows { columns: Vec::new(), missing: BTreeMap::new(), open: Vec::new() };
     for (program, rows) in parts {
         let part = run_program(program, placed, driver, &stations.pick(rows), width);
         whole.columns.resize_with(part.columns.len(), || vec![f64::NAN; stations.len()]);
@@ -132,22 +145,22 @@ pub(super) fn run_parts(parts: &[(Program, Vec<usize>)], placed: &Placed, driver
 }
 
 /// Runs a program over all stations.
-pub(super) fn run_program(program: &Program, placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
+pub(super) fn run_program(program: &SweepProgram, placed: &PlacedScene, driver: usize, stations: &Stations, width: Width) -> SweepRows {
     run_with(program, states(program, placed, driver, stations).as_ref(), stations, width)
 }
 
 /// The states of a program's followed links, if it has any.
-fn states(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> Option<States> {
+fn states(program: &SweepProgram, placed: &PlacedScene, driver: usize, stations: &Stations) -> Option<States> {
     (!program.tracks.is_empty()).then(|| compiled::follow(program, placed, driver, stations))
 }
 
 /// Runs a program over all stations, with the given states of its followed links.
-pub(super) fn run_with(program: &Program, states: Option<&States>, stations: &Stations, width: Width) -> Rows {
+pub(super) fn run_with(program: &SweepProgram, states: Option<&States>, stations: &Stations, width: Width) -> SweepRows {
     fill(program, program.fused(), states, stations, width, sized(Vec::new(), program, stations), |_, _| {})
 }
 
 /// Columns for a program's answers at all stations, in the memory of `used`.
-pub(super) fn sized(used: Vec<Vec<f64>>, program: &Program, stations: &Stations) -> Vec<Vec<f64>> {
+pub(super) fn sized(used: Vec<Vec<f64>>, program: &SweepProgram, stations: &Stations) -> Vec<Vec<f64>> {
     let mut columns = used;
     columns.resize_with(program.columns.len(), Vec::new);
     columns.iter_mut().for_each(|c| c.resize(stations.len(), 0.0));
@@ -161,13 +174,13 @@ const WATCHED: usize = 4096;
 /// Runs a program over all stations, on the other branches of its joints beyond change points;
 /// returns one note for each of these.
 pub(super) fn run_on_branches<C: DerefMut<Target = [f64]>>(
-    program: &Program,
-    placed: &Placed,
+    program: &SweepProgram,
+    placed: &PlacedScene,
     driver: usize,
     stations: &Stations,
     width: Width,
     columns: Vec<C>,
-) -> (Rows<C>, Vec<Diagnostic>) {
+) -> (SweepRows<C>, Vec<Diagnostic>) {
     if program.tracks.is_empty() && program.suspects().next().is_none() {
         return (fill(program, program.fused(), None, stations, width, columns, |_, _| {}), Vec::new());
     }
@@ -199,7 +212,12 @@ pub(super) fn run_on_branches<C: DerefMut<Target = [f64]>>(
 /// Runs a program on the branches of the instant and watches the crossings of the joints that may
 /// have a change point: most mechanisms come nowhere near one and need no search. Returns `true` if
 /// there may be one.
-fn run_watched<C: DerefMut<Target = [f64]>>(program: &Program, stations: &Stations, width: Width, columns: Vec<C>) -> (Rows<C>, bool) {
+fn run_watched<C: DerefMut<Target = [f64]>>(
+    program: &SweepProgram,
+    stations: &Stations,
+    width: Width,
+    columns: Vec<C>,
+) -> (SweepRows<C>, bool) {
     let near = AtomicBool::new(false);
     let fused = program.fused_watched();
     let watched: Vec<Reg> = program.suspects().filter_map(|c| fused.place(c)).collect();
@@ -229,14 +247,14 @@ thread_local! {
 /// its followed links at each station. `seen` receives the registers of each chunk and its number
 /// of positions.
 pub(super) fn fill<C: DerefMut<Target = [f64]>>(
-    program: &Program,
+    program: &SweepProgram,
     fused: &Fused,
     states: Option<&States>,
     stations: &Stations,
     width: Width,
     mut columns: Vec<C>,
     seen: impl Fn(&Buffer, usize) + Sync,
-) -> Rows<C> {
+) -> SweepRows<C> {
     let n = stations.len();
     let mut missing = BTreeMap::new();
     for (row, state) in states.into_iter().flatten().enumerate() {
@@ -314,7 +332,7 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
             false => open.push(row),
         }
     }
-    Rows { columns, missing, open }
+    SweepRows { columns, missing, open }
 }
 
 /// The given rows of a part's columns.
@@ -336,7 +354,7 @@ mod tests {
         for find in [&["v_C", "a_C"][..], &["x_C"], &["v_B", "v_C"]] {
             let scene = read(edit::with_find(&text, find).unwrap()).unwrap().value;
             let m = Mechanism::new(&scene).unwrap().value;
-            let placed = Placed::new(&scene, &m).unwrap();
+            let placed = PlacedScene::new(&scene, &m).unwrap();
             let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 10_000);
             let program = super::super::compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
             let rows = run_program(&program, &placed, 0, &stations, Width::Widest);

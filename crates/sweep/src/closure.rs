@@ -4,7 +4,7 @@
 //! by a sign and written over [`Lane`]. Where two loci do not meet the result is NaN; a miss within
 //! rounding counts as a touch, by the same rule as there.
 
-use super::kernel::{Kernel, Pair, Reg};
+use super::kernel::{Kernel, Reg, RegPair};
 use super::lane::Lane;
 use hodograph_base::geom::Vec2;
 
@@ -52,18 +52,18 @@ pub trait Closure<const IN: usize> {
 
 /// The crossing of a closure ([`Margin::crossing`]) as an operation of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing<K>(pub K);
+pub struct ClosureCrossing<K>(pub K);
 
 /// The crossing of two circles.
-pub type CirclesCrossing = Crossing<Circles>;
+pub type CirclesCrossing = ClosureCrossing<Circles>;
 /// The crossing of a circle and a line.
-pub type CircleLineCrossing = Crossing<CircleLine>;
+pub type CircleLineCrossing = ClosureCrossing<CircleLine>;
 /// The crossing of a lever over a pin.
-pub type LeverCrossing = Crossing<Lever>;
+pub type LeverCrossing = ClosureCrossing<SlotLever>;
 
 macro_rules! crossings {
     ($($closure:ident: $in:literal to $out:literal),*) => {
-        $(impl Kernel<$in, 1> for Crossing<$closure> {
+        $(impl Kernel<$in, 1> for ClosureCrossing<$closure> {
             #[inline(always)]
             fn inputs(&self) -> [Reg; $in] {
                 Kernel::<$in, $out>::inputs(&self.0)
@@ -76,7 +76,7 @@ macro_rules! crossings {
         })*
     };
 }
-crossings!(Circles: 6 to 3, CircleLine: 7 to 2, Lever: 4 to 2);
+crossings!(Circles: 6 to 3, CircleLine: 7 to 2, SlotLever: 4 to 2);
 
 /// The meeting point of two circles, to the left (`sign` 1) or right (−1) of the line from the
 /// first centre to the second, and det = u × w of the arms u, w from the centres to it: twice the
@@ -84,11 +84,11 @@ crossings!(Circles: 6 to 3, CircleLine: 7 to 2, Lever: 4 to 2);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circles {
     /// The first centre.
-    pub a: Pair,
+    pub a: RegPair,
     /// The first radius.
     pub r: Reg,
     /// The second centre.
-    pub b: Pair,
+    pub b: RegPair,
     /// The second radius.
     pub s: Reg,
     /// The branch: 1 or −1.
@@ -131,13 +131,13 @@ impl Kernel<6, 3> for Circles {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CircleLine {
     /// The centre.
-    pub a: Pair,
+    pub a: RegPair,
     /// The radius.
     pub r: Reg,
     /// A point of the line.
-    pub q: Pair,
+    pub q: RegPair,
     /// Its unit direction.
-    pub t: Pair,
+    pub t: RegPair,
     /// The branch: 1 ahead, −1 behind.
     pub sign: f64,
 }
@@ -170,13 +170,13 @@ impl Kernel<7, 2> for CircleLine {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lines {
     /// A point of the first line.
-    pub p: Pair,
+    pub p: RegPair,
     /// Its direction.
-    pub u: Pair,
+    pub u: RegPair,
     /// A point of the second line.
-    pub q: Pair,
+    pub q: RegPair,
     /// Its direction.
-    pub w: Pair,
+    pub w: RegPair,
 }
 
 impl Kernel<8, 2> for Lines {
@@ -200,11 +200,11 @@ impl Kernel<8, 2> for Lines {
 /// is at ±w + h i, w² = |AB|² − h². The slot's direction is therefore t = AB/(±w + h i) = AB (±w −
 /// h i)/|AB|².
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lever {
+pub struct SlotLever {
     /// The pivot A.
-    pub a: Pair,
+    pub a: RegPair,
     /// The pin B.
-    pub b: Pair,
+    pub b: RegPair,
     /// The offset of the slot.
     pub h: f64,
     /// 1 if the pin is ahead of the pivot, −1 if it is behind it.
@@ -213,7 +213,7 @@ pub struct Lever {
     pub k: [f64; 2],
 }
 
-impl Closure<4> for Lever {
+impl Closure<4> for SlotLever {
     #[inline(always)]
     fn margin<N: Lane>(&self, [ax, ay, bx, by]: [N; 4]) -> Margin<N> {
         let r2 = Vec2::new(bx - ax, by - ay).norm2();
@@ -222,7 +222,7 @@ impl Closure<4> for Lever {
     }
 }
 
-impl Kernel<4, 2> for Lever {
+impl Kernel<4, 2> for SlotLever {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 4] {
         [self.a.x, self.a.y, self.b.x, self.b.y]

@@ -10,15 +10,15 @@
 //! # Source
 //! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 7; R. L. Norton, *Design of Machinery*, ch. 11.
 
-use super::Placed;
+use super::PlacedScene;
 use super::extreme::limits;
-use super::follow::whole::Whole;
+use super::follow::whole::DrivenMechanism;
 use super::general::General;
 use super::station::{Stations, angle_per_value, position_now};
 use hodograph_analytic as analytic;
 use hodograph_base::budget::spend;
 use hodograph_base::diag::{Diagnostic, Faults, both};
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::force::stretches;
 use hodograph_mechanism::position;
 use hodograph_scene::with_driver_at;
@@ -84,13 +84,13 @@ fn halved([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> Result<bool, Fau
 }
 
 /// The balancing moment, and the stretches of the loads, as functions of the driver's angle.
-struct Moment<'a> {
-    placed: &'a Placed<'a>,
+struct BalancingMoment<'a> {
+    placed: &'a PlacedScene<'a>,
     driver: usize,
     per_value: f64,
 }
 
-impl Moment<'_> {
+impl BalancingMoment<'_> {
     fn at(&self, angle: f64) -> Result<(f64, Vec<i32>), Faults> {
         spend();
         let p = self.placed;
@@ -99,7 +99,7 @@ impl Moment<'_> {
         let scene = with_driver_at(p.scene, self.driver, stations.place(0, p.scene, self.driver));
         let at = match general.is_closed_everywhere() {
             true => position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?,
-            false => Whole::new(p, self.driver).standing(angle)?,
+            false => DrivenMechanism::new(p, self.driver).standing(angle)?,
         };
         let solution = analytic::solve(&scene, p.mechanism, &at, &p.demand)?;
         let none = || {
@@ -145,13 +145,13 @@ impl Moment<'_> {
 ///
 /// # Errors
 /// Those of [`limits`]; a position in which the moment has no value.
-pub fn energy(placed: &Placed, driver: usize) -> Result<Option<Energy>, Faults> {
-    let Placed { scene, mechanism, .. } = placed;
+pub fn energy(placed: &PlacedScene, driver: usize) -> Result<Option<Energy>, Faults> {
+    let PlacedScene { scene, mechanism, .. } = placed;
     let all = limits(scene, mechanism, driver)?;
     if !scene.drivers[driver].kind.turns() || !all.range.full() || all.turns == 0 {
         return Ok(None);
     }
-    let moment = Moment { placed, driver, per_value: angle_per_value(scene, &placed.at, driver) };
+    let moment = BalancingMoment { placed, driver, per_value: angle_per_value(scene, &placed.at, driver) };
     let (start, period) = (position_now(scene, &placed.at, driver), TAU * all.seen as f64);
     let count = PANELS * all.seen as usize;
     let parts = moment.parts(start, period, count)?;

@@ -6,26 +6,26 @@
 //! driver running at unit speed. Where the output has no velocity, the mechanism is in a dead
 //! centre if it is driven from there.
 
-use super::chunks::{Rows, run_parts, run_program};
+use super::chunks::{SweepRows, run_parts, run_program};
 use super::compile::outputs;
-use super::follow::Follower;
-use super::follow::extremes::Walk;
-use super::limit::{Event, Probe, Range, range};
-use super::program::Program;
+use super::follow::PoseFollower;
+use super::follow::extremes::TravelWalk;
+use super::limit::{DriverRange, Event, Probe, range};
+use super::program::SweepProgram;
 use super::station::{Stations, angle_per_value, position_now};
-use super::swing::{Course, swing};
-use super::{Ends, Placed, Width};
-use hodograph_base::cam::Motion;
+use super::swing::{DriverSamples, swing};
+use super::{PlacedScene, TravelEnds, Width};
+use hodograph_base::cam::CamMotion;
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_mechanism::mechanism::{Core, Demand, Leg, Mechanism};
-use hodograph_scene::cams::Turning;
-use hodograph_scene::{Angle, Given, GuideId, GuidePath, LinkId, Place, PointId, PositionSlot, Scene};
+use hodograph_scene::cams::TurningCam;
+use hodograph_scene::{Angle, GivenQuantity, GuideId, GuidePath, LinkId, PointId, PointPlace, PositionSlot, Scene};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// The output at the other end of the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Output {
+pub enum DrivenOutput {
     /// A link that turns about a pivot on ground: its angle (rad).
     Turning(LinkId),
     /// A point or slider on a straight guide on ground: its coordinate from the guide's start (m).
@@ -34,7 +34,7 @@ pub enum Output {
 
 /// An extreme position of an output.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extreme {
+pub struct OutputExtreme {
     /// The position of the driver (rad or m).
     pub driver: f64,
     /// The driver's position at the end of a dwell, if the output dwells there; `driver` is then
@@ -50,9 +50,9 @@ pub struct Extreme {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Swing {
     /// The output.
-    pub output: Output,
+    pub output: DrivenOutput,
     /// Its extremes in the order of the driver's positions.
-    pub extremes: Vec<Extreme>,
+    pub extremes: Vec<OutputExtreme>,
     /// The difference of the lowest and the highest position (rad or m); `None` if the output turns
     /// fully or the driver has no end.
     pub stroke: Option<f64>,
@@ -63,7 +63,7 @@ pub struct Swing {
 
 /// The smallest transmission angle of a group.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Transmission {
+pub struct GroupTransmission {
     /// The links of the group.
     pub links: Vec<LinkId>,
     /// The pin at which they meet, if it is a pin.
@@ -95,13 +95,13 @@ pub enum Grashof {
 
 /// The limits, outputs and type of the whole motion.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Limits {
+pub struct MotionLimits {
     /// The range of the driver.
-    pub range: Range,
+    pub range: DriverRange,
     /// The outputs.
     pub swings: Vec<Swing>,
     /// The smallest transmission angle of each group with a closed form that has one.
-    pub transmission: Vec<Transmission>,
+    pub transmission: Vec<GroupTransmission>,
     /// The type of a four-bar with its lengths: driver, coupler, output, frame (m).
     pub grashof: Option<(Grashof, [f64; 4])>,
     /// The number of turns of a fully turning driver after which the pose recurs: 1; more with
@@ -125,7 +125,7 @@ const SQUARE: f64 = std::f64::consts::FRAC_PI_2 - 1e-7;
 ///
 /// # Errors
 /// A scene that cannot be placed; a driver that the scene does not have.
-pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Limits, Faults> {
+pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<MotionLimits, Faults> {
     let scene = &posed(at_unit_speed(scene, driver)?, mechanism, driver);
     let placed = placed(scene, mechanism)?;
     let found = outputs_of(scene, mechanism, driver);
@@ -150,10 +150,10 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
     let transmission = joints
         // A lever has a transmission angle of 90° everywhere.
         .filter(|(_, (at, angle))| at.is_finite() && *angle < SQUARE)
-        .map(|(j, (at, angle))| Transmission { links: j.links.clone(), pin: j.pin, angle, driver: at })
+        .map(|(j, (at, angle))| GroupTransmission { links: j.links.clone(), pin: j.pin, angle, driver: at })
         .collect();
     let grashof = grashof(&placed, driver);
-    Ok(Limits { range, swings, transmission, grashof, turns, seen })
+    Ok(MotionLimits { range, swings, transmission, grashof, turns, seen })
 }
 
 /// Returns the lower and upper end of a driver's travel, the others at rest; `None` where nothing
@@ -196,18 +196,18 @@ fn posed(scene: Scene, mechanism: &Mechanism, driver: usize) -> Scene {
     // A slider or a cylinder travels no farther than the sum of all lengths.
     let lengths = scene.lengths.iter().map(|l| l.value.value);
     let coordinates = scene.points.iter().filter_map(|p| match &p.place {
-        Place::At([x, y]) => Some(libm::hypot(x.value, y.value)),
-        Place::InLink { .. } | Place::Polar { .. } | Place::Unknown => None,
+        PointPlace::At([x, y]) => Some(libm::hypot(x.value, y.value)),
+        PointPlace::InLink { .. } | PointPlace::Polar { .. } | PointPlace::Unknown => None,
     });
     let reach = lengths.chain(coordinates).sum::<f64>();
     let span = scene.drivers[driver].span;
-    let given = |value: f64| Given { value, radius: 0.0, text: format!("{value:?} m"), span };
+    let given = |value: f64| GivenQuantity { value, radius: 0.0, text: format!("{value:?} m"), span };
     let at = |part: f64| {
         let mut scene = scene.clone();
         match scene.drivers[driver].kind.slot() {
             PositionSlot::Angle(angle) => {
                 let degrees = 360.0 * part;
-                *angle = Some(Given { value: Angle::Deg(degrees), radius: 0.0, text: format!("{degrees:?} deg"), span });
+                *angle = Some(GivenQuantity { value: Angle::Deg(degrees), radius: 0.0, text: format!("{degrees:?} deg"), span });
             }
             PositionSlot::Coordinate(position) => *position = Some(given(reach * part)),
             PositionSlot::Distance(length) => *length = Some(given(reach * part.abs())),
@@ -222,58 +222,58 @@ fn posed(scene: Scene, mechanism: &Mechanism, driver: usize) -> Scene {
 const STARTS: usize = 36;
 
 /// Places the whole scene, all groups included.
-fn placed<'a>(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
+fn placed<'a>(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<PlacedScene<'a>, Faults> {
     let none = Demand { groups: vec![None; mechanism.groups.len()], level: Default::default(), needs: Vec::new() };
     let demand = none.with_all_positions();
     let at = hodograph_mechanism::position::configure(scene, mechanism, &demand)?.value;
-    Ok(Placed { scene, mechanism, demand, at, ends: Ends::default() })
+    Ok(PlacedScene { scene, mechanism, demand, at, ends: TravelEnds::default() })
 }
 
 /// Returns the limits without a compiled program, for comparison.
 #[cfg(test)]
-pub(super) fn limits_walked(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Limits, Faults> {
+pub(super) fn limits_walked(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<MotionLimits, Faults> {
     let scene = &at_unit_speed(scene, driver)?;
     let placed = placed(scene, mechanism)?;
     Ok(walked(&placed, driver, &outputs_of(scene, mechanism, driver)))
 }
 
 /// The limits of a mechanism that is followed, without transmission angles and change points.
-fn walked(placed: &Placed, driver: usize, found: &[Output]) -> Limits {
+fn walked(placed: &PlacedScene, driver: usize, found: &[DrivenOutput]) -> MotionLimits {
     let now = position_now(placed.scene, &placed.at, driver);
-    let follower = Follower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, driver);
-    let walk = Walk::new(placed, driver, &follower, now);
+    let follower = PoseFollower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, driver);
+    let walk = TravelWalk::new(placed, driver, &follower, now);
     let (range, [low, high]) = (walk.range(), walk.span());
     let samples = SAMPLES * walk.turns() as usize;
     let stations = Stations::slid(low, high, samples, angle_per_value(placed.scene, &placed.at, driver));
     let joints = joints(placed.scene, driver);
-    let swing_of = |output: &Output| {
+    let swing_of = |output: &DrivenOutput| {
         let samples: Vec<Option<[f64; 3]>> = stations.values.iter().map(|x| walk.at(*x, *output)).collect();
         let column = |level: usize| -> Vec<f64> { samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect() };
         let lost = samples.iter().enumerate().filter(|(_, s)| s.is_none());
         let missing: BTreeMap<usize, Faults> = lost.map(|(i, _)| (i, Faults::default())).collect();
         let extent = placed.at.extent();
-        let course = Course { stations: &stations, range: &range, extent, period: walk.period(), joints: &joints };
+        let course = DriverSamples { stations: &stations, range: &range, extent, period: walk.period(), joints: &joints };
         swing(*output, [&column(0), &column(1)], &missing, &course, &|x| walk.at(x, *output))
     };
     let swings = found.iter().map(swing_of).collect();
     let (turns, seen) = if range.full() { (walk.returns(), walk.turns()) } else { (1, 1) };
-    Limits { range, swings, transmission: Vec::new(), grashof: grashof(placed, driver), turns, seen }
+    MotionLimits { range, swings, transmission: Vec::new(), grashof: grashof(placed, driver), turns, seen }
 }
 
-fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<Output> {
+fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<DrivenOutput> {
     let ground = &scene.links[scene.ground.0].points;
     let driven = |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned() == Some((l, scene.ground)));
     let mut out = Vec::new();
     for l in (0..scene.links.len()).map(LinkId) {
         let pivoted = scene.links[l.0].points.iter().any(|p| ground.contains(p));
         if l != scene.ground && pivoted && !driven(l) && !m.is_passive(l) && m.group_of_link[l.0].is_some() {
-            out.push(Output::Turning(l));
+            out.push(DrivenOutput::Turning(l));
         }
     }
     for (i, g) in scene.guides.iter().enumerate() {
         let mine = scene.drivers[driver].kind.guide() == Some(GuideId(i));
         if g.on == scene.ground && matches!(g.path, GuidePath::Line { .. }) && !mine {
-            out.push(Output::Sliding(GuideId(i)));
+            out.push(DrivenOutput::Sliding(GuideId(i)));
         }
     }
     out
@@ -283,10 +283,10 @@ fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<Output> {
 /// period after which it recurs (rad).
 fn joints(scene: &Scene, driver: usize) -> Vec<[f64; 2]> {
     let turned = scene.cams.iter().filter_map(|c| c.disc.as_ref()).filter(|t| t.driver == driver);
-    let of = |t: &Turning| -> Vec<[f64; 2]> {
+    let of = |t: &TurningCam| -> Vec<[f64; 2]> {
         let angles = match &t.disc.motion {
-            Motion::Law { program, .. } => program.joints(),
-            Motion::Profile(_) => t.disc.stretches().into_iter().map(|(phi, _)| phi).collect(),
+            CamMotion::Law { program, .. } => program.joints(),
+            CamMotion::Profile(_) => t.disc.stretches().into_iter().map(|(phi, _)| phi).collect(),
         };
         angles.into_iter().map(|phi| [(t.disc.sense * phi + t.start - t.from) / t.way, TAU / t.way.abs()]).collect()
     };
@@ -294,16 +294,16 @@ fn joints(scene: &Scene, driver: usize) -> Vec<[f64; 2]> {
 }
 
 /// The column of an output in the program: position, rate or acceleration.
-fn column(rows: &Rows, output: usize, level: usize) -> &[f64] {
+fn column(rows: &SweepRows, output: usize, level: usize) -> &[f64] {
     &rows.columns[3 * output + level]
 }
 
 fn swings(
-    program: &Program,
-    placed: &Placed,
+    program: &SweepProgram,
+    placed: &PlacedScene,
     driver: usize,
-    found: &[Output],
-    range: &Range,
+    found: &[DrivenOutput],
+    range: &DriverRange,
     ([low, high], period): ([f64; 2], Option<f64>),
 ) -> Vec<Swing> {
     let per_value = angle_per_value(placed.scene, &placed.at, driver);
@@ -322,14 +322,14 @@ fn swings(
         rows.missing.is_empty().then(|| [0, 1, 2].map(|l| column(&rows, output, l)[0]))
     };
     let extent = placed.at.extent();
-    let course = Course { stations: &stations, range, extent, period, joints: &joints(placed.scene, driver) };
+    let course = DriverSamples { stations: &stations, range, extent, period, joints: &joints(placed.scene, driver) };
     let of = |k: usize| [column(&rows, k, 0), column(&rows, k, 1)];
     found.iter().enumerate().map(|(k, output)| swing(*output, of(k), &rows.missing, &course, &|x| at(x, k))).collect()
 }
 
 /// The type of a four-bar: a crank on ground, a bar from it, and a bar from ground that meet in one
 /// pin.
-fn grashof(placed: &Placed, driver: usize) -> Option<(Grashof, [f64; 4])> {
+fn grashof(placed: &PlacedScene, driver: usize) -> Option<(Grashof, [f64; 4])> {
     let (scene, m) = (placed.scene, placed.mechanism);
     let (crank, against) = scene.drivers[driver].kind.turned()?;
     let moving = scene.links.len() - 1;
@@ -378,7 +378,7 @@ pub fn grashof_of(lengths: [f64; 4]) -> Grashof {
     }
 }
 
-impl Limits {
+impl MotionLimits {
     /// The limits of the driver and its change points.
     pub fn events(&self) -> impl Iterator<Item = &Event> {
         self.range.ends.iter().flatten().chain(&self.range.changes)

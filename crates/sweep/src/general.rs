@@ -1,8 +1,8 @@
 //! Single positions by the general solvers, where a program has no value, and the messages about
 //! rows and limits.
 
-use super::Placed;
-use super::follow::whole::Whole;
+use super::PlacedScene;
+use super::follow::whole::DrivenMechanism;
 use super::limit::Event;
 use super::station::Stations;
 use hodograph_analytic::{self as analytic, Solution};
@@ -18,12 +18,12 @@ use std::ops::Range;
 
 /// Solves single rows of a sweep by the general solvers.
 pub(super) struct General<'a> {
-    placed: &'a Placed<'a>,
+    placed: &'a PlacedScene<'a>,
     driver: usize,
 }
 
 impl<'a> General<'a> {
-    pub fn new(placed: &'a Placed<'a>, driver: usize) -> General<'a> {
+    pub fn new(placed: &'a PlacedScene<'a>, driver: usize) -> General<'a> {
         General { placed, driver }
     }
 
@@ -33,7 +33,7 @@ impl<'a> General<'a> {
     }
 
     /// The scene placed at the instant.
-    pub fn placed(&self) -> &'a Placed<'a> {
+    pub fn placed(&self) -> &'a PlacedScene<'a> {
         self.placed
     }
 
@@ -49,7 +49,7 @@ impl<'a> General<'a> {
 
     /// True if closed forms solve every station, with the closures of the instant.
     pub fn is_closed_everywhere(&self) -> bool {
-        self.placed.scene.is_told_everywhere() && !Whole::new(self.placed, self.driver).counts_turns()
+        self.placed.scene.is_told_everywhere() && !DrivenMechanism::new(self.placed, self.driver).counts_turns()
     }
 
     /// True if a cam's contact is valid at the instant only, with no driver to replace it; then
@@ -79,7 +79,7 @@ impl<'a> General<'a> {
                 return told;
             }
         }
-        self.answers(&scene, &Whole::new(p, self.driver).standing(stations.values[row])?)
+        self.answers(&scene, &DrivenMechanism::new(p, self.driver).standing(stations.values[row])?)
     }
 
     /// Solves one row with the configuration `at`, or else by the position solver; one row for each
@@ -156,7 +156,7 @@ impl Afresh {
     fn of(scene: &Scene, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Afresh, Faults> {
         let scene = scene.read_again(place)?;
         let mechanism = Mechanism::new(&scene)?.value;
-        let Placed { at, demand, .. } = Placed::new(&scene, &mechanism)?;
+        let PlacedScene { at, demand, .. } = PlacedScene::new(&scene, &mechanism)?;
         stated::proved(&scene, &mechanism, &at, Moment::Instant)?;
         let solution = analytic::solve(&scene, &mechanism, &at, &demand)?;
         Ok(Afresh { at, solution, scene })
@@ -238,19 +238,19 @@ pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnos
 }
 
 /// A run of missing rows, and the reason why the first of them is missing.
-pub(super) struct Gap {
+pub(super) struct RowGap {
     pub rows: Range<usize>,
     pub why: Both,
 }
 
 /// The runs of missing rows; the number of the first row of all is `first`.
-pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<Gap> {
-    let mut gaps: Vec<Gap> = Vec::new();
+pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<RowGap> {
+    let mut gaps: Vec<RowGap> = Vec::new();
     for (i, why) in missing {
         let row = first + i;
         match gaps.last_mut().filter(|g| g.rows.end == row) {
             Some(gap) => gap.rows.end = row + 1,
-            None => gaps.push(Gap { rows: row..row + 1, why: why.list.first().map_or(Both::default(), |d| d.message.clone()) }),
+            None => gaps.push(RowGap { rows: row..row + 1, why: why.list.first().map_or(Both::default(), |d| d.message.clone()) }),
         }
     }
     gaps
@@ -265,8 +265,8 @@ fn range_words(words: &dyn Fn(usize) -> String, rows: &Range<usize>) -> Both {
 }
 
 /// One note for each run of missing rows.
-pub(super) fn gap_notes(words: &dyn Fn(usize) -> String, gaps: &[Gap]) -> Vec<Diagnostic> {
-    let note = |Gap { rows, why }: &Gap| {
+pub(super) fn gap_notes(words: &dyn Fn(usize) -> String, gaps: &[RowGap]) -> Vec<Diagnostic> {
+    let note = |RowGap { rows, why }: &RowGap| {
         let count = match rows.len() {
             1 => both!("1 row is", "1 行"),
             n => both!("{n} rows are", "{n} 行"),

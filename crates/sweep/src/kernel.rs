@@ -12,7 +12,7 @@ pub struct Reg(pub u32);
 
 /// The registers of a vector's two components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Pair {
+pub struct RegPair {
     /// The component to the right.
     pub x: Reg,
     /// The upward component.

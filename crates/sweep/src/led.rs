@@ -8,7 +8,7 @@
 //! and rates follow from the equation and its derivatives by the angle θ by which the cam is
 //! turned, G = g turned by θ. Laws are polynomials and waves of the angle.
 
-use super::kernel::{Kernel, Pair, Reg};
+use super::kernel::{Kernel, Reg, RegPair};
 use super::lane::Lane;
 use super::turns::{QUARTER, turned};
 use hodograph_base::geom::Vec2;
@@ -17,16 +17,16 @@ use std::f64::consts::{FRAC_1_PI, TAU};
 /// The angle of the cam from the beginning of its first stretch, in the cam's own sense, within one
 /// turn (rad).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Phase {
+pub struct CamPhase {
     /// The driver's angle in [`super::turns::Quarters`].
-    pub quarters: Pair,
+    pub quarters: RegPair,
     /// The rate of the angle by the driver's angle: ±1, or the ratio of the wheels between the two.
     pub sense: f64,
     /// The angle at which the first stretch begins, less the shift to one side of junctions (rad).
     pub start: f64,
 }
 
-impl Kernel<2, 1> for Phase {
+impl Kernel<2, 1> for CamPhase {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 2] {
         [self.quarters.x, self.quarters.y]
@@ -34,7 +34,7 @@ impl Kernel<2, 1> for Phase {
 
     #[inline(always)]
     fn eval<N: Lane>(&self, [k, r]: [N; 2]) -> [N; 1] {
-        let Phase { sense, start, .. } = *self;
+        let CamPhase { sense, start, .. } = *self;
         // With wheels between them, a turn of the driver is not a turn of the cam.
         let m = if sense.abs() == 1.0 { k + (k * 0.25).nearest() * -4.0 } else { k };
         let x = m * (sense * QUARTER[0]) + (m * (sense * QUARTER[1]) + (r * sense + -start));
@@ -80,7 +80,7 @@ pub struct Lift {
     /// The numbers A, g and h of the piece.
     pub piece: [Reg; 4],
     /// The components cos θ and sin θ.
-    pub turn: Pair,
+    pub turn: RegPair,
     /// +1, or −1 if `turn` is that of −θ.
     pub way: f64,
     /// The direction d.
@@ -162,7 +162,7 @@ pub struct Faced {
     /// An unused number, K and ρ.
     pub piece: [Reg; 4],
     /// The components cos θ and sin θ.
-    pub turn: Pair,
+    pub turn: RegPair,
     /// +1, or −1 if `turn` is that of −θ.
     pub way: f64,
     /// The direction d.
@@ -201,7 +201,7 @@ pub struct Rock {
     /// The numbers A, g and h.
     pub piece: [Reg; 4],
     /// The components cos θ and sin θ.
-    pub turn: Pair,
+    pub turn: RegPair,
     /// +1, or −1 if `turn` is that of −θ.
     pub way: f64,
     /// The vector m.

@@ -3,7 +3,7 @@
 //!
 //! [`run()`] is the entry point: it turns a placed scene, the driver and its stations into a
 //! [`Table`]. A [`Sweep`] is compiled once for many runs. [`compile()`] makes the
-//! [`program::Program`], with one operation for each group and effect ([`closure`], [`carry`],
+//! [`program::SweepProgram`], with one operation for each group and effect ([`closure`], [`carry`],
 //! [`rows`] and [`reading`] are the kernels). [`fuse`] combines operations that belong together,
 //! and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
 //! ([`lane`]). [`suspect`] finds the joints that may change their branch during the motion. The
@@ -72,7 +72,7 @@ use pieces::never;
 pub use compile::compile;
 pub use lane::Width;
 pub use run::CHUNK;
-pub use station::{Stations, Steps};
+pub use station::{StationSteps, Stations};
 pub use table::{Column, Table};
 
 use changes::Changes;
@@ -83,13 +83,13 @@ use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::{self, Configuration};
 use hodograph_scene::Scene;
 use limit::Probe;
-use program::Program;
+use program::SweepProgram;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 use stood::Stood;
 
 /// A scene placed at its instant, ready to be swept.
-pub struct Placed<'a> {
+pub struct PlacedScene<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// Its topology.
@@ -99,16 +99,16 @@ pub struct Placed<'a> {
     /// The configuration at the instant.
     pub at: Configuration,
     /// The known ends of travel, from following to single positions.
-    pub ends: Ends,
+    pub ends: TravelEnds,
 }
 
 /// Ends of travel up to which drivers can be followed from the instant, each with its reason.
 /// Values beyond a known end are not tried again. The key is the driver, and `true` for backward
 /// travel.
 #[derive(Debug, Default)]
-pub struct Ends(Mutex<BTreeMap<(usize, bool), (f64, Faults)>>);
+pub struct TravelEnds(Mutex<BTreeMap<(usize, bool), (f64, Faults)>>);
 
-impl Ends {
+impl TravelEnds {
     /// Returns the reason why a driver cannot travel so far (rad or m), if it is known.
     fn of(&self, driver: usize, way: f64) -> Option<Faults> {
         let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -122,16 +122,16 @@ impl Ends {
     }
 }
 
-impl<'a> Placed<'a> {
+impl<'a> PlacedScene<'a> {
     /// Places a scene for its own questions.
     ///
     /// # Errors
     /// Those of [`position::configure`], and of [`position::redundant::check`] for a pair that locks the mechanism.
-    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
+    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<PlacedScene<'a>, Faults> {
         position::redundant::check(scene, mechanism)?;
         let demand = Demand::of(scene, mechanism);
         let at = position::configure(scene, mechanism, &demand)?.value;
-        Ok(Placed { scene, mechanism, demand, at, ends: Ends::default() })
+        Ok(PlacedScene { scene, mechanism, demand, at, ends: TravelEnds::default() })
     }
 }
 
@@ -143,7 +143,7 @@ impl<'a> Placed<'a> {
 ///
 /// # Errors
 /// A driver that the scene does not have; a sampled position that is not the scene's.
-pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
+pub fn run(placed: &PlacedScene, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
     let sweep = Sweep::new(placed, driver)?;
     sampled::proved(placed, driver, stations.len(), |i| stations.values[i])?;
     Ok(sweep.run(stations, width, Table::default()))
@@ -151,17 +151,17 @@ pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) ->
 
 /// Returns the answers at given values of a driver (rad or m); `None` for a driver that the scene
 /// does not have.
-pub fn of_values(placed: &Placed, driver: usize, values: Vec<f64>) -> Option<Table> {
+pub fn of_values(placed: &PlacedScene, driver: usize, values: Vec<f64>) -> Option<Table> {
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
     run(placed, driver, &Stations::of_values(values, per_value), Width::Widest).ok()
 }
 
 /// A scene compiled for one of its drivers, for repeated sweeps.
 pub struct Sweep<'a> {
-    placed: &'a Placed<'a>,
+    placed: &'a PlacedScene<'a>,
     driver: usize,
     /// The program, or the reason why there is none.
-    program: Result<Program, Diagnostic>,
+    program: Result<SweepProgram, Diagnostic>,
 }
 
 impl<'a> Sweep<'a> {
@@ -169,7 +169,7 @@ impl<'a> Sweep<'a> {
     ///
     /// # Errors
     /// A driver that the scene does not have.
-    pub fn new(placed: &'a Placed<'a>, driver: usize) -> Result<Sweep<'a>, Faults> {
+    pub fn new(placed: &'a PlacedScene<'a>, driver: usize) -> Result<Sweep<'a>, Faults> {
         let scene = placed.scene;
         if driver >= scene.drivers.len() {
             return Err(
@@ -213,7 +213,7 @@ impl<'a> Sweep<'a> {
 }
 
 /// The way to make the rows of questions that have no program.
-enum Beside {
+enum FallbackMethod {
     /// The general solver solves each row: followers of cams move by laws, or the scene is read
     /// again for each row.
     Each,
@@ -223,27 +223,27 @@ enum Beside {
     Whole,
 }
 
-impl Beside {
-    fn of(placed: &Placed, driver: usize) -> Beside {
+impl FallbackMethod {
+    fn of(placed: &PlacedScene, driver: usize) -> FallbackMethod {
         let laws = placed.scene.has_laws(driver);
         if General::new(placed, driver).is_read_again() || laws && General::new(placed, driver).is_closed_everywhere() {
-            return Beside::Each;
+            return FallbackMethod::Each;
         }
         match Stood::of(placed, driver) {
-            Some(stood) => Beside::Stood(Box::new(stood)),
-            None if laws => Beside::Each,
-            None => Beside::Whole,
+            Some(stood) => FallbackMethod::Stood(Box::new(stood)),
+            None if laws => FallbackMethod::Each,
+            None => FallbackMethod::Whole,
         }
     }
 }
 
 /// All rows of questions that have no program, for the given reason, and the notes on them.
-fn without_program(general: &General, stations: &Stations, why: &Diagnostic) -> (chunks::Rows, Vec<Diagnostic>) {
+fn without_program(general: &General, stations: &Stations, why: &Diagnostic) -> (chunks::SweepRows, Vec<Diagnostic>) {
     let (placed, driver) = (general.placed(), general.driver());
     let mut notes = vec![why.clone()];
-    let rows = match Beside::of(placed, driver) {
-        Beside::Each => return (each(general, stations), Vec::new()),
-        Beside::Stood(stood) => {
+    let rows = match FallbackMethod::of(placed, driver) {
+        FallbackMethod::Each => return (each(general, stations), Vec::new()),
+        FallbackMethod::Stood(stood) => {
             let (parts, changes) = branches(stood.program.clone(), placed, driver, stations);
             notes.extend(changes);
             let rows = stood.rows(&parts, general, stations, &never).unwrap_or_default();
@@ -252,7 +252,7 @@ fn without_program(general: &General, stations: &Stations, why: &Diagnostic) -> 
             }
             rows
         }
-        Beside::Whole => {
+        FallbackMethod::Whole => {
             let (rows, limits) = follow::whole::follow(placed, driver, stations);
             notes.extend(limits);
             rows
@@ -279,7 +279,7 @@ pub fn mechanism(scene: &Scene) -> Result<Mechanism, Faults> {
 }
 
 /// Compiles the program of a driver.
-fn compiled(placed: &Placed, driver: usize) -> Result<Program, Diagnostic> {
+fn compiled(placed: &PlacedScene, driver: usize) -> Result<SweepProgram, Diagnostic> {
     if General::new(placed, driver).is_read_again()
         && let Some(cam) = placed.scene.kept_cams().next()
     {
@@ -296,10 +296,10 @@ fn compiled(placed: &Placed, driver: usize) -> Result<Program, Diagnostic> {
 }
 
 /// All rows by the general solver, each by itself.
-fn each(general: &General, stations: &Stations) -> chunks::Rows {
+fn each(general: &General, stations: &Stations) -> chunks::SweepRows {
     let width = general.scene().find.iter().flat_map(compile::ask::names).count();
     let columns = vec![vec![f64::NAN; stations.len()]; width];
-    let mut rows = chunks::Rows { columns, open: (0..stations.len()).collect(), ..Default::default() };
+    let mut rows = chunks::SweepRows { columns, open: (0..stations.len()).collect(), ..Default::default() };
     rows.complete(general, stations, &never, &|_| None);
     rows.explain(general, stations);
     rows
@@ -307,7 +307,7 @@ fn each(general: &General, stations: &Stations) -> chunks::Rows {
 
 /// The numbers next to a station: the mean of two positions a thousandth of the reach to either
 /// side, each on its own side of a change point.
-fn beside(program: &Program, placed: &Placed, driver: usize, x: f64) -> Option<Vec<f64>> {
+fn beside(program: &SweepProgram, placed: &PlacedScene, driver: usize, x: f64) -> Option<Vec<f64>> {
     let off = 1e-3 * limit::reach(placed, driver);
     let sides = Stations::of_values(vec![x - off, x + off], station::angle_per_value(placed.scene, &placed.at, driver));
     let (parts, _) = branches(program.clone(), placed, driver, &sides);
@@ -318,7 +318,7 @@ fn beside(program: &Program, placed: &Placed, driver: usize, x: f64) -> Option<V
 
 /// The driver's position in the scene, and the lowest and highest value of the stations and that
 /// position.
-fn span(placed: &Placed, driver: usize, stations: &Stations) -> (f64, [f64; 2]) {
+fn span(placed: &PlacedScene, driver: usize, stations: &Stations) -> (f64, [f64; 2]) {
     let now = station::position_now(placed.scene, &placed.at, driver);
     let low = stations.values.iter().copied().fold(now, f64::min);
     let high = stations.values.iter().copied().fold(now, f64::max);
@@ -326,7 +326,7 @@ fn span(placed: &Placed, driver: usize, stations: &Stations) -> (f64, [f64; 2]) 
 }
 
 /// One note for each limit of the driver within the span of the stations.
-fn ends(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> Vec<Diagnostic> {
+fn ends(program: &SweepProgram, placed: &PlacedScene, driver: usize, stations: &Stations) -> Vec<Diagnostic> {
     let (now, span) = span(placed, driver, stations);
     let end = |until: f64| (until != now).then(|| Probe::of(program.clone(), placed, driver).walk(until).0).flatten();
     span.into_iter().filter_map(end).map(|e| general::limit_note(placed.scene, driver, &e)).collect()
@@ -334,7 +334,12 @@ fn ends(program: &Program, placed: &Placed, driver: usize, stations: &Stations) 
 
 /// The program of each stretch between change points, with its stations, and one note for each
 /// change point.
-fn branches(program: Program, placed: &Placed, driver: usize, stations: &Stations) -> (Vec<(Program, Vec<usize>)>, Vec<Diagnostic>) {
+fn branches(
+    program: SweepProgram,
+    placed: &PlacedScene,
+    driver: usize,
+    stations: &Stations,
+) -> (Vec<(SweepProgram, Vec<usize>)>, Vec<Diagnostic>) {
     let (now, span) = span(placed, driver, stations);
     let changes = change_points(&program, placed, driver, now, span);
     let notes = change_notes(placed, driver, &changes, span);
@@ -342,7 +347,7 @@ fn branches(program: Program, placed: &Placed, driver: usize, stations: &Station
 }
 
 /// One note for each change point of the driver's travel, and one if they recur on further turns.
-fn change_notes(placed: &Placed, driver: usize, changes: &[Changes; 2], span: [f64; 2]) -> Vec<Diagnostic> {
+fn change_notes(placed: &PlacedScene, driver: usize, changes: &[Changes; 2], span: [f64; 2]) -> Vec<Diagnostic> {
     let mut notes = Vec::new();
     for (changes, until) in changes.iter().zip(span) {
         let (met, more) = changes.met(until);
@@ -353,7 +358,7 @@ fn change_notes(placed: &Placed, driver: usize, changes: &[Changes; 2], span: [f
 }
 
 /// The change points of the driver's travel from its position in the scene, downward and upward.
-fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, span: [f64; 2]) -> [Changes; 2] {
+fn change_points(program: &SweepProgram, placed: &PlacedScene, driver: usize, now: f64, span: [f64; 2]) -> [Changes; 2] {
     let mut changes = [Changes::default(), Changes::default()];
     if program.tracks.is_empty() && program.suspects().next().is_some() {
         // Both directions share one compiled program.
@@ -366,7 +371,7 @@ fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, sp
 }
 
 /// The program of each stretch between change points, with its stations.
-fn stretches(program: Program, now: f64, changes: &[Changes; 2], stations: &Stations) -> Vec<(Program, Vec<usize>)> {
+fn stretches(program: SweepProgram, now: f64, changes: &[Changes; 2], stations: &Stations) -> Vec<(SweepProgram, Vec<usize>)> {
     let all: Vec<usize> = (0..stations.len()).collect();
     if changes.iter().all(|c| c.events.is_empty()) {
         return vec![(program, all)];
@@ -377,7 +382,7 @@ fn stretches(program: Program, now: f64, changes: &[Changes; 2], stations: &Stat
         let value = stations.values[i];
         if value < now { rows[0][down.stretch(value, -1.0)].push(i) } else { rows[1][up.stretch(value, 1.0)].push(i) }
     }
-    let mut parts: Vec<(Program, Vec<usize>)> = Vec::new();
+    let mut parts: Vec<(SweepProgram, Vec<usize>)> = Vec::new();
     for (changes, rows) in changes.iter().zip(rows) {
         let mut program = program.clone();
         for (k, rows) in rows.into_iter().enumerate() {

@@ -7,11 +7,11 @@
 //! with exact derivatives, kept between bounds by halving; for class III groups by Newton's method
 //! on the legs' equations together with their determinant.
 
-use super::Placed;
-use super::follow::triad::State;
+use super::PlacedScene;
+use super::follow::triad::FollowedState;
 use super::kernel::Reg;
 use super::lane::{Dual, Width};
-use super::program::{Op, Program};
+use super::program::{Op, SweepProgram};
 use super::station::{Stations, angle_per_value, position_now};
 use hodograph_mechanism::position::toggle::Toggle;
 use hodograph_scene::{LinkId, PointId};
@@ -22,7 +22,7 @@ use std::rc::Rc;
 
 /// The event of a group at a position of the driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum EventKind {
     /// The group cannot be assembled beyond.
     Limit,
     /// The group comes into line and passes through: its branch changes sign.
@@ -35,7 +35,7 @@ pub struct Event {
     /// The position of the driver (rad or m).
     pub value: f64,
     /// The kind of event.
-    pub kind: Kind,
+    pub kind: EventKind,
     /// The links of the group.
     pub links: Vec<LinkId>,
     /// The pin at which they meet; `None` if the core of the group is a link.
@@ -48,7 +48,7 @@ pub struct Event {
 
 /// The range of a driver from its position in the scene.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Range {
+pub struct DriverRange {
     /// The driver's position in the scene.
     pub now: f64,
     /// The ends downward and upward; `None` where the driver turns fully (or nothing stops it
@@ -60,7 +60,7 @@ pub struct Range {
     pub reach: f64,
 }
 
-impl Range {
+impl DriverRange {
     /// The range in numbers: `[low, high]`.
     pub fn bounds(&self) -> [f64; 2] {
         let end = |i: usize, far: f64| self.ends[i].as_ref().map_or(far, |e| e.value);
@@ -83,13 +83,13 @@ impl Range {
 /// A program with its driver, for evaluation at any position.
 pub struct Probe<'a> {
     /// The program.
-    pub program: Program,
-    placed: &'a Placed<'a>,
+    pub program: SweepProgram,
+    placed: &'a PlacedScene<'a>,
     driver: usize,
     per_value: f64,
     /// The driver's position in the scene.
     pub now: f64,
-    start: Option<State>,
+    start: Option<FollowedState>,
 }
 
 /// The number of steps of a search over the whole reach: two degrees, or the same part of the
@@ -103,7 +103,7 @@ pub(super) const SUSPECT: f64 = 0.1;
 /// True if these stations, with crossings of more than [`SUSPECT`] at each, leave no gap in which a
 /// limit or a change point goes unnoticed: they are no farther apart than the samples of a search,
 /// and their span includes the driver's position in the scene.
-pub(super) fn dense(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> bool {
+pub(super) fn dense(program: &SweepProgram, placed: &PlacedScene, driver: usize, stations: &Stations) -> bool {
     let step = reach(placed, driver) / (STEPS as f64 * program.finer());
     let now = position_now(placed.scene, &placed.at, driver);
     let ends = stations.values.first().zip(stations.values.last());
@@ -133,13 +133,13 @@ const SOME_TURNS: f64 = 100.0;
 const FASTEST: f64 = 16.0;
 
 /// A turn, or twice the mechanism's size.
-pub(super) fn reach(placed: &Placed, driver: usize) -> f64 {
+pub(super) fn reach(placed: &PlacedScene, driver: usize) -> f64 {
     if placed.scene.drivers[driver].kind.turns() { TAU } else { 2.0 * placed.at.extent() }
 }
 
 impl<'a> Probe<'a> {
     /// Prepares a program and the driver's position.
-    pub fn of(program: Program, placed: &'a Placed<'a>, driver: usize) -> Probe<'a> {
+    pub fn of(program: SweepProgram, placed: &'a PlacedScene<'a>, driver: usize) -> Probe<'a> {
         let mut probe = Probe {
             program,
             placed,
@@ -250,16 +250,16 @@ impl<'a> Probe<'a> {
                 // this one has no meaning.
                 let meaning = |i: usize| c[..j].iter().all(|u| u[i] >= -TOUCHING);
                 if i > 0 && c[j][i - 1] > TOUCHING && here < -TOUCHING && meaning(i) {
-                    return Some(self.event(j, Kind::Limit, self.root(j, xs[i - 1], xs[i])));
+                    return Some(self.event(j, EventKind::Limit, self.root(j, xs[i - 1], xs[i])));
                 }
                 let lowest = i > 0 && i + 1 < xs.len() && here < SUSPECT && here < c[j][i - 1] && here <= c[j][i + 1];
                 if lowest && meaning(i + 1) {
                     let (at, least) = self.least(j, xs[i - 1], xs[i + 1]);
                     if least.abs() <= TOUCHING {
-                        return Some(self.event(j, Kind::ChangePoint, at));
+                        return Some(self.event(j, EventKind::ChangePoint, at));
                     }
                     if least < 0.0 {
-                        return Some(self.event(j, Kind::Limit, self.root(j, xs[i - 1], at)));
+                        return Some(self.event(j, EventKind::Limit, self.root(j, xs[i - 1], at)));
                     }
                 }
             }
@@ -267,7 +267,7 @@ impl<'a> Probe<'a> {
         None
     }
 
-    fn event(&self, joint: usize, kind: Kind, value: f64) -> Event {
+    fn event(&self, joint: usize, kind: EventKind, value: f64) -> Event {
         let j = &self.program.joints[joint];
         let group = &self.placed.mechanism.groups[j.group];
         let toggle = Toggle::of(group, || false).filter(|t| matches!(t, Toggle::Line { .. }));
@@ -327,7 +327,7 @@ impl<'a> Probe<'a> {
 
     /// The limit next to a state from which a class III group cannot go on: its fold, or a limit
     /// upstream.
-    fn fold(&self, stuck: &State, until: f64) -> Event {
+    fn fold(&self, stuck: &FollowedState, until: f64) -> Event {
         let dets = self.program.determinants(stuck);
         // The group with the smallest determinant, relative to its own size, is the one that folds.
         let track = dets.iter().enumerate().min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map_or(0, |t| t.0);
@@ -338,13 +338,13 @@ impl<'a> Probe<'a> {
         self.program.derive_steps(0..self.program.tracks[track].step, &mut beyond);
         for (j, joint) in self.program.joints.iter().enumerate().filter(|(_, j)| j.step < self.program.tracks[track].step) {
             if beyond[joint.crossing.0 as usize].value < 0.0 {
-                return self.event(j, Kind::Limit, self.root(j, stuck.value, stuck.value + step));
+                return self.event(j, EventKind::Limit, self.root(j, stuck.value, stuck.value + step));
             }
         }
         let value = self.program.fold(track, stuck, &|x| self.turn(x)).unwrap_or(stuck.value);
         let group = &self.placed.mechanism.groups[self.program.tracks[track].group];
         let toggle = Toggle::of(group, || self.program.parallel(track, stuck, &|x| self.turn(x)));
-        Event { value, kind: Kind::Limit, links: group.links.clone(), pin: None, joint: None, toggle }
+        Event { value, kind: EventKind::Limit, links: group.links.clone(), pin: None, joint: None, toggle }
     }
 
     /// Returns the smallest transmission angle of each joint over a range (rad, at most 90°) and
@@ -386,20 +386,20 @@ fn sampled_at(xs: &[f64], per_value: f64) -> Rc<Stations> {
 }
 
 /// The range of a driver from its position, for a program that holds the relevant groups.
-pub fn range(program: Program, placed: &Placed, driver: usize) -> Range {
+pub fn range(program: SweepProgram, placed: &PlacedScene, driver: usize) -> DriverRange {
     let mut probe = Probe::of(program.clone(), placed, driver);
     let (now, reach) = (probe.now, probe.span());
     let (up, changes) = probe.walk(now + reach);
     let mut changes = changes.events;
     if up.is_none() && program.angular && program.period().is_some() {
-        return Range { now, ends: [None, None], changes, reach };
+        return DriverRange { now, ends: [None, None], changes, reach };
     }
     let (down, others) = Probe::of(program, placed, driver).walk(now - reach);
     changes.extend(others.events);
-    Range { now, ends: [down, up], changes, reach }
+    DriverRange { now, ends: [down, up], changes, reach }
 }
 
-impl Program {
+impl SweepProgram {
     /// Returns the driver's angle after which the pose recurs (rad); `None` if it never does, or
     /// after too many turns to search.
     pub(super) fn period(&self) -> Option<f64> {
@@ -417,7 +417,7 @@ impl Program {
         match &mut self.steps[0][self.joints[joint].step].op {
             Op::Circles(k) => k.sign = -k.sign,
             Op::CircleLine(k) => k.sign = -k.sign,
-            Op::Lever(k) => k.sign = -k.sign,
+            Op::SlotLever(k) => k.sign = -k.sign,
             _ => {}
         }
         self.runs = Default::default();
@@ -437,7 +437,7 @@ mod tests {
         for name in ["excavator", "oscillating-cylinder", "scotch-yoke", "robot-arm"] {
             let scene = read(templates::get(name).unwrap()).unwrap().value;
             let m = Mechanism::new(&scene).unwrap().value;
-            let placed = Placed::new(&scene, &m).unwrap();
+            let placed = PlacedScene::new(&scene, &m).unwrap();
             let program = compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
             for sign in [1.0, -1.0] {
                 let end = |until: f64| Probe::of(program.clone(), &placed, 0).walk(until).0;

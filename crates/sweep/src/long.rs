@@ -1,36 +1,39 @@
 //! Long sweeps, piece by piece: the rows of [`super::run()`], in the memory of a piece.
 
 use super::changes::Changes;
-use super::chunks::{Rows, run_parts, run_with};
+use super::chunks::{SweepRows, run_parts, run_with};
 use super::follow::chains::{Chains, STRIDE};
 use super::follow::compiled::{self, Compiled};
-use super::follow::whole::{self, Whole};
+use super::follow::whole::{self, DrivenMechanism};
 use super::general::{self, General};
-use super::pieces::{Gaps, Pieces, Stop};
-use super::program::Program;
+use super::pieces::{Gaps, StopSignal, SweepPieces};
+use super::program::SweepProgram;
 use super::sampled::proved;
 use super::stood::Stood;
-use super::{Beside, Placed, Stations, Steps, Width, beside, change_notes, change_points, compile, compiled, each, ends, span, stretches};
+use super::{
+    FallbackMethod, PlacedScene, StationSteps, Stations, Width, beside, change_notes, change_points, compile, compiled, each, ends, span,
+    stretches,
+};
 use hodograph_base::diag::{Diagnostic, Faults};
 use std::ops::Range;
 
 /// A sweep of a driver in progress.
-pub struct Long<'a> {
-    placed: &'a Placed<'a>,
+pub struct LongSweep<'a> {
+    placed: &'a PlacedScene<'a>,
     driver: usize,
-    steps: Steps,
+    steps: StationSteps,
     /// True if the driver's values descend.
     descending: bool,
-    way: Way<'a>,
+    way: RowMethod<'a>,
     general: General<'a>,
     gaps: Gaps,
 }
 
 /// The way to make the rows.
-enum Way<'a> {
+enum RowMethod<'a> {
     /// Each row by itself.
     Free {
-        program: Box<Program>,
+        program: Box<SweepProgram>,
         /// The ends of the whole travel.
         reach: Stations,
         now: f64,
@@ -44,15 +47,15 @@ enum Way<'a> {
     /// the reason `why`.
     Stood { stood: Box<Stood>, reach: Stations, now: f64, changes: [Changes; 2], why: Diagnostic },
     /// The whole mechanism is followed; there is no program, for the reason `why`.
-    Whole { course: Box<Chains<Whole<'a>>>, why: Diagnostic },
+    Whole { course: Box<Chains<DrivenMechanism<'a>>>, why: Diagnostic },
 }
 
-impl<'a> Long<'a> {
+impl<'a> LongSweep<'a> {
     /// Begins a sweep of a driver that the scene has.
     ///
     /// # Errors
     /// A sampled position that is not the scene's.
-    pub fn new(placed: &'a Placed<'a>, driver: usize, steps: Steps) -> Result<Long<'a>, Faults> {
+    pub fn new(placed: &'a PlacedScene<'a>, driver: usize, steps: StationSteps) -> Result<LongSweep<'a>, Faults> {
         proved(placed, driver, steps.steps + 1, |i| steps.value(i))?;
         let [first, last] = [0, steps.steps].map(|i| steps.value(i));
         let (descending, count) = (last < first, steps.steps + 1);
@@ -63,47 +66,49 @@ impl<'a> Long<'a> {
                 if program.tracks.is_empty() {
                     let (now, bounds) = span(placed, driver, &reach);
                     let changes = change_points(&program, placed, driver, now, bounds);
-                    Way::Free { program: Box::new(program), reach, now, changes }
+                    RowMethod::Free { program: Box::new(program), reach, now, changes }
                 } else {
-                    Way::Compiled { course: Box::new(Compiled::course(program, placed, driver, count, &values)), reach }
+                    RowMethod::Compiled { course: Box::new(Compiled::course(program, placed, driver, count, &values)), reach }
                 }
             }
-            Err(why) => match Beside::of(placed, driver) {
-                Beside::Each => Way::Each,
-                Beside::Stood(stood) => {
+            Err(why) => match FallbackMethod::of(placed, driver) {
+                FallbackMethod::Each => RowMethod::Each,
+                FallbackMethod::Stood(stood) => {
                     let reach = Stations::of_values(vec![first, last], 0.0);
                     let (now, bounds) = span(placed, driver, &reach);
                     let changes = change_points(&stood.program, placed, driver, now, bounds);
-                    Way::Stood { stood, reach, now, changes, why }
+                    RowMethod::Stood { stood, reach, now, changes, why }
                 }
-                Beside::Whole => Way::Whole { course: Box::new(Whole::course(placed, driver, count, &values)), why },
+                FallbackMethod::Whole => {
+                    RowMethod::Whole { course: Box::new(DrivenMechanism::course(placed, driver, count, &values)), why }
+                }
             },
         };
-        Ok(Long { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::of(placed.scene) })
+        Ok(LongSweep { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::of(placed.scene) })
     }
 
-    fn rows(&mut self, rows: Range<usize>, stations: &Stations, stop: Stop) -> Option<Rows> {
+    fn rows(&mut self, rows: Range<usize>, stations: &Stations, stop: StopSignal) -> Option<SweepRows> {
         let (placed, driver, steps, general) = (self.placed, self.driver, &self.steps, &self.general);
         let (descending, count) = (self.descending, steps.steps + 1);
         let values = |position| steps.value(flipped(position, descending, count));
         let part = if descending { count - rows.end..count - rows.start } else { rows.clone() };
         let row = |position| flipped(position, descending, count) - rows.start;
         let (program, mut numbers) = match &mut self.way {
-            Way::Free { program, now, changes, .. } => {
+            RowMethod::Free { program, now, changes, .. } => {
                 let parts = stretches((**program).clone(), *now, changes, stations);
                 (&**program, run_parts(&parts, placed, driver, stations, Width::Widest))
             }
-            Way::Compiled { course, .. } => {
+            RowMethod::Compiled { course, .. } => {
                 let states = compiled::states(course, part, &values, &row, stop)?;
                 let program = course.follow().program();
                 (program, run_with(program, Some(&states), stations, Width::Widest))
             }
-            Way::Each => return Some(each(general, stations)),
-            Way::Stood { stood, now, changes, .. } => {
+            RowMethod::Each => return Some(each(general, stations)),
+            RowMethod::Stood { stood, now, changes, .. } => {
                 let parts = stretches(stood.program.clone(), *now, changes, stations);
                 return stood.rows(&parts, general, stations, stop);
             }
-            Way::Whole { course, .. } => return whole::rows(course, general, part, stations, &values, &row, stop),
+            RowMethod::Whole { course, .. } => return whole::rows(course, general, part, stations, &values, &row, stop),
         };
         if !numbers.complete(general, stations, stop, &|row| beside(program, placed, driver, stations.values[row])) {
             return None;
@@ -118,7 +123,7 @@ fn flipped(i: usize, descending: bool, count: usize) -> usize {
     if descending { count - 1 - i } else { i }
 }
 
-impl Pieces for Long<'_> {
+impl SweepPieces for LongSweep<'_> {
     fn columns(&self) -> Vec<(String, &'static str)> {
         let scene = self.placed.scene;
         std::iter::once(scene.driver_column(self.driver)).chain(scene.find.iter().flat_map(compile::ask::names)).collect()
@@ -130,13 +135,13 @@ impl Pieces for Long<'_> {
 
     fn at_once(&self) -> usize {
         match self.way {
-            Way::Free { .. } => 1 << 16,
+            RowMethod::Free { .. } => 1 << 16,
             // As many positions as are repeated from one state.
-            Way::Compiled { .. } | Way::Whole { .. } | Way::Each | Way::Stood { .. } => STRIDE,
+            RowMethod::Compiled { .. } | RowMethod::Whole { .. } | RowMethod::Each | RowMethod::Stood { .. } => STRIDE,
         }
     }
 
-    fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>> {
+    fn piece(&mut self, rows: Range<usize>, stop: StopSignal) -> Option<Vec<Vec<f64>>> {
         let stations = self.steps.part(rows.clone());
         let numbers = self.rows(rows.clone(), &stations, stop)?;
         self.gaps.see_all(&numbers, rows.start);
@@ -146,22 +151,22 @@ impl Pieces for Long<'_> {
     fn notes(&self) -> Vec<Diagnostic> {
         let scene = self.placed.scene;
         let lost = !self.gaps.is_empty();
-        let limits = |program: &Program, reach| if lost { ends(program, self.placed, self.driver, reach) } else { Vec::new() };
+        let limits = |program: &SweepProgram, reach| if lost { ends(program, self.placed, self.driver, reach) } else { Vec::new() };
         let mut notes = match &self.way {
-            Way::Free { program, reach, changes, .. } => {
+            RowMethod::Free { program, reach, changes, .. } => {
                 let mut notes = change_notes(self.placed, self.driver, changes, span(self.placed, self.driver, reach).1);
                 notes.extend(limits(program, reach));
                 notes
             }
-            Way::Each => Vec::new(),
-            Way::Stood { stood, reach, changes, why, .. } => {
+            RowMethod::Each => Vec::new(),
+            RowMethod::Stood { stood, reach, changes, why, .. } => {
                 let mut notes = vec![why.clone()];
                 notes.extend(change_notes(self.placed, self.driver, changes, span(self.placed, self.driver, reach).1));
                 notes.extend(limits(&stood.program, reach));
                 notes
             }
-            Way::Compiled { course, reach } => limits(course.follow().program(), reach),
-            Way::Whole { course, why } => std::iter::once(why.clone()).chain(whole::ends(course)).collect(),
+            RowMethod::Compiled { course, reach } => limits(course.follow().program(), reach),
+            RowMethod::Whole { course, why } => std::iter::once(why.clone()).chain(whole::ends(course)).collect(),
         };
         notes.extend(self.gaps.notes(&|k| general::driver_words(scene, self.driver, self.steps.value(k))));
         notes

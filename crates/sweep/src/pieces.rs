@@ -1,8 +1,8 @@
 //! Rows that come piece by piece, for writers of tables, whatever is swept.
 
-use super::chunks::Rows;
+use super::chunks::SweepRows;
 use super::compile::ask;
-use super::general::{Gap, gap_notes, infinite_note, runs};
+use super::general::{RowGap, gap_notes, infinite_note, runs};
 use super::table::{Column, Table};
 use hodograph_base::diag::{Diagnostic, Faults};
 use hodograph_scene::{Find, Scene};
@@ -10,15 +10,15 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// A function that returns `true` to stop; it is called again and again while a piece is made.
-pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
+pub type StopSignal<'a> = &'a (dyn Fn() -> bool + Sync);
 
-/// A [`Stop`] that never stops.
+/// A [`StopSignal`] that never stops.
 pub(super) fn never() -> bool {
     false
 }
 
 /// The rows of a sweep in progress, in their order.
-pub trait Pieces: Send {
+pub trait SweepPieces: Send {
     /// Name and unit of each column, the swept quantity first.
     fn columns(&self) -> Vec<(String, &'static str)>;
 
@@ -31,14 +31,14 @@ pub trait Pieces: Send {
     /// Returns the numbers of some rows, as far as they exist, column after column; `None` if
     /// `stop` asks to stop. Pieces are requested in order; their rows do not depend on how they are
     /// cut.
-    fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>>;
+    fn piece(&mut self, rows: Range<usize>, stop: StopSignal) -> Option<Vec<Vec<f64>>>;
 
     /// Notes on the rows of all pieces so far, such as the missing ones.
     fn notes(&self) -> Vec<Diagnostic>;
 }
 
 /// Collects all rows in memory.
-pub fn gather(pieces: &mut dyn Pieces) -> Table {
+pub fn gather(pieces: &mut dyn SweepPieces) -> Table {
     let mut columns: Vec<Column> = pieces.columns().into_iter().map(|(name, unit)| Column { name, unit, values: Vec::new() }).collect();
     let (count, step) = (pieces.count(), pieces.at_once());
     for from in (0..count).step_by(step) {
@@ -50,7 +50,7 @@ pub fn gather(pieces: &mut dyn Pieces) -> Table {
 
 /// The runs of rows so far that are missing, or in which an answer is infinite.
 pub(super) struct Gaps {
-    missing: Vec<Gap>,
+    missing: Vec<RowGap>,
     infinite: Vec<Infinite>,
 }
 
@@ -82,7 +82,7 @@ impl Gaps {
     }
 
     /// Records the gaps in all rows of a piece; `first` is the number of its first row.
-    pub fn see_all(&mut self, rows: &Rows, first: usize) {
+    pub fn see_all(&mut self, rows: &SweepRows, first: usize) {
         self.add(&rows.missing, first);
         let count = if self.infinite.is_empty() { 0 } else { rows.columns[0].len() };
         (0..count).filter(|i| !rows.missing.contains_key(i)).for_each(|i| self.see(first + i, |column| rows.columns[column][i]));

@@ -5,15 +5,15 @@
 //! in motion runs at the scene's rate, with the scene's acceleration, in every pose; through time
 //! the rates are those of the time. Poses are added between the steps where a curve bends.
 
-use super::follow::{Follower, Pose, Sweep};
+use super::follow::{PoseFollower, PoseSweep, TravelPose};
 use super::station;
 use hodograph_analytic as analytic;
 use hodograph_base::geom::Vec2;
-use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{Level, PointMotion, Rate};
-use hodograph_scene::{Asked, Find, Given, OnLink, PointId, Scene, Swept};
+use hodograph_scene::{Asked, Find, GivenQuantity, OnLink, PointId, Scene, Swept};
 
 /// Steps through a turn: 1°, the resolution of a printed curve.
 const STEPS: usize = 360;
@@ -32,7 +32,7 @@ const OFF_PAPER: f64 = 2.5;
 
 /// One pose, with the velocities and accelerations of the points.
 #[derive(Clone, Debug)]
-pub struct Moment {
+pub struct PointMoment {
     /// The travel of the driver, or the time, from the scene's pose (rad, m or s).
     pub travel: f64,
     /// The driver's position, or the time (rad, m or s).
@@ -43,7 +43,7 @@ pub struct Moment {
     pub vectors: Vec<[Option<Vec2>; 2]>,
 }
 
-impl Moment {
+impl PointMoment {
     /// The velocity or the acceleration of a point; `None` for positions.
     pub fn vector(&self, point: usize, level: Level) -> Option<Vec2> {
         self.vectors[point][Level::RATES.iter().position(|rate| *rate == level)?]
@@ -52,14 +52,14 @@ impl Moment {
 
 /// The motion of some points through a driver's travel.
 #[derive(Clone, Debug)]
-pub struct Motion {
+pub struct PathMotion {
     /// The points.
     pub points: Vec<PointId>,
     /// All poses, in the order of travel.
-    pub moments: Vec<Moment>,
+    pub moments: Vec<PointMoment>,
     /// Poses at equal steps of the driver or of the time; the ends of a bounded travel are among
     /// them.
-    pub marks: Vec<Moment>,
+    pub marks: Vec<PointMoment>,
     /// True if the mechanism returns to its first pose after a full turn.
     pub full: bool,
     /// True for the beginning, and for the end, if the mechanism can go no farther there.
@@ -71,7 +71,7 @@ pub fn alone(scene: &Scene, swept: Swept) -> Scene {
     let mut scene = scene.clone();
     let Swept::Driver(driver) = swept else { return scene };
     for (_, d) in scene.drivers.iter_mut().enumerate().filter(|(d, _)| *d != driver) {
-        d.rate = Given { value: 0.0, radius: 0.0, text: "0".into(), span: d.rate.span };
+        d.rate = GivenQuantity { value: 0.0, radius: 0.0, text: "0".into(), span: d.rate.span };
         d.acceleration = None;
     }
     scene
@@ -88,7 +88,7 @@ pub fn bounded(mut sizes: Vec<f64>, own: f64, unlimited: bool) -> Option<f64> {
 
 /// Returns `count` poses at equal steps of the driver, in the sense of its motion: from the scene's
 /// own through a full turn, or from one end of the travel to the other.
-pub fn at_equal_steps(follower: &Follower, sweep: &Sweep, count: usize) -> Vec<Pose> {
+pub fn at_equal_steps(follower: &PoseFollower, sweep: &PoseSweep, count: usize) -> Vec<TravelPose> {
     let (Some(first), Some(last)) = (sweep.poses.first(), sweep.poses.last()) else { return Vec::new() };
     let turn = sweep.period();
     let (from, step) = match (sweep.full, count) {
@@ -104,9 +104,9 @@ pub fn at_equal_steps(follower: &Follower, sweep: &Sweep, count: usize) -> Vec<P
         if (near.travel - travel).abs() <= 1e-9 * (last.travel - first.travel) {
             return Some(near.clone());
         }
-        Some(Pose { travel, configuration: follower.at(&near.configuration, travel)? })
+        Some(TravelPose { travel, configuration: follower.at(&near.configuration, travel)? })
     };
-    let mut poses: Vec<Pose> = (0..count).filter_map(pose).collect();
+    let mut poses: Vec<TravelPose> = (0..count).filter_map(pose).collect();
     if follower.goes_back() {
         // A turn begins with the scene's own pose in either sense.
         poses[usize::from(sweep.full)..].reverse();
@@ -118,7 +118,7 @@ struct Tracer<'a> {
     scene: Scene,
     mechanism: &'a Mechanism,
     demand: Demand,
-    follower: &'a Follower<'a>,
+    follower: &'a PoseFollower<'a>,
     /// The driver's position, or the time, in the scene's own pose.
     now: f64,
     points: &'a [PointId],
@@ -138,20 +138,20 @@ pub fn motion(
     swept: Swept,
     points: &[PointId],
     marks: usize,
-) -> Motion {
+) -> PathMotion {
     let asked: Vec<Find> = points.iter().flat_map(|p| questions(scene, *p)).collect();
     let scene = scene.clone();
     let wanted = Demand::of_questions(&scene, mechanism, &asked).with_all_positions();
-    let follower = Follower::new(&scene, mechanism, demand, at, swept);
+    let follower = PoseFollower::new(&scene, mechanism, demand, at, swept);
     let sweep = follower.sweep(STEPS);
     let now = station::now(&scene, at, swept);
     let tracer = Tracer { scene, mechanism, demand: wanted, follower: &follower, now, points, unlimited: sweep.is_unlimited() };
     let limits = [0, sweep.poses.len() - 1].map(|k| sweep.is_limit(k));
-    let mut moments: Vec<Moment> = sweep.poses.iter().map(|p| tracer.moment(p)).collect();
+    let mut moments: Vec<PointMoment> = sweep.poses.iter().map(|p| tracer.moment(p)).collect();
     if sweep.full
         && let Some(first) = moments.first().cloned()
     {
-        moments.push(Moment { travel: sweep.period(), ..first });
+        moments.push(PointMoment { travel: sweep.period(), ..first });
     }
     let marks = at_equal_steps(&follower, &sweep, marks).iter().map(|p| tracer.moment(p)).collect();
     for _ in 0..ROUNDS {
@@ -162,7 +162,7 @@ pub fn motion(
     if sweep.full {
         moments.pop();
     }
-    Motion { points: points.to_vec(), moments, marks, full: sweep.full, limits }
+    PathMotion { points: points.to_vec(), moments, marks, full: sweep.full, limits }
 }
 
 /// The questions for a point's velocity and acceleration.
@@ -177,28 +177,28 @@ pub fn questions(scene: &Scene, point: PointId) -> [Find; 2] {
 }
 
 impl Tracer<'_> {
-    fn moment(&self, pose: &Pose) -> Moment {
+    fn moment(&self, pose: &TravelPose) -> PointMoment {
         let scene = self.follower.scene_at(&self.scene, pose.travel);
         let at = &pose.configuration;
         let solution = analytic::solve(&scene, self.mechanism, at, &self.demand).ok();
         let vector = |find: &Find| match solution.as_ref()?.answer(&scene, at, &find.what)? {
-            Value::Vector(v) => v.is_finite().then_some(v),
-            Value::Scalar(_) | Value::Point(_) => None,
+            AnswerValue::Vector(v) => v.is_finite().then_some(v),
+            AnswerValue::Scalar(_) | AnswerValue::Point(_) => None,
         };
         let vectors = self.points.iter().map(|p| questions(&scene, *p).each_ref().map(vector)).collect();
-        Moment { travel: pose.travel, place: self.now + pose.travel, configuration: at.clone(), vectors }
+        PointMoment { travel: pose.travel, place: self.now + pose.travel, configuration: at.clone(), vectors }
     }
 
     /// Adds poses where a curve is farther from its chord than print can show; returns `true` if
     /// there were any.
-    fn refine(&self, moments: &mut Vec<Moment>) -> bool {
+    fn refine(&self, moments: &mut Vec<PointMoment>) -> bool {
         let most =
-            |of: &dyn Fn(&Moment) -> Option<f64>| bounded(moments.iter().filter_map(of).collect(), 0.0, self.unlimited).unwrap_or(0.0);
+            |of: &dyn Fn(&PointMoment) -> Option<f64>| bounded(moments.iter().filter_map(of).collect(), 0.0, self.unlimited).unwrap_or(0.0);
         let sizes: Vec<[f64; 3]> = (0..self.points.len())
             .map(|k| {
-                let level = |l: usize| most(&|m: &Moment| m.vectors[k][l].map(Vec2::norm));
+                let level = |l: usize| most(&|m: &PointMoment| m.vectors[k][l].map(Vec2::norm));
                 let first = moments.first().and_then(|m| m.configuration.points[self.points[k].0]);
-                [most(&|m: &Moment| Some(m.configuration.points[self.points[k].0]?.distance(first?))), level(0), level(1)]
+                [most(&|m: &PointMoment| Some(m.configuration.points[self.points[k].0]?.distance(first?))), level(0), level(1)]
             })
             .collect();
         let old = std::mem::take(moments);
@@ -213,10 +213,10 @@ impl Tracer<'_> {
     }
 
     /// The pose in the middle of two, if it is needed.
-    fn between(&self, a: &Moment, b: &Moment, sizes: &[[f64; 3]]) -> Option<Moment> {
+    fn between(&self, a: &PointMoment, b: &PointMoment, sizes: &[[f64; 3]]) -> Option<PointMoment> {
         // The middle of two poses of a smooth curve is off its chord by at most an eighth of the
         // change of the chord's direction: with near ends nothing needs to be examined.
-        let parts = |m: &Moment, k: usize| {
+        let parts = |m: &PointMoment, k: usize| {
             let place = m.configuration.points[self.points[k].0].map(|p| p.to_vec2());
             [place, m.vectors[k][0], m.vectors[k][1]]
         };
@@ -234,7 +234,7 @@ impl Tracer<'_> {
         }
         let travel = 0.5 * (a.travel + b.travel);
         let configuration = self.follower.at(&a.configuration, travel)?;
-        let middle = self.moment(&Pose { travel, configuration });
+        let middle = self.moment(&TravelPose { travel, configuration });
         let bends = (0..sizes.len()).any(|k| {
             let (p, q, m) = (parts(a, k), parts(b, k), parts(&middle, k));
             (0..3).any(|l| match (shown(p[l], l, sizes[k][l]), shown(q[l], l, sizes[k][l]), m[l]) {

@@ -4,18 +4,18 @@
 //! list itself, one position at a time and in numbers with derivatives; over many positions it runs
 //! in the form that [`super::fuse`] makes of it.
 
-use super::carry::{Along, Arm, Image, Product, Swing, SwingRate, Turning, TurningRate, Twist};
-use super::closure::{CircleLine, CircleLineCrossing, Circles, CirclesCrossing, Closure, Lever, LeverCrossing, Lines, Margin};
-use super::follow::triad::Track;
+use super::carry::{Arm, ArmSwing, ArmTurning, Image, PointAlong, Product, SwingRate, TurningRate, Twist};
+use super::closure::{CircleLine, CircleLineCrossing, Circles, CirclesCrossing, Closure, LeverCrossing, Lines, Margin, SlotLever};
+use super::follow::triad::LinkTrack;
 use super::fuse::Fused;
-use super::kernel::{Kernel, Pair, Reg};
+use super::kernel::{Kernel, Reg, RegPair};
 use super::lane::{Dual, Lane};
-use super::led::{ByAngle, Faced, Higher, Lift, LiftRate, Parabola, Phase, Rock, RockRate, Stretch, Wave};
-use super::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Ratio, Sum};
+use super::led::{ByAngle, CamPhase, Faced, Higher, Lift, LiftRate, Parabola, Rock, RockRate, Stretch, Wave};
+use super::reading::{ComponentAlong, Coriolis, Dot, Quotient, RateRatio, VectorDirection, VectorLength, WeightedSum};
 use super::rows::{Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf};
-use super::run::{Runner, operations};
-use super::turns::{Against, Geared, Quarters, Turned, WayAcceleration, WayRate};
-use super::work::{Forward, Massive, Ramp, Repeated, Spring, Times};
+use super::run::{KernelRunner, operations};
+use super::turns::{Against, CosineSine, Geared, Quarters, WayAcceleration, WayRate};
+use super::work::{Forward, Massive, ProductSum, Ramp, Repeated, SpringPower};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::{LinkId, PointId};
 use std::ops::Range;
@@ -29,7 +29,7 @@ operations! { Op:
     /// Position on two lines.
     Lines,
     /// Direction of a lever over a pin.
-    Lever,
+    SlotLever,
     /// Crossing (sin²) of two circles.
     CirclesCrossing,
     /// Crossing (sin²) of circle and line.
@@ -47,15 +47,15 @@ operations! { Op:
     /// The quotient of two vectors.
     Quotient,
     /// The ratio of angular velocities.
-    Ratio,
+    RateRatio,
     /// A point at a distance in a direction.
-    Along,
+    PointAlong,
     /// Velocity of a point of a link.
-    Swing,
+    ArmSwing,
     /// Acceleration of a point of a link.
     SwingRate,
     /// Angular velocity of an arm.
-    Turning,
+    ArmTurning,
     /// Angular acceleration of an arm.
     TurningRate,
     /// The velocity row of a bar or a cylinder.
@@ -83,23 +83,23 @@ operations! { Op:
     /// Acceleration of the pin of two bars.
     BarsRate,
     /// The length of a vector.
-    Length,
+    VectorLength,
     /// The angle of a vector.
-    Direction,
+    VectorDirection,
     /// The component of a vector along another.
-    Part,
+    ComponentAlong,
     /// The dot product of a vector and a direction.
     Dot,
     /// The Coriolis term.
     Coriolis,
     /// The sum of two numbers.
-    Sum,
+    WeightedSum,
     /// The power of weight and inertia.
     Massive,
     /// The sum with a product.
-    Times,
+    ProductSum,
     /// The power of a spring.
-    Spring,
+    SpringPower,
     /// The angle of the driver within a period.
     Repeated,
     /// The amount of a load along its course.
@@ -111,7 +111,7 @@ operations! { Op:
     /// A ratio of the driver's travel.
     Geared,
     /// Cosine and sine of an angle.
-    Turned,
+    CosineSine,
     /// The angle of a line relative to another.
     Against,
     /// The rate of the distance along a track.
@@ -119,7 +119,7 @@ operations! { Op:
     /// The second derivative of the distance along a track.
     WayAcceleration,
     /// The angle of a cam.
-    Phase,
+    CamPhase,
     /// The numbers of the piece in contact.
     Stretch,
     /// A translating follower.
@@ -144,7 +144,7 @@ operations! { Op:
 
 /// An operation and the first of the registers that it fills.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
+pub struct ProgramStep {
     /// The operation.
     pub op: Op,
     /// The first register filled.
@@ -170,9 +170,9 @@ pub struct Joint {
 
 /// A scene compiled for one swept quantity.
 #[derive(Clone, Debug)]
-pub struct Program {
+pub struct SweepProgram {
     /// The operations of each effect: positions, velocities, accelerations.
-    pub steps: [Vec<Step>; 3],
+    pub steps: [Vec<ProgramStep>; 3],
     /// Registers with fixed values.
     pub constants: Vec<(Reg, f64)>,
     /// The number of registers.
@@ -183,9 +183,9 @@ pub struct Program {
     pub joints: Vec<Joint>,
     /// Position, velocity and acceleration of each point, as far as they exist: pairs that belong
     /// together.
-    pub motions: Vec<[Option<Pair>; 3]>,
+    pub motions: Vec<[Option<RegPair>; 3]>,
     /// The groups that are followed from position to position, in solving order.
-    pub tracks: Vec<Track>,
+    pub tracks: Vec<LinkTrack>,
     /// True if the swept quantity is an angle.
     pub angular: bool,
     /// The number of turns after which the pose recurs: one, or more with rolling links; 0 if it
@@ -208,7 +208,7 @@ pub const SIN: Reg = Reg(2);
 /// All three inputs, the first of all registers.
 pub(super) const INPUTS: [Reg; 3] = [VALUE, COS, SIN];
 
-impl Program {
+impl SweepProgram {
     /// Registers of one position with the inputs filled in, each with its derivative by the swept
     /// quantity. `per_value` is the derivative of the angle that belongs to the cosine and sine.
     pub fn inputs(&self, value: f64, cos: f64, sin: f64, per_value: f64) -> Vec<Dual> {
@@ -224,7 +224,7 @@ impl Program {
 
     /// Runs steps of the positions in numbers with derivatives.
     pub fn derive_steps(&self, steps: Range<usize>, registers: &mut [Dual]) {
-        let mut single = Single { registers };
+        let mut single = SingleRun { registers };
         self.steps[0][steps].iter().for_each(|s| s.op.run(&mut single, s.out));
     }
 
@@ -236,18 +236,18 @@ impl Program {
         match &self.steps[Level::Position as usize][joint.step].op {
             Op::Circles(k) => Some(of(k, read)),
             Op::CircleLine(k) => Some(of(k, read)),
-            Op::Lever(k) => Some(of(k, read)),
+            Op::SlotLever(k) => Some(of(k, read)),
             _ => None,
         }
     }
 }
 
 /// Runs one position in numbers of any kind.
-struct Single<'a, N> {
+struct SingleRun<'a, N> {
     registers: &'a mut [N],
 }
 
-impl<N: Lane> Runner for Single<'_, N> {
+impl<N: Lane> KernelRunner for SingleRun<'_, N> {
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {
         let v = kernel.eval(kernel.inputs().map(|r| self.registers[r.0 as usize]));
         self.registers[out.0 as usize..][..OUT].copy_from_slice(&v);

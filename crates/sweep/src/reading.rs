@@ -1,18 +1,18 @@
 //! Kernels of answers other than points and rates: lengths, angles, components, the Coriolis term.
 
-use super::kernel::{Kernel, Pair, Reg};
+use super::kernel::{Kernel, Reg, RegPair};
 use super::lane::Lane;
 use hodograph_base::geom::Vec2;
 use hodograph_scene::quantity::ROUNDING;
 
 /// The length |v| of a vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Length {
+pub struct VectorLength {
     /// The vector.
-    pub v: Pair,
+    pub v: RegPair,
 }
 
-impl Kernel<2, 1> for Length {
+impl Kernel<2, 1> for VectorLength {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 2] {
         [self.v.x, self.v.y]
@@ -26,12 +26,12 @@ impl Kernel<2, 1> for Length {
 
 /// The angle of a vector from the x axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Direction {
+pub struct VectorDirection {
     /// The vector.
-    pub v: Pair,
+    pub v: RegPair,
 }
 
-impl Kernel<2, 1> for Direction {
+impl Kernel<2, 1> for VectorDirection {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 2] {
         [self.v.x, self.v.y]
@@ -45,14 +45,14 @@ impl Kernel<2, 1> for Direction {
 
 /// The component of v along u, for any length of u.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
+pub struct ComponentAlong {
     /// The direction.
-    pub u: Pair,
+    pub u: RegPair,
     /// The vector.
-    pub v: Pair,
+    pub v: RegPair,
 }
 
-impl Kernel<4, 2> for Part {
+impl Kernel<4, 2> for ComponentAlong {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 4] {
         [self.u.x, self.u.y, self.v.x, self.v.y]
@@ -70,9 +70,9 @@ impl Kernel<4, 2> for Part {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dot {
     /// The direction.
-    pub u: Pair,
+    pub u: RegPair,
     /// The vector.
-    pub v: Pair,
+    pub v: RegPair,
 }
 
 impl Kernel<4, 1> for Dot {
@@ -91,7 +91,7 @@ impl Kernel<4, 1> for Dot {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coriolis {
     /// The relative velocity v_r.
-    pub v: Pair,
+    pub v: RegPair,
     /// The angular velocity ω of the link that carries the guide.
     pub omega: Reg,
 }
@@ -111,7 +111,7 @@ impl Kernel<3, 2> for Coriolis {
 
 /// The sum a + k b.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sum {
+pub struct WeightedSum {
     /// The first number, a.
     pub a: Reg,
     /// The second number, b.
@@ -120,7 +120,7 @@ pub struct Sum {
     pub k: f64,
 }
 
-impl Kernel<2, 1> for Sum {
+impl Kernel<2, 1> for WeightedSum {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 2] {
         [self.a, self.b]
@@ -137,7 +137,7 @@ const MOST: f64 = 1.0 / ROUNDING;
 
 /// a / b; NaN if b is within rounding of zero relative to a or to the drivers' rates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ratio {
+pub struct RateRatio {
     /// Dividend.
     pub a: Reg,
     /// Divisor.
@@ -146,7 +146,7 @@ pub struct Ratio {
     pub driven: f64,
 }
 
-impl Kernel<2, 1> for Ratio {
+impl Kernel<2, 1> for RateRatio {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 2] {
         [self.a, self.b]
@@ -165,9 +165,9 @@ impl Kernel<2, 1> for Ratio {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quotient {
     /// Dividend.
-    pub a: Pair,
+    pub a: RegPair,
     /// Divisor.
-    pub b: Pair,
+    pub b: RegPair,
 }
 
 impl Kernel<4, 2> for Quotient {

@@ -2,7 +2,7 @@
 //! against whole numbers.
 
 use super::extreme::limits;
-use super::{Placed, Stations, Width, compile, follow::whole, run};
+use super::{PlacedScene, Stations, Width, compile, follow::whole, run};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{Angle, read};
 use rand_pcg::Pcg64Mcg;
@@ -100,14 +100,14 @@ const SCENES: [(&str, &str, f64); 11] = [
     ),
 ];
 
-fn with<T>(text: &str, see: impl FnOnce(&Placed) -> T) -> T {
+fn with<T>(text: &str, see: impl FnOnce(&PlacedScene) -> T) -> T {
     let scene = read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
     let m = Mechanism::new(&scene).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
-    see(&Placed::new(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}")))
+    see(&PlacedScene::new(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}")))
 }
 
 /// The columns by both methods, the driver's values first.
-fn both(name: &str, placed: &Placed, stations: &Stations) -> [Vec<Vec<f64>>; 2] {
+fn both(name: &str, placed: &PlacedScene, stations: &Stations) -> [Vec<Vec<f64>>; 2] {
     let compiled = compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find);
     assert!(compiled.is_ok(), "{name}: {:?}", compiled.err());
     let table = run(placed, 0, stations, Width::Widest).unwrap();

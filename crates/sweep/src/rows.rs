@@ -5,7 +5,7 @@
 //! it from the link's own point. The rows of accelerations have the same n. Two bars, the RRR dyad,
 //! have kernels of their own that do both.
 
-use super::kernel::{Kernel, Pair, Reg};
+use super::kernel::{Kernel, Reg, RegPair};
 use super::lane::Lane;
 use hodograph_base::geom::Vec2;
 
@@ -14,9 +14,9 @@ use hodograph_base::geom::Vec2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distance {
     /// The vector P − F.
-    pub n: Pair,
+    pub n: RegPair,
     /// The velocity v_F.
-    pub vf: Pair,
+    pub vf: RegPair,
     /// The distance l.
     pub l: Reg,
     /// The rate l̇.
@@ -39,13 +39,13 @@ impl Kernel<5, 1> for Distance {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceRate {
     /// The vector P − F.
-    pub n: Pair,
+    pub n: RegPair,
     /// The velocity v_P.
-    pub vp: Pair,
+    pub vp: RegPair,
     /// The velocity v_F.
-    pub vf: Pair,
+    pub vf: RegPair,
     /// The acceleration a_F.
-    pub af: Pair,
+    pub af: RegPair,
     /// The distance l.
     pub l: Reg,
     /// The rate l̇.
@@ -72,11 +72,11 @@ impl Kernel<9, 1> for DistanceRate {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Guided {
     /// The direction n.
-    pub n: Pair,
+    pub n: RegPair,
     /// The arm r = P − O.
-    pub r: Pair,
+    pub r: RegPair,
     /// The velocity v_O.
-    pub vo: Pair,
+    pub vo: RegPair,
     /// The angular velocity ω of the body.
     pub omega: Reg,
     /// The rate.
@@ -100,15 +100,15 @@ impl Kernel<7, 1> for Guided {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GuidedRate {
     /// The direction n.
-    pub n: Pair,
+    pub n: RegPair,
     /// The arm r = P − O.
-    pub r: Pair,
+    pub r: RegPair,
     /// The velocity v_P.
-    pub vp: Pair,
+    pub vp: RegPair,
     /// The velocity v_O.
-    pub vo: Pair,
+    pub vo: RegPair,
     /// The acceleration a_O.
-    pub ao: Pair,
+    pub ao: RegPair,
     /// The angular velocity ω of the body.
     pub omega: Reg,
     /// The angular acceleration α of the body.
@@ -140,15 +140,15 @@ impl Kernel<12, 1> for GuidedRate {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlotRate {
     /// The direction n, square to the slot.
-    pub n: Pair,
+    pub n: RegPair,
     /// The arm r = B − O.
-    pub r: Pair,
+    pub r: RegPair,
     /// The velocity v_B.
-    pub vb: Pair,
+    pub vb: RegPair,
     /// The acceleration a_B.
-    pub ab: Pair,
+    pub ab: RegPair,
     /// The velocity v_O of the link.
-    pub vo: Pair,
+    pub vo: RegPair,
     /// The angular velocity ω of the link.
     pub omega: Reg,
 }
@@ -173,9 +173,9 @@ impl Kernel<11, 1> for SlotRate {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reduced {
     /// The normal n.
-    pub n: Pair,
+    pub n: RegPair,
     /// The arm r.
-    pub r: Pair,
+    pub r: RegPair,
     /// The right-hand side c.
     pub c: Reg,
     /// The angular velocity ω.
@@ -198,9 +198,9 @@ impl Kernel<6, 1> for Reduced {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReducedRate {
     /// The normal n.
-    pub n: Pair,
+    pub n: RegPair,
     /// The arm r.
-    pub r: Pair,
+    pub r: RegPair,
     /// The right-hand side c.
     pub c: Reg,
     /// The angular velocity ω.
@@ -226,13 +226,13 @@ impl Kernel<7, 1> for ReducedRate {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurnOf {
     /// The normal n.
-    pub n: Pair,
+    pub n: RegPair,
     /// The arm r.
-    pub r: Pair,
+    pub r: RegPair,
     /// The right-hand side c.
     pub c: Reg,
     /// The velocity v of the link's own point.
-    pub v: Pair,
+    pub v: RegPair,
 }
 
 impl Kernel<7, 1> for TurnOf {
@@ -251,11 +251,11 @@ impl Kernel<7, 1> for TurnOf {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cross {
     /// The normal n₁.
-    pub n1: Pair,
+    pub n1: RegPair,
     /// The right-hand side c₁.
     pub c1: Reg,
     /// The normal n₂.
-    pub n2: Pair,
+    pub n2: RegPair,
     /// The right-hand side c₂.
     pub c2: Reg,
 }
@@ -277,7 +277,7 @@ impl Kernel<6, 2> for Cross {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Three {
     /// The n, r and c of the three rows.
-    pub rows: [(Pair, Pair, Reg); 3],
+    pub rows: [(RegPair, RegPair, Reg); 3],
 }
 
 impl Kernel<15, 3> for Three {
@@ -307,15 +307,15 @@ impl Kernel<15, 3> for Three {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bars {
     /// The pin C.
-    pub c: Pair,
+    pub c: RegPair,
     /// The end A.
-    pub a: Pair,
+    pub a: RegPair,
     /// The end B.
-    pub b: Pair,
+    pub b: RegPair,
     /// The velocity v_A.
-    pub va: Pair,
+    pub va: RegPair,
     /// The velocity v_B.
-    pub vb: Pair,
+    pub vb: RegPair,
     /// The determinant (C − A) × (C − B).
     pub det: Reg,
 }
@@ -343,11 +343,11 @@ pub struct BarsRate {
     /// The operation of the velocities.
     pub bars: Bars,
     /// The velocity v_C.
-    pub vc: Pair,
+    pub vc: RegPair,
     /// The acceleration a_A.
-    pub aa: Pair,
+    pub aa: RegPair,
     /// The acceleration a_B.
-    pub ab: Pair,
+    pub ab: RegPair,
     /// The quotient 1/det.
     pub inverse: Reg,
 }

@@ -10,7 +10,7 @@
 use super::fuse::{Fused, cranks::*, kernels::*};
 use super::kernel::{Kernel, Reg};
 use super::lane::Width;
-use super::program::{COS, INPUTS, Joint, Op, Program, SIN};
+use super::program::{COS, INPUTS, Joint, Op, SIN, SweepProgram};
 use super::station::Stations;
 use fearless_simd::{Simd, SimdBase, SimdFrom, f64x4};
 use std::ops::Range;
@@ -23,16 +23,16 @@ pub const CHUNK: usize = 64;
 const QUADS: usize = CHUNK / 4;
 
 /// The numbers of a register at all positions of a chunk.
-type Block = [[f64; 4]; QUADS];
+type ChunkNumbers = [[f64; 4]; QUADS];
 
 /// One register's numbers. They are aligned, because a group of four across two lines of the cache
 /// takes twice as long to store.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-struct Column(Block);
+struct RegisterColumn(ChunkNumbers);
 
 /// A runner of kernels of any kind.
-pub(super) trait Runner {
+pub(super) trait KernelRunner {
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg);
 }
 
@@ -57,7 +57,7 @@ macro_rules! operations {
 
         impl $all {
             #[inline(always)]
-            pub(super) fn run<R: Runner>(&self, runner: &mut R, out: Reg) {
+            pub(super) fn run<R: KernelRunner>(&self, runner: &mut R, out: Reg) {
                 match self {
                     $($all::$name(kernel) => runner.run(kernel, out)),*
                 }
@@ -67,7 +67,7 @@ macro_rules! operations {
 }
 pub(super) use operations;
 
-operations! { Whole:
+operations! { FusedOp:
     /// Two bars.
     DyadP, DyadV, DyadA, DyadVL, DyadAL,
     /// Two bars, one of them on ground.
@@ -104,12 +104,12 @@ operations! { Whole:
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Any {
     One(Op),
-    Whole(Whole),
+    Whole(FusedOp),
 }
 
 impl Any {
     #[inline(always)]
-    pub fn run<R: Runner>(&self, runner: &mut R, out: Reg) {
+    pub fn run<R: KernelRunner>(&self, runner: &mut R, out: Reg) {
         match self {
             Any::One(op) => op.run(runner, out),
             Any::Whole(op) => op.run(runner, out),
@@ -120,7 +120,7 @@ impl Any {
 /// An operation, the end of its inputs in the list of wires, and the first of the registers that it
 /// fills.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Placed {
+pub(super) struct PlacedOperation {
     pub op: Any,
     pub end: usize,
     pub out: Reg,
@@ -129,7 +129,7 @@ pub(super) struct Placed {
 /// The registers of a chunk.
 #[derive(Clone, Debug, Default)]
 pub struct Buffer {
-    columns: Vec<Column>,
+    columns: Vec<RegisterColumn>,
     /// The number of filled groups of four.
     quads: usize,
 }
@@ -139,7 +139,7 @@ impl Buffer {
     /// fills registers before others read them.
     pub(super) fn sized(mut self, registers: usize) -> Buffer {
         if self.columns.len() < registers {
-            self.columns.resize(registers, Column([[0.0; 4]; QUADS]));
+            self.columns.resize(registers, RegisterColumn([[0.0; 4]; QUADS]));
         }
         Buffer { quads: QUADS, ..self }
     }
@@ -162,7 +162,7 @@ impl Buffer {
     /// Copies the numbers of answers to their places, which all have one length. Returns true only
     /// if all of them are finite: a sum with an infinite number or NaN is not finite either, so no
     /// number needs a test of its own.
-    pub(super) fn hand_out<'a>(&self, answers: &[Answer], places: impl Iterator<Item = &'a mut [f64]>, width: Width) -> bool {
+    pub(super) fn hand_out<'a>(&self, answers: &[AnswerRoute], places: impl Iterator<Item = &'a mut [f64]>, width: Width) -> bool {
         if let Some(simd) = width.four() {
             return simd.vectorize(
                 #[inline(always)]
@@ -173,14 +173,14 @@ impl Buffer {
                     for (answer, place) in answers.iter().zip(places) {
                         let (many, few) = place.as_chunks_mut::<16>();
                         match answer {
-                            Answer::There(_) => {
+                            AnswerRoute::There(_) => {
                                 for place in many {
                                     for k in 0..4 {
                                         sums[k] += f64x4::from_slice(simd, &place[4 * k..4 * k + 4]);
                                     }
                                 }
                             }
-                            Answer::In(reg) => {
+                            AnswerRoute::In(reg) => {
                                 let column = &self.columns[reg.0 as usize].0;
                                 few.copy_from_slice(&column.as_flattened()[16 * many.len()..][..few.len()]);
                                 for (place, numbers) in many.iter_mut().zip(column.as_chunks::<4>().0) {
@@ -191,7 +191,7 @@ impl Buffer {
                                     }
                                 }
                             }
-                            Answer::Nowhere => {
+                            AnswerRoute::Nowhere => {
                                 many.as_flattened_mut().fill(f64::NAN);
                                 few.fill(f64::NAN);
                                 rest = f64::NAN;
@@ -207,9 +207,9 @@ impl Buffer {
         let mut sum = 0.0;
         for (answer, place) in answers.iter().zip(places) {
             match answer {
-                Answer::There(_) => {}
-                Answer::In(reg) => place.copy_from_slice(self.numbers(*reg, place.len())),
-                Answer::Nowhere => place.fill(f64::NAN),
+                AnswerRoute::There(_) => {}
+                AnswerRoute::In(reg) => place.copy_from_slice(self.numbers(*reg, place.len())),
+                AnswerRoute::Nowhere => place.fill(f64::NAN),
             }
             sum += place.iter().sum::<f64>();
         }
@@ -264,13 +264,13 @@ impl Fused {
     }
 
     /// Runs the chunk of [`CHUNK`] stations from `first` on, without filling anything in.
-    /// Operations put the answers of the form [`Answer::There`] directly in their places while they
+    /// Operations put the answers of the form [`AnswerRoute::There`] directly in their places while they
     /// compute: copying them afterwards takes a fifth of the time more.
     pub(super) fn run_there<'a>(
         &'a self,
         buffer: &'a mut Buffer,
         (stations, first): (&'a Stations, usize),
-        answers: &[Answer],
+        answers: &[AnswerRoute],
         places: impl Iterator<Item = &'a mut [f64]>,
         width: Width,
     ) {
@@ -280,9 +280,9 @@ impl Fused {
         let ((Some(values), Some(cosines), Some(sines)), Some(own)) = (inputs, buffer.columns.get_mut(INPUTS.len()..self.registers)) else {
             return;
         };
-        let mut slots: Vec<&mut Block> = own.iter_mut().map(|c| &mut c.0).collect();
+        let mut slots: Vec<&mut ChunkNumbers> = own.iter_mut().map(|c| &mut c.0).collect();
         for (answer, place) in answers.iter().zip(places) {
-            if let Answer::There(reg) = answer
+            if let AnswerRoute::There(reg) = answer
                 && let Some(place) = place.as_chunks_mut().0.first_chunk_mut()
             {
                 slots[reg.0 as usize - INPUTS.len()] = place;
@@ -293,13 +293,13 @@ impl Fused {
 
     /// The answers in these registers; with `straight`, operations put those that they can directly
     /// in their places.
-    pub(super) fn answers(&self, found: &[Option<Reg>], straight: bool) -> Vec<Answer> {
+    pub(super) fn answers(&self, found: &[Option<Reg>], straight: bool) -> Vec<AnswerRoute> {
         let constant = |reg: Reg| self.constants.iter().any(|(r, _)| *r == reg);
         let twice = |reg: Reg| found.iter().filter(|r| **r == Some(reg)).count() > 1;
         let of = |reg: &Option<Reg>| match *reg {
-            Some(reg) if straight && !INPUTS.contains(&reg) && !constant(reg) && !twice(reg) => Answer::There(reg),
-            Some(reg) => Answer::In(reg),
-            None => Answer::Nowhere,
+            Some(reg) if straight && !INPUTS.contains(&reg) && !constant(reg) && !twice(reg) => AnswerRoute::There(reg),
+            Some(reg) => AnswerRoute::In(reg),
+            None => AnswerRoute::Nowhere,
         };
         found.iter().map(of).collect()
     }
@@ -307,12 +307,12 @@ impl Fused {
     fn run_in<'a>(&'a self, memory: Memory<'a>, width: Width) {
         match width.four() {
             Some(simd) => self.run_all(Four { simd, memory }),
-            None => self.run_all(One { memory }),
+            None => self.run_all(SinglePosition { memory }),
         }
     }
 
     #[inline(always)]
-    fn run_all<'a>(&'a self, mut runner: impl Runner + AsMut<Memory<'a>>) {
+    fn run_all<'a>(&'a self, mut runner: impl KernelRunner + AsMut<Memory<'a>>) {
         let mut start = 0;
         for step in &self.steps {
             runner.as_mut().wires = &self.wires[start..step.end];
@@ -324,7 +324,7 @@ impl Fused {
     /// True if, at a row of a chunk that was run, some closure misses by more than rounding may
     /// explain. The program must have the crossings of its joints, because the inputs of closures
     /// may be inside another operation.
-    pub fn misses(&self, program: &Program, buffer: &Buffer, row: usize) -> bool {
+    pub fn misses(&self, program: &SweepProgram, buffer: &Buffer, row: usize) -> bool {
         // A hundred roundings of the terms: nearer to a touch the general solver decides.
         const SURE: f64 = -100.0 * f64::EPSILON;
         program.joints.iter().any(|j| {
@@ -334,14 +334,14 @@ impl Fused {
     }
 
     /// The margin of a joint at a row.
-    pub(super) fn margin(&self, program: &Program, joint: &Joint, buffer: &Buffer, row: usize) -> Option<super::closure::Margin<f64>> {
+    pub(super) fn margin(&self, program: &SweepProgram, joint: &Joint, buffer: &Buffer, row: usize) -> Option<super::closure::Margin<f64>> {
         program.margin(joint, &|reg| self.number(buffer, reg, row))
     }
 }
 
 /// The way of an answer to its place in a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Answer {
+pub(super) enum AnswerRoute {
     /// The operation that fills this register puts it there.
     There(Reg),
     /// It is copied from this register.
@@ -352,19 +352,19 @@ pub(super) enum Answer {
 
 /// The registers of a running chunk, and the inputs of its operation.
 struct Memory<'a> {
-    inputs: [&'a Block; INPUTS.len()],
+    inputs: [&'a ChunkNumbers; INPUTS.len()],
     /// The registers that are not inputs.
-    slots: Vec<&'a mut Block>,
+    slots: Vec<&'a mut ChunkNumbers>,
     quads: usize,
     wires: &'a [Reg],
 }
 
 /// The inputs and results of an operation.
-type Columns<'a, const IN: usize, const OUT: usize> = ([&'a Block; IN], [&'a mut Block; OUT]);
+type OperationColumns<'a, const IN: usize, const OUT: usize> = ([&'a ChunkNumbers; IN], [&'a mut ChunkNumbers; OUT]);
 
 impl Memory<'_> {
     #[inline(always)]
-    fn columns<const IN: usize, const OUT: usize>(&mut self, out: Reg) -> Option<Columns<'_, IN, OUT>> {
+    fn columns<const IN: usize, const OUT: usize>(&mut self, out: Reg) -> Option<OperationColumns<'_, IN, OUT>> {
         let (known, new) = self.slots.split_at_mut(out.0 as usize - INPUTS.len());
         let wires = self.wires.first_chunk::<IN>()?;
         let mut x = [self.inputs[0]; IN];
@@ -389,7 +389,7 @@ impl<'a, S> AsMut<Memory<'a>> for Four<'a, S> {
     }
 }
 
-impl<S: Simd> Runner for Four<'_, S> {
+impl<S: Simd> KernelRunner for Four<'_, S> {
     #[inline(always)]
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {
         let simd = self.simd;
@@ -422,18 +422,18 @@ impl<S: Simd> Runner for Four<'_, S> {
 }
 
 /// Runs a chunk one position at a time.
-struct One<'a> {
+struct SinglePosition<'a> {
     memory: Memory<'a>,
 }
 
-impl<'a> AsMut<Memory<'a>> for One<'a> {
+impl<'a> AsMut<Memory<'a>> for SinglePosition<'a> {
     #[inline(always)]
     fn as_mut(&mut self) -> &mut Memory<'a> {
         &mut self.memory
     }
 }
 
-impl Runner for One<'_> {
+impl KernelRunner for SinglePosition<'_> {
     // A function of its own for each kernel, as with four.
     #[inline(never)]
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {

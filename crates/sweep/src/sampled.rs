@@ -5,7 +5,7 @@ use super::general::General;
 use super::lane::Width;
 use super::station::Stations;
 use super::stood::Stood;
-use super::{Placed, branches};
+use super::{PlacedScene, branches};
 use hodograph_base::diag::Faults;
 use hodograph_mechanism::position::Configuration;
 use hodograph_mechanism::stated::{self, Moment};
@@ -25,7 +25,7 @@ const FOLLOWED: usize = 73;
 ///
 /// # Errors
 /// `position-unproven`, one for each statement that is broken.
-pub fn proved(placed: &Placed, driver: usize, count: usize, value: impl Fn(usize) -> f64) -> Result<(), Faults> {
+pub fn proved(placed: &PlacedScene, driver: usize, count: usize, value: impl Fn(usize) -> f64) -> Result<(), Faults> {
     let general = General::new(placed, driver);
     if count == 0 || general.is_read_again() {
         return Ok(());

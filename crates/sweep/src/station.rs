@@ -24,7 +24,7 @@ impl Stations {
     /// Returns `steps` equal steps from one angle to another, both ends included; degrees are
     /// reduced exactly.
     pub fn turned(from: Angle, to: Angle, steps: usize) -> Stations {
-        Steps { way: Way::Turn(from, to), steps }.all()
+        StationSteps { way: DriverSpan::Turn(from, to), steps }.all()
     }
 
     /// Returns given values; `angle = value·per_value` gives cosine and sine.
@@ -35,7 +35,7 @@ impl Stations {
 
     /// Returns `steps` equal steps from one length to another, both ends included.
     pub fn slid(from: f64, to: f64, steps: usize, per_value: f64) -> Stations {
-        Steps { way: Way::Slide { from, to, per_value }, steps }.all()
+        StationSteps { way: DriverSpan::Slide { from, to, per_value }, steps }.all()
     }
 
     /// Returns the stations of some rows.
@@ -73,7 +73,7 @@ impl Stations {
 
 /// The range of a driver's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Way {
+pub enum DriverSpan {
     /// From one angle to another.
     Turn(Angle, Angle),
     /// From one value to another (rad or m); `angle = value·per_value` gives cosine and sine.
@@ -90,14 +90,14 @@ pub enum Way {
 /// Equal steps of a driver, both ends included; the [`Stations`] of any part of them are made where
 /// they are needed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Steps {
+pub struct StationSteps {
     /// The range.
-    pub way: Way,
+    pub way: DriverSpan,
     /// The number of steps; there is one station more.
     pub steps: usize,
 }
 
-impl Steps {
+impl StationSteps {
     /// Returns all stations.
     pub fn all(&self) -> Stations {
         self.part(0..self.steps + 1)
@@ -106,8 +106,8 @@ impl Steps {
     /// Returns the value of one station.
     pub fn value(&self, i: usize) -> f64 {
         match self.way {
-            Way::Slide { from, to, .. } => between(from, to, i, self.steps),
-            Way::Turn(from, to) => turned(from, to, i, self.steps).radians(),
+            DriverSpan::Slide { from, to, .. } => between(from, to, i, self.steps),
+            DriverSpan::Turn(from, to) => turned(from, to, i, self.steps).radians(),
         }
     }
 
@@ -115,8 +115,10 @@ impl Steps {
     pub fn part(&self, rows: Range<usize>) -> Stations {
         let steps = self.steps;
         match self.way {
-            Way::Slide { from, to, per_value } => Stations::of_values(rows.map(|i| between(from, to, i, steps)).collect(), per_value),
-            Way::Turn(from, to) => {
+            DriverSpan::Slide { from, to, per_value } => {
+                Stations::of_values(rows.map(|i| between(from, to, i, steps)).collect(), per_value)
+            }
+            DriverSpan::Turn(from, to) => {
                 let mut s = Stations::default();
                 for i in rows {
                     let angle = turned(from, to, i, steps);

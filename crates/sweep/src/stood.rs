@@ -4,14 +4,14 @@
 //! These rows are therefore on the same branches as those of all other questions, whatever events
 //! precede them.
 
-use super::chunks::{Rows, run_parts};
+use super::chunks::{SweepRows, run_parts};
 use super::compile::{self, ask};
 use super::general::General;
 use super::lane::Width;
-use super::pieces::Stop;
-use super::program::Program;
+use super::pieces::StopSignal;
+use super::program::SweepProgram;
 use super::station::Stations;
-use super::{Placed, branches};
+use super::{PlacedScene, branches};
 use hodograph_base::budget::here;
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
@@ -22,7 +22,7 @@ use rayon::prelude::*;
 /// The positions of a mechanism, compiled.
 pub(super) struct Stood {
     /// The program of the positions.
-    pub program: Program,
+    pub program: SweepProgram,
     points: Vec<PointId>,
     links: Vec<LinkId>,
 }
@@ -30,12 +30,12 @@ pub(super) struct Stood {
 impl Stood {
     /// Compiles the positions of a placed mechanism moved by a driver; `None` if a group has no
     /// kernel, or is followed.
-    pub fn of(placed: &Placed, driver: usize) -> Option<Stood> {
+    pub fn of(placed: &PlacedScene, driver: usize) -> Option<Stood> {
         Stood::even_followed(placed, driver).filter(|s| s.program.tracks.is_empty())
     }
 
     /// Compiles as [`Stood::of`] does, but includes groups that are followed.
-    pub fn even_followed(placed: &Placed, driver: usize) -> Option<Stood> {
+    pub fn even_followed(placed: &PlacedScene, driver: usize) -> Option<Stood> {
         let (scene, m, at) = (placed.scene, placed.mechanism, &placed.at);
         let points: Vec<PointId> =
             (0..scene.points.len()).map(PointId).filter(|p| at.points[p.0].is_some() && m.pins.contains(p)).collect();
@@ -47,7 +47,13 @@ impl Stood {
 
     /// The rows of stations, by the program of each stretch between change points; `None` if `stop`
     /// asks to stop.
-    pub fn rows(&self, parts: &[(Program, Vec<usize>)], general: &General, stations: &Stations, stop: Stop) -> Option<Rows> {
+    pub fn rows(
+        &self,
+        parts: &[(SweepProgram, Vec<usize>)],
+        general: &General,
+        stations: &Stations,
+        stop: StopSignal,
+    ) -> Option<SweepRows> {
         let placed = general.placed();
         let there = run_parts(parts, placed, general.driver(), stations, Width::Widest);
         let solve = |i: usize| -> Result<Vec<f64>, Faults> {
@@ -58,7 +64,7 @@ impl Stood {
         let row = |i: usize| (!stop()).then(|| here.enter(|| solve(i)));
         let made: Option<Vec<_>> = (0..stations.len()).into_par_iter().map(row).collect();
         let width = general.scene().find.iter().flat_map(ask::names).count();
-        let mut rows = Rows { columns: vec![vec![f64::NAN; stations.len()]; width], ..Default::default() };
+        let mut rows = SweepRows { columns: vec![vec![f64::NAN; stations.len()]; width], ..Default::default() };
         for (i, row) in made?.into_iter().enumerate() {
             match row {
                 Ok(row) => rows.columns.iter_mut().zip(row).for_each(|(c, v)| c[i] = v),
@@ -83,7 +89,7 @@ impl Stood {
     }
 
     /// The configuration of a row; `None` where the program has no value.
-    pub fn laid(&self, placed: &Placed, columns: &[Vec<f64>], row: usize) -> Option<Configuration> {
+    pub fn laid(&self, placed: &PlacedScene, columns: &[Vec<f64>], row: usize) -> Option<Configuration> {
         let pair = |k: usize| Some(Vec2::new(columns.get(2 * k)?[row], columns.get(2 * k + 1)?[row])).filter(|v| v.is_finite());
         let (mut poses, mut points) = (vec![None; placed.scene.links.len()], vec![None; placed.scene.points.len()]);
         for (k, p) in self.points.iter().enumerate() {

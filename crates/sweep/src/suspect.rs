@@ -8,8 +8,8 @@
 //! therefore decide whether it has one. Joints that depend on other links are searched.
 
 use super::closure::{Circles, Closure};
-use super::kernel::{Pair, Reg};
-use super::program::{COS, Joint, Op, Program, SIN};
+use super::kernel::{Reg, RegPair};
+use super::program::{COS, Joint, Op, SIN, SweepProgram};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::Level;
 
@@ -17,7 +17,7 @@ use hodograph_mechanism::mechanism::Level;
 /// belongs to under two degrees from one.
 const SURE: f64 = 1e-3;
 
-impl Program {
+impl SweepProgram {
     /// The crossings of the joints that may have a change point.
     pub(super) fn suspects(&self) -> impl Iterator<Item = Reg> {
         self.joints.iter().filter(|j| self.suspect(j)).map(|j| j.crossing)
@@ -43,29 +43,29 @@ impl Program {
                 let off = t.cross(q - pin.centre);
                 Some([off - pin.radius, off + pin.radius].map(|h| k.margin([0.0, 0.0, r, 0.0, h, 1.0, 0.0]).crossing()))
             }
-            Op::Lever(k) => Some(self.ways(k.b, k.a)?.map(|d| k.margin([0.0, 0.0, d, 0.0]).crossing())),
+            Op::SlotLever(k) => Some(self.ways(k.b, k.a)?.map(|d| k.margin([0.0, 0.0, d, 0.0]).crossing())),
             _ => None,
         }
     }
 
     /// The shortest and the longest distance of a crank's pin from a fixed place.
-    fn ways(&self, pin: Pair, place: Pair) -> Option<[f64; 2]> {
+    fn ways(&self, pin: RegPair, place: RegPair) -> Option<[f64; 2]> {
         let (pin, place) = (self.pin(pin)?, self.place(place)?);
         let off = (place - pin.centre).norm();
         Some([off - pin.radius, off + pin.radius])
     }
 
     /// The circle of a point that turns with the driver about a fixed one.
-    fn pin(&self, point: Pair) -> Option<Pin> {
+    fn pin(&self, point: RegPair) -> Option<Pin> {
         let Op::Image(image) = self.maker(point)? else { return None };
         let Op::Twist(arm) = self.maker(image.d)? else { return None };
         let length = |k: [f64; 2]| Vec2::new(k[0], k[1]).norm();
-        let turns = arm.d == Pair { x: COS, y: SIN };
+        let turns = arm.d == RegPair { x: COS, y: SIN };
         turns.then_some(Pin { centre: self.place(image.o)?, radius: length(image.k) * length(arm.k) })
     }
 
     /// The operation that fills a pair of positions.
-    fn maker(&self, pair: Pair) -> Option<&Op> {
+    fn maker(&self, pair: RegPair) -> Option<&Op> {
         self.steps[Level::Position as usize].iter().find(|s| s.out == pair.x).map(|s| &s.op)
     }
 
@@ -73,7 +73,7 @@ impl Program {
         self.constants.iter().find(|(r, _)| *r == reg).map(|(_, value)| *value)
     }
 
-    fn place(&self, pair: Pair) -> Option<Vec2<f64>> {
+    fn place(&self, pair: RegPair) -> Option<Vec2<f64>> {
         Some(Vec2::new(self.fixed(pair.x)?, self.fixed(pair.y)?))
     }
 }
@@ -87,7 +87,7 @@ struct Pin {
 #[cfg(test)]
 mod tests {
     use crate::limit::Probe;
-    use crate::{Placed, compile};
+    use crate::{PlacedScene, compile};
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{edit, read, templates};
 
@@ -113,7 +113,7 @@ mod tests {
             let Ok(text) = templates::instantiate(name, &set) else { continue };
             let scene = read(edit::with_find(&text, &["omega_3"]).unwrap()).unwrap().value;
             let m = Mechanism::new(&scene).unwrap().value;
-            let Ok(placed) = Placed::new(&scene, &m) else { continue };
+            let Ok(placed) = PlacedScene::new(&scene, &m) else { continue };
             let program = compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
             let changes = |way: f64| {
                 let mut probe = Probe::of(program.clone(), &placed, 0);

@@ -5,8 +5,8 @@
 //! with the acceleration as derivative. Where the rate vanishes on a whole stretch the output
 //! dwells: the stretch is one extreme, and its ends are junctions of the cam that makes it.
 
-use super::extreme::{Extreme, Output, Swing};
-use super::limit::Range;
+use super::extreme::{DrivenOutput, OutputExtreme, Swing};
+use super::limit::DriverRange;
 use super::station::Stations;
 use hodograph_base::diag::Faults;
 use std::collections::BTreeMap;
@@ -23,11 +23,11 @@ const FAR: f64 = 1e9;
 const ONE: f64 = 1e-3;
 
 /// The samples of a driver's motion.
-pub(super) struct Course<'a> {
+pub(super) struct DriverSamples<'a> {
     /// The driver's values at the samples.
     pub stations: &'a Stations,
     /// The range of the driver.
-    pub range: &'a Range,
+    pub range: &'a DriverRange,
     /// The size of the mechanism (m).
     pub extent: f64,
     /// The driver's angle after which the first station recurs, if the stations cover all of it.
@@ -37,7 +37,7 @@ pub(super) struct Course<'a> {
     pub joints: &'a [[f64; 2]],
 }
 
-impl Course<'_> {
+impl DriverSamples<'_> {
     /// The distance from one station to the next.
     fn step(&self) -> f64 {
         self.stations.values.windows(2).next().map_or(0.0, |w| (w[1] - w[0]).abs())
@@ -54,17 +54,17 @@ impl Course<'_> {
 /// The swing of an output. `[s, v]` are its positions and rates at the stations, `missing` the
 /// stations without them, and `at` returns position, rate and acceleration at any driver value.
 pub(super) fn swing(
-    output: Output,
+    output: DrivenOutput,
     [s, v]: [&[f64]; 2],
     missing: &BTreeMap<usize, Faults>,
-    course: &Course,
+    course: &DriverSamples,
     at: &dyn Fn(f64) -> Option<[f64; 3]>,
 ) -> Swing {
-    let far = if matches!(output, Output::Sliding(_)) && course.extent > 0.0 { FAR * course.extent } else { f64::INFINITY };
+    let far = if matches!(output, DrivenOutput::Sliding(_)) && course.extent > 0.0 { FAR * course.extent } else { f64::INFINITY };
     let there = |i: usize| !missing.contains_key(&i) && s[i].abs() <= far && v[i].is_finite();
     // Angles are made continuous.
     let mut position = s.to_vec();
-    if matches!(output, Output::Turning(_)) {
+    if matches!(output, DrivenOutput::Turning(_)) {
         // Also across a missing row, such as that of a change point.
         let mut last = None;
         for i in (0..position.len()).filter(|i| there(*i)) {
@@ -76,8 +76,8 @@ pub(super) fn swing(
     }
     // A position in the same turn as the sample next to it.
     let near = |here: f64, i: usize| match output {
-        Output::Turning(_) => here - libm::rint((here - position[i]) / TAU) * TAU,
-        Output::Sliding(_) => here,
+        DrivenOutput::Turning(_) => here - libm::rint((here - position[i]) / TAU) * TAU,
+        DrivenOutput::Sliding(_) => here,
     };
     let (x, period) = (&course.stations.values, course.period);
     // Next to a limit a rate grows beyond all bounds: the typical rate of the output follows from
@@ -90,7 +90,7 @@ pub(super) fn swing(
     if let (Some(period), Some(&(first, i))) = (period, moving.first()) {
         moving.push((first + period, i));
     }
-    let mut extremes: Vec<Extreme> = Vec::new();
+    let mut extremes: Vec<OutputExtreme> = Vec::new();
     for pair in moving.windows(2) {
         let ((a, i), (b, k)) = (pair[0], pair[1]);
         // A missing row between the two separates the motion.
@@ -99,14 +99,14 @@ pub(super) fn swing(
             let driver = zero(a, b, v[i], at);
             let [driver, until] = dwell([a, driver, b], rounding, course, at).unwrap_or([driver; 2]);
             let Some([here, ..]) = at(driver) else { continue };
-            extremes.push(Extreme { driver, until: (until > driver).then_some(until), output: near(here, i), at_limit: false });
+            extremes.push(OutputExtreme { driver, until: (until > driver).then_some(until), output: near(here, i), at_limit: false });
         }
     }
     once(&mut extremes, ONE * course.step(), period);
     let known: Vec<usize> = (0..x.len()).filter(|&i| there(i)).collect();
     let time_ratio = match (&extremes[..], period) {
         ([a, b], Some(TAU)) => {
-            let stroke = |from: &Extreme, to: &Extreme| (to.driver - from.until.unwrap_or(from.driver)).rem_euclid(TAU);
+            let stroke = |from: &OutputExtreme, to: &OutputExtreme| (to.driver - from.until.unwrap_or(from.driver)).rem_euclid(TAU);
             let [out, back] = [stroke(a, b), stroke(b, a)];
             Some(out.max(back) / out.min(back))
         }
@@ -120,7 +120,7 @@ pub(super) fn swing(
                 let there = at_limit(event.value, inward, &|x| Some(near(at(x)?[0], i))).unwrap_or(position[i]);
                 // Where a rate grows beyond all bounds, rounding gives it either sign.
                 extremes.retain(|e| (e.driver - event.value).abs() > ONE * course.step());
-                extremes.push(Extreme { driver: event.value, until: None, output: there, at_limit: true });
+                extremes.push(OutputExtreme { driver: event.value, until: None, output: there, at_limit: true });
             }
         }
     }
@@ -140,7 +140,7 @@ pub(super) fn swing(
 
 /// The stretch about a zero of the rate on which the output dwells, if it does. The argument is a
 /// position before the zero, the zero, and a position after it.
-fn dwell([a, zero, b]: [f64; 3], rounding: f64, course: &Course, at: &dyn Fn(f64) -> Option<[f64; 3]>) -> Option<[f64; 2]> {
+fn dwell([a, zero, b]: [f64; 3], rounding: f64, course: &DriverSamples, at: &dyn Fn(f64) -> Option<[f64; 3]>) -> Option<[f64; 2]> {
     let still = |x: f64| at(x).is_some_and(|[_, v, _]| v.abs() <= rounding);
     let beside = ONE * course.step();
     if !still(zero - beside) && !still(zero + beside) {
@@ -163,9 +163,9 @@ fn dwell([a, zero, b]: [f64; 3], rounding: f64, course: &Course, at: &dyn Fn(f64
 }
 
 /// Removes pairs of adjacent extremes, which rounding makes: an odd number of them leaves one.
-fn once(extremes: &mut Vec<Extreme>, near: f64, period: Option<f64>) {
-    let mut out: Vec<Extreme> = Vec::new();
-    let end = |e: &Extreme| e.until.unwrap_or(e.driver);
+fn once(extremes: &mut Vec<OutputExtreme>, near: f64, period: Option<f64>) {
+    let mut out: Vec<OutputExtreme> = Vec::new();
+    let end = |e: &OutputExtreme| e.until.unwrap_or(e.driver);
     for e in extremes.drain(..) {
         match out.last() {
             Some(last) if e.driver - end(last) <= near => drop(out.pop()),
@@ -226,8 +226,8 @@ mod tests {
     #[test]
     fn an_extreme_is_listed_once() {
         let left = |places: &[f64]| {
-            let extreme = |driver: &f64| Extreme { driver: *driver, until: None, output: 0.0, at_limit: false };
-            let mut all: Vec<Extreme> = places.iter().map(extreme).collect();
+            let extreme = |driver: &f64| OutputExtreme { driver: *driver, until: None, output: 0.0, at_limit: false };
+            let mut all: Vec<OutputExtreme> = places.iter().map(extreme).collect();
             once(&mut all, 1e-5, Some(TAU));
             all.iter().map(|e| e.driver).collect::<Vec<_>>()
         };

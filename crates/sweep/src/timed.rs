@@ -1,15 +1,15 @@
 //! Answers through time: all drivers move, each by its law or at its rate.
 //!
-//! The mechanism is followed from its instant to both ends once ([`Follower`]). Each row is found
+//! The mechanism is followed from its instant to both ends once ([`PoseFollower`]). Each row is found
 //! from the nearest pose on that path, and answered by the loop equations. The mechanism never
 //! jumps to another assembly, and no row depends on the position of others.
 
 use super::follow::whole::event;
-use super::follow::{Follower, Pose, Sweep};
+use super::follow::{PoseFollower, PoseSweep, TravelPose};
 use super::general::General;
-use super::pieces::{Gaps, Pieces, Stop};
+use super::pieces::{Gaps, StopSignal, SweepPieces};
 use super::table::Table;
-use super::{Placed, compile::ask, pieces};
+use super::{PlacedScene, compile::ask, pieces};
 use hodograph_base::budget::here;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{shortest, significant};
@@ -26,23 +26,23 @@ const MOST_STEPS: usize = 36_000;
 const AT_ONCE: usize = 4096;
 
 /// A mechanism followed through time.
-pub struct Timed<'a> {
-    placed: &'a Placed<'a>,
-    follower: Follower<'a>,
-    sweep: Sweep,
+pub struct TimedSweep<'a> {
+    placed: &'a PlacedScene<'a>,
+    follower: PoseFollower<'a>,
+    sweep: PoseSweep,
     /// The instant (s).
     now: f64,
 }
 
-impl<'a> Timed<'a> {
+impl<'a> TimedSweep<'a> {
     /// Follows a placed scene between two times (s); times that are not given are the ends of its
-    /// usual range ([`Follower::reach`]).
+    /// usual range ([`PoseFollower::reach`]).
     ///
     /// # Errors
     /// `range`: more turns of the drivers than are followed.
-    pub fn new(placed: &'a Placed<'a>, [from, to]: [Option<f64>; 2]) -> Result<(Timed<'a>, [f64; 2]), Faults> {
+    pub fn new(placed: &'a PlacedScene<'a>, [from, to]: [Option<f64>; 2]) -> Result<(TimedSweep<'a>, [f64; 2]), Faults> {
         let now = placed.scene.instant();
-        let follower = Follower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, Swept::Time);
+        let follower = PoseFollower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, Swept::Time);
         let [before, after] = follower.reach();
         let [from, to] = [from.unwrap_or(now - before), to.unwrap_or(now + after)];
         let reach = [now - from.min(to), from.max(to) - now].map(|way| way.max(0.0));
@@ -55,18 +55,18 @@ impl<'a> Timed<'a> {
             return Err(Diagnostic::error("range", message).help(both!("take a shorter time", "请缩短时间")).into());
         }
         let sweep = follower.through(reach, STEPS);
-        Ok((Timed { placed, follower, sweep, now }, [from, to]))
+        Ok((TimedSweep { placed, follower, sweep, now }, [from, to]))
     }
 
     /// Returns equal steps from one time (s) to another.
-    pub fn steps(&'a self, [from, to]: [f64; 2], steps: usize) -> Times<'a> {
+    pub fn steps(&'a self, [from, to]: [f64; 2], steps: usize) -> TimedRows<'a> {
         let at = |i: usize| if i == steps { to } else { from + (to - from) * (i as f64 / steps as f64) };
-        Times { timed: self, times: (0..=steps).map(at).collect(), gaps: Gaps::of(self.placed.scene) }
+        TimedRows { timed: self, times: (0..=steps).map(at).collect(), gaps: Gaps::of(self.placed.scene) }
     }
 
     /// Returns the answers at given times (s).
     pub fn table(&self, times: Vec<f64>) -> Table {
-        pieces::gather(&mut Times { timed: self, times, gaps: Gaps::of(self.placed.scene) })
+        pieces::gather(&mut TimedRows { timed: self, times, gaps: Gaps::of(self.placed.scene) })
     }
 
     /// The reason why the motion ends at a travel, the last one reached.
@@ -88,7 +88,7 @@ impl<'a> Timed<'a> {
 
     fn row(&self, time: f64) -> Result<Vec<f64>, Faults> {
         let travel = time - self.now;
-        let far = |p: &Pose| (p.travel - travel).abs();
+        let far = |p: &TravelPose| (p.travel - travel).abs();
         let near = self.sweep.poses.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
         let beyond = |limit: f64| self.stopped(limit);
         let [low, high] = self.sweep.limits;
@@ -107,13 +107,13 @@ impl<'a> Timed<'a> {
 }
 
 /// Rows at given times.
-pub struct Times<'a> {
-    timed: &'a Timed<'a>,
+pub struct TimedRows<'a> {
+    timed: &'a TimedSweep<'a>,
     times: Vec<f64>,
     gaps: Gaps,
 }
 
-impl Pieces for Times<'_> {
+impl SweepPieces for TimedRows<'_> {
     fn columns(&self) -> Vec<(String, &'static str)> {
         let scene = self.timed.placed.scene;
         let (name, kind) = Swept::Time.name(scene);
@@ -128,7 +128,7 @@ impl Pieces for Times<'_> {
         AT_ONCE
     }
 
-    fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>> {
+    fn piece(&mut self, rows: Range<usize>, stop: StopSignal) -> Option<Vec<Vec<f64>>> {
         let (first, width) = (rows.start, self.columns().len());
         let here = here();
         let row = |i: usize| (!stop()).then(|| here.enter(|| self.timed.row(self.times[i])));
@@ -165,15 +165,15 @@ mod tests {
         for name in ["plate-by-law", "cart-by-law"] {
             let scene = read(templates::get(name).unwrap()).unwrap().value;
             let mechanism = Mechanism::new(&scene).unwrap().value;
-            let placed = Placed::new(&scene, &mechanism).unwrap();
-            let (timed, range) = Timed::new(&placed, [None, None]).unwrap();
+            let placed = PlacedScene::new(&scene, &mechanism).unwrap();
+            let (timed, range) = TimedSweep::new(&placed, [None, None]).unwrap();
             assert_eq!(range, [0.0, 2.0 * scene.instant()]);
             let table = pieces::gather(&mut timed.steps(range, 4));
             assert_eq!((table.rows(), table.notes.len()), (5, 0), "{name}");
             for row in 1..5 {
                 let t = table.columns[0].values[row];
                 let there = read(templates::instantiate(name, &[("t", &format!("{t} s"))]).unwrap()).unwrap().value;
-                let placed = Placed::new(&there, &mechanism).unwrap();
+                let placed = PlacedScene::new(&there, &mechanism).unwrap();
                 let meant = General::new(&placed, 0).answers(&there, &placed.at).unwrap().swap_remove(0);
                 for (column, meant) in table.columns[1..].iter().zip(meant) {
                     let off = (column.values[row] - meant).abs();
@@ -190,9 +190,9 @@ mod tests {
         let mut scene = read(templates::get("five-bar").unwrap()).unwrap().value;
         scene.find = hodograph_scene::read_asking(templates::get("five-bar").unwrap(), "x_C,y_C,v_C").unwrap().value.find;
         let mechanism = Mechanism::new(&scene).unwrap().value;
-        let placed = Placed::new(&scene, &mechanism).unwrap();
+        let placed = PlacedScene::new(&scene, &mechanism).unwrap();
         let h = 1e-6;
-        let (timed, _) = Timed::new(&placed, [Some(0.0), Some(0.02)]).unwrap();
+        let (timed, _) = TimedSweep::new(&placed, [Some(0.0), Some(0.02)]).unwrap();
         let table = timed.table(vec![0.01 - h, 0.01, 0.01 + h]);
         let column = |name: &str| &table.column(name).unwrap_or_else(|| panic!("{name}")).values;
         for axis in ["x", "y"] {
@@ -215,8 +215,8 @@ mod tests {
             }
             scene.drivers[0].acceleration = None;
             let mechanism = Mechanism::new(&scene).unwrap().value;
-            let placed = Placed::new(&scene, &mechanism).unwrap();
-            let (timed, [_, whole]) = Timed::new(&placed, [None, None]).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            let placed = PlacedScene::new(&scene, &mechanism).unwrap();
+            let (timed, [_, whole]) = TimedSweep::new(&placed, [None, None]).unwrap_or_else(|f| panic!("{}: {f}", t.name));
             let times: Vec<f64> = (0..=7).map(|k| 0.97 * whole * f64::from(k) / 7.0).collect();
             let now = crate::station::position_now(&scene, &placed.at, 0);
             let values = times.iter().map(|time| now + scene.drivers[0].rate.value * time).collect();
@@ -249,9 +249,9 @@ mod tests {
     fn a_time_of_too_many_turns_is_refused() {
         let scene = read(templates::get("five-bar").unwrap()).unwrap().value;
         let mechanism = Mechanism::new(&scene).unwrap().value;
-        let placed = Placed::new(&scene, &mechanism).unwrap();
+        let placed = PlacedScene::new(&scene, &mechanism).unwrap();
         for to in [1e9, f64::MAX, f64::INFINITY] {
-            let told = Timed::new(&placed, [None, Some(to)]).err().expect("too long");
+            let told = TimedSweep::new(&placed, [None, Some(to)]).err().expect("too long");
             assert_eq!(told.list[0].code, "range");
         }
     }

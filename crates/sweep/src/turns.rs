@@ -5,7 +5,7 @@
 //! quarter turns and a remainder, exact to the last digit. [`Geared`] multiplies both by a ratio of
 //! whole numbers, the turns in whole numbers, so that no digit is lost after thousands of them.
 
-use super::kernel::{Kernel, Pair, Reg};
+use super::kernel::{Kernel, Reg, RegPair};
 use super::lane::Lane;
 use super::program::{COS, SIN, VALUE};
 use hodograph_base::geom::Vec2;
@@ -73,7 +73,7 @@ impl Kernel<3, 2> for Quarters {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geared {
     /// The driver's angle in [`Quarters`].
-    pub quarters: Pair,
+    pub quarters: RegPair,
     /// The driver's angle at the instant, in the same form.
     pub start: [f64; 2],
     /// The numerator: whole, or any number over 1.
@@ -102,12 +102,12 @@ impl Kernel<2, 2> for Geared {
 
 /// Cosine and sine of an angle of any size (rad).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turned {
+pub struct CosineSine {
     /// The angle.
     pub angle: Reg,
 }
 
-impl Kernel<1, 2> for Turned {
+impl Kernel<1, 2> for CosineSine {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 1] {
         [self.angle]
@@ -125,9 +125,9 @@ impl Kernel<1, 2> for Turned {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Against {
     /// The line.
-    pub d: Pair,
+    pub d: RegPair,
     /// Cosine and sine of the other's rotation.
-    pub turn: Pair,
+    pub turn: RegPair,
     /// The direction of the line at the instant, turned by the centre.
     pub start: Vec2,
     /// The middle of the interval of the angle.
@@ -153,11 +153,11 @@ impl Kernel<4, 1> for Against {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WayRate {
     /// The direction u.
-    pub u: Pair,
+    pub u: RegPair,
     /// The vector r.
-    pub r: Pair,
+    pub r: RegPair,
     /// The rate ṙ.
-    pub v: Pair,
+    pub v: RegPair,
     /// The angular velocity ω.
     pub omega: Reg,
 }
@@ -181,7 +181,7 @@ pub struct WayAcceleration {
     /// The operation of the rate.
     pub way: WayRate,
     /// The second derivative r̈.
-    pub a: Pair,
+    pub a: RegPair,
     /// The angular acceleration α.
     pub alpha: Reg,
 }
@@ -216,7 +216,7 @@ mod tests {
         };
         let reg = Reg(0);
         for (p, q) in [(21i64, 40i64), (-7, 3), (1, 1), (101, 97), (-997, 1009), (1, 12), (44, 7)] {
-            let geared = Geared { quarters: Pair { x: reg, y: reg }, start, p: p as f64, q: q as f64 };
+            let geared = Geared { quarters: RegPair { x: reg, y: reg }, start, p: p as f64, q: q as f64 };
             let mut worst: f64 = 0.0;
             for turn in [0i64, 1, 9_999, 10_000, -10_000, 100_000] {
                 for part in (-720..=720).step_by(7) {
@@ -239,7 +239,7 @@ mod tests {
     fn angles_of_any_size_have_their_cosines() {
         for k in -40_000..40_000 {
             let x = f64::from(k) * 0.0371;
-            let [c, s] = Turned { angle: Reg(0) }.eval([x]);
+            let [c, s] = CosineSine { angle: Reg(0) }.eval([x]);
             assert!((c - libm::cos(x)).abs() < 1e-15 && (s - libm::sin(x)).abs() < 1e-15, "{x}");
         }
     }

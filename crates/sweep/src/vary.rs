@@ -5,71 +5,71 @@
 //! setting values only evaluates these. Values that the reader refuses (a length that is not
 //! positive) are refused here too.
 
-use super::chunks::{Rows, run_program};
+use super::chunks::{SweepRows, run_program};
 use super::follow::course::over_a_turn;
 use super::general::General;
-use super::pieces::{Gaps, Pieces, Stop, never};
+use super::pieces::{Gaps, StopSignal, SweepPieces, never};
 use super::station::{Stations, position_now};
-use super::{Placed, Width, without_program};
+use super::{PlacedScene, Width, without_program};
 use hodograph_base::budget::here;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::shortest;
 use hodograph_mechanism::mechanism::Mechanism;
-use hodograph_scene::eval::{NoValue, Value, evaluate};
+use hodograph_scene::eval::{DimensionedValue, NoValue, evaluate};
 use hodograph_scene::expr::{self, Expr, ExprKind};
-use hodograph_scene::units::{Dim, Wanted};
-use hodograph_scene::{Angle, Direction, Given, GuidePath, Kind, Place, PositionSlot, Scene, Through, templates};
+use hodograph_scene::units::{Dim, RequiredQuantity};
+use hodograph_scene::{Angle, GivenQuantity, GuideDirection, GuidePath, Kind, PointPlace, PositionSlot, Scene, Through, templates};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// A quantity of a scene.
-enum Slot<'a> {
+enum SceneQuantity<'a> {
     /// A number in SI units; `true` if it must be greater than zero.
-    Number(&'a mut Given, bool),
-    Angle(&'a mut Given<Angle>),
+    Number(&'a mut GivenQuantity, bool),
+    Angle(&'a mut GivenQuantity<Angle>),
 }
 
 /// Every quantity of a scene, always in the same order.
-fn slots(scene: &mut Scene) -> Vec<Slot<'_>> {
+fn slots(scene: &mut Scene) -> Vec<SceneQuantity<'_>> {
     let mut out = Vec::new();
     for p in &mut scene.points {
         match &mut p.place {
-            Place::Unknown => {}
-            Place::At(xy) | Place::InLink { xy, .. } => out.extend(xy.iter_mut().map(|x| Slot::Number(x, false))),
-            Place::Polar { length, angle, .. } => out.extend([Slot::Number(length, true), Slot::Angle(angle)]),
+            PointPlace::Unknown => {}
+            PointPlace::At(xy) | PointPlace::InLink { xy, .. } => out.extend(xy.iter_mut().map(|x| SceneQuantity::Number(x, false))),
+            PointPlace::Polar { length, angle, .. } => out.extend([SceneQuantity::Number(length, true), SceneQuantity::Angle(angle)]),
         }
     }
     for g in &mut scene.guides {
         match &mut g.path {
             GuidePath::Line { through, direction, offset } => {
                 if let Through::At(xy) = through {
-                    out.extend(xy.iter_mut().map(|x| Slot::Number(x, false)));
+                    out.extend(xy.iter_mut().map(|x| SceneQuantity::Number(x, false)));
                 }
                 match direction {
-                    Direction::Instant(angle) | Direction::Slid(angle) | Direction::Along(_, _, Some(angle)) => {
-                        out.push(Slot::Angle(angle))
+                    GuideDirection::Instant(angle) | GuideDirection::Slid(angle) | GuideDirection::Along(_, _, Some(angle)) => {
+                        out.push(SceneQuantity::Angle(angle))
                     }
-                    Direction::Along(_, _, None) | Direction::Own => {}
+                    GuideDirection::Along(_, _, None) | GuideDirection::Own => {}
                 }
-                out.extend(offset.iter_mut().map(|x| Slot::Number(x, false)));
+                out.extend(offset.iter_mut().map(|x| SceneQuantity::Number(x, false)));
             }
-            GuidePath::Arc { radius, .. } => out.extend(radius.iter_mut().map(|x| Slot::Number(x, true))),
+            GuidePath::Arc { radius, .. } => out.extend(radius.iter_mut().map(|x| SceneQuantity::Number(x, true))),
         }
     }
-    out.extend(scene.lengths.iter_mut().map(|l| Slot::Number(&mut l.value, true)));
+    out.extend(scene.lengths.iter_mut().map(|l| SceneQuantity::Number(&mut l.value, true)));
     for r in &mut scene.rolling {
-        out.extend(r.contours.radii_mut().into_iter().map(|x| Slot::Number(x, true)));
-        out.extend(r.phase.iter_mut().map(Slot::Angle));
+        out.extend(r.contours.radii_mut().into_iter().map(|x| SceneQuantity::Number(x, true)));
+        out.extend(r.phase.iter_mut().map(SceneQuantity::Angle));
     }
     for d in &mut scene.drivers {
         match d.kind.slot() {
-            PositionSlot::Angle(angle) => out.extend(angle.iter_mut().map(Slot::Angle)),
-            PositionSlot::Coordinate(position) => out.extend(position.iter_mut().map(|x| Slot::Number(x, false))),
-            PositionSlot::Distance(length) => out.extend(length.iter_mut().map(|x| Slot::Number(x, true))),
+            PositionSlot::Angle(angle) => out.extend(angle.iter_mut().map(SceneQuantity::Angle)),
+            PositionSlot::Coordinate(position) => out.extend(position.iter_mut().map(|x| SceneQuantity::Number(x, false))),
+            PositionSlot::Distance(length) => out.extend(length.iter_mut().map(|x| SceneQuantity::Number(x, true))),
         }
-        out.push(Slot::Number(&mut d.rate, false));
-        out.extend(d.acceleration.iter_mut().map(|x| Slot::Number(x, false)));
+        out.push(SceneQuantity::Number(&mut d.rate, false));
+        out.extend(d.acceleration.iter_mut().map(|x| SceneQuantity::Number(x, false)));
     }
     out
 }
@@ -82,17 +82,17 @@ pub struct Variation {
     /// The varied parameters, as indices into `parameters`.
     varied: Vec<usize>,
     /// The value of each parameter that does not depend on the varied ones.
-    fixed: Vec<Option<Value>>,
+    fixed: Vec<Option<DimensionedValue>>,
     /// The dependent quantities, as indices into [`slots`], with their expressions.
     dependent: Vec<(usize, Expr)>,
     /// The scene to read again for other values, if it has cams or loads: the geometry of cams is
     /// made where it is read, and strokes of loads follow from the whole scene.
-    again: Option<Again>,
+    again: Option<RereadScene>,
 }
 
 /// The scene to read again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Again {
+enum RereadScene {
     /// The scene of the instant.
     Instant,
     /// The scene of the whole motion, with followers as drivers.
@@ -110,7 +110,7 @@ impl Variation {
             .source
             .as_ref()
             .filter(|_| !scene.cams.is_empty() || !scene.loads.is_empty())
-            .map(|_| if moves { Again::Motion } else { Again::Instant });
+            .map(|_| if moves { RereadScene::Motion } else { RereadScene::Instant });
         Ok(Variation { again, ..Variation::of(scene, names)? })
     }
 
@@ -152,8 +152,8 @@ impl Variation {
         let mut dependent = Vec::new();
         for (i, slot) in slots(&mut scene.clone()).into_iter().enumerate() {
             let text = match &slot {
-                Slot::Number(given, _) => &given.text,
-                Slot::Angle(given) => &given.text,
+                SceneQuantity::Number(given, _) => &given.text,
+                SceneQuantity::Angle(given) => &given.text,
             };
             let expr = expr::parse(text, &known)?;
             if mentions(&expr, &moving) {
@@ -173,10 +173,10 @@ impl Variation {
     }
 
     /// The unit of a varied parameter's SI value, for a column's head.
-    pub fn unit(&self, value: &Value) -> &'static str {
+    pub fn unit(&self, value: &DimensionedValue) -> &'static str {
         // An arc over time is a velocity.
         let dim = if value.dim.length == 1 && value.dim.time < 0 { Dim { angle: 0, ..value.dim } } else { value.dim };
-        Kind::ALL.into_iter().find(|kind| Wanted::of(*kind).dim() == dim).map_or("", Kind::si)
+        Kind::ALL.into_iter().find(|kind| RequiredQuantity::of(*kind).dim() == dim).map_or("", Kind::si)
     }
 
     /// Reads a value of a parameter from a command line: a bare number takes the unit that the
@@ -184,7 +184,7 @@ impl Variation {
     ///
     /// # Errors
     /// A text that is no quantity of the parameter's kind.
-    pub fn value(&self, scene: &Scene, name: &str, text: &str) -> Result<Value, Faults> {
+    pub fn value(&self, scene: &Scene, name: &str, text: &str) -> Result<DimensionedValue, Faults> {
         let known: Vec<&str> = self.parameters.iter().map(|p| p.0.as_str()).collect();
         let i =
             known.iter().position(|k| *k == name).ok_or_else(|| Diagnostic::error("unknown-parameter", both!("`{name}`", "`{name}`")))?;
@@ -205,24 +205,24 @@ impl Variation {
     ///
     /// # Errors
     /// Those of [`Variation::value`].
-    pub fn span(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<Span, Faults> {
+    pub fn span(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<ParameterSpan, Faults> {
         let (a, b) = (self.value(scene, name, from)?, self.value(scene, name, to)?);
         // Degrees stay degrees only if both ends are degrees.
         let degrees = a.degrees && b.degrees;
-        let number = |v: Value| if degrees { v.number } else { v.si() };
-        Ok(Span { first: Value { number: number(a), dim: a.dim, degrees }, last: number(b), steps })
+        let number = |v: DimensionedValue| if degrees { v.number } else { v.si() };
+        Ok(ParameterSpan { first: DimensionedValue { number: number(a), dim: a.dim, degrees }, last: number(b), steps })
     }
 
     /// Returns all values of [`Variation::span`].
     ///
     /// # Errors
     /// Those of [`Variation::value`].
-    pub fn range(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<Vec<Value>, Faults> {
+    pub fn range(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<Vec<DimensionedValue>, Faults> {
         let span = self.span(scene, name, from, to, steps)?;
         Ok((0..=steps).map(|i| span.value(i)).collect())
     }
 
-    fn evaluate(&self, expr: &Expr, values: &[Value]) -> Result<Value, Faults> {
+    fn evaluate(&self, expr: &Expr, values: &[DimensionedValue]) -> Result<DimensionedValue, Faults> {
         let lookup = |name: &str| self.parameters[..values.len()].iter().rposition(|p| p.0 == name).map(|i| values[i]);
         evaluate(expr, &lookup).map_err(|e| match e {
             NoValue::Fault(d) => Diagnostic { span: None, ..d }.into(),
@@ -232,7 +232,7 @@ impl Variation {
 
     /// The values of all parameters, with the given values of the varied ones (or as written
     /// without any).
-    fn values(&self, varied: &[Value]) -> Result<Vec<Value>, Faults> {
+    fn values(&self, varied: &[DimensionedValue]) -> Result<Vec<DimensionedValue>, Faults> {
         let mut values = Vec::with_capacity(self.parameters.len());
         for (i, (_, expr)) in self.parameters.iter().enumerate() {
             let given = || self.varied.iter().position(|v| *v == i).and_then(|k| varied.get(k)).copied();
@@ -256,23 +256,23 @@ impl Variation {
     ///
     /// # Errors
     /// A length that becomes zero or negative; a value that is no number.
-    pub fn set(&self, scene: &mut Scene, varied: &[Value]) -> Result<(), Faults> {
+    pub fn set(&self, scene: &mut Scene, varied: &[DimensionedValue]) -> Result<(), Faults> {
         let values = self.values(varied)?;
         if let Some(again) = self.again {
-            let written = |value: &Value| match value.degrees {
+            let written = |value: &DimensionedValue| match value.degrees {
                 true => format!("({:?}) deg", value.number),
                 false => format!("({:?}) {}", value.si(), self.unit(value)).replace('²', "^2"),
             };
             let texts: Vec<(&str, String)> = self.names().zip(varied.iter().map(written)).collect();
             let read = scene.read_with(&texts)?;
-            *scene = if again == Again::Motion { over_a_turn(&read) } else { read };
+            *scene = if again == RereadScene::Motion { over_a_turn(&read) } else { read };
             return Ok(());
         }
         let mut slots = slots(scene);
         for (i, expr) in &self.dependent {
             let value = self.evaluate(expr, &values)?;
             match &mut slots[*i] {
-                Slot::Number(given, positive) => {
+                SceneQuantity::Number(given, positive) => {
                     let si = value.si();
                     if *positive && si <= 0.0 {
                         return Err(Diagnostic::error("not-positive", both!("`{}` becomes {}", "`{}` 变为 {}", given.text, shortest(si)))
@@ -281,7 +281,7 @@ impl Variation {
                     }
                     (given.value, given.radius) = (si, si.abs() * f64::EPSILON);
                 }
-                Slot::Angle(given) => {
+                SceneQuantity::Angle(given) => {
                     (given.value, given.radius) = (value.angle(), value.number.abs() * f64::EPSILON);
                 }
             }
@@ -302,40 +302,40 @@ fn mentions(expr: &Expr, names: &[&str]) -> bool {
 
 /// Equal steps of a parameter, both ends included.
 #[derive(Clone, Copy, Debug)]
-pub struct Span {
-    first: Value,
+pub struct ParameterSpan {
+    first: DimensionedValue,
     /// The last value, in the unit of the first.
     last: f64,
     /// The number of steps; there is one value more.
     pub steps: usize,
 }
 
-impl Span {
+impl ParameterSpan {
     /// Returns one of the values.
-    pub fn value(&self, i: usize) -> Value {
+    pub fn value(&self, i: usize) -> DimensionedValue {
         let number = match i {
             0 => self.first.number,
             i if i == self.steps => self.last,
             i => self.first.number + (self.last - self.first.number) * (i as f64 / self.steps as f64),
         };
-        Value { number, ..self.first }
+        DimensionedValue { number, ..self.first }
     }
 }
 
 /// The answers to the scene's questions for each value of one varied parameter, with the drivers at
-/// the scene's positions: [`Pieces`]. Values without a mechanism are missing rows, with their
+/// the scene's positions: [`SweepPieces`]. Values without a mechanism are missing rows, with their
 /// reason in the notes.
 pub struct Varied<'a> {
     scene: &'a Scene,
     mechanism: &'a Mechanism,
     variation: &'a Variation,
-    span: Span,
+    span: ParameterSpan,
     gaps: Gaps,
 }
 
 impl<'a> Varied<'a> {
     /// Starts the sweep of a variation of one parameter.
-    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, variation: &'a Variation, span: Span) -> Varied<'a> {
+    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, variation: &'a Variation, span: ParameterSpan) -> Varied<'a> {
         Varied { scene, mechanism, variation, span, gaps: Gaps::of(scene) }
     }
 
@@ -348,7 +348,7 @@ impl<'a> Varied<'a> {
 /// microseconds.
 const AT_ONCE: usize = 4096;
 
-impl Pieces for Varied<'_> {
+impl SweepPieces for Varied<'_> {
     fn columns(&self) -> Vec<(String, &'static str)> {
         std::iter::once(self.name()).chain(self.scene.find.iter().flat_map(super::compile::ask::names)).collect()
     }
@@ -361,13 +361,13 @@ impl Pieces for Varied<'_> {
         AT_ONCE
     }
 
-    fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>> {
+    fn piece(&mut self, rows: Range<usize>, stop: StopSignal) -> Option<Vec<Vec<f64>>> {
         let (first, width) = (rows.start, self.columns().len());
         let one = |scene: &mut Scene, i: usize| -> Result<Vec<f64>, Faults> {
             let value = self.span.value(i);
             self.variation.set(scene, &[value])?;
             let topology = self.variation.topology(scene)?;
-            let placed = Placed::new(scene, topology.as_ref().unwrap_or(self.mechanism))?;
+            let placed = PlacedScene::new(scene, topology.as_ref().unwrap_or(self.mechanism))?;
             let now = position_now(scene, &placed.at, 0);
             let stations = Stations::of_values(vec![now], super::station::angle_per_value(scene, &placed.at, 0));
             let row = one_row(&placed, &stations)?;
@@ -400,7 +400,7 @@ impl Pieces for Varied<'_> {
 }
 
 /// The answers at one station, by the program where there is one.
-fn one_row(placed: &Placed, stations: &Stations) -> Result<Rows, Faults> {
+fn one_row(placed: &PlacedScene, stations: &Stations) -> Result<SweepRows, Faults> {
     let general = General::new(placed, 0);
     let mut rows = match super::compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find) {
         Ok(program) => {

@@ -1,7 +1,7 @@
 //! Kernels of the power of loads. The drivers' power is the opposite; with one driver so is its
 //! balancing moment or force.
 
-use super::kernel::{Kernel, Pair, Reg};
+use super::kernel::{Kernel, Reg, RegPair};
 use super::lane::Lane;
 use std::f64::consts::FRAC_1_PI;
 
@@ -9,9 +9,9 @@ use std::f64::consts::FRAC_1_PI;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Massive {
     /// The velocity v of the centre of mass.
-    pub v: Pair,
+    pub v: RegPair,
     /// The acceleration a of the centre of mass.
-    pub a: Pair,
+    pub a: RegPair,
     /// The angular velocity ω.
     pub omega: Reg,
     /// The angular acceleration α.
@@ -42,7 +42,7 @@ impl Kernel<7, 1> for Massive {
 
 /// A product added to another number: before + a b.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Times {
+pub struct ProductSum {
     /// The first factor.
     pub a: Reg,
     /// The second factor.
@@ -51,7 +51,7 @@ pub struct Times {
     pub before: Reg,
 }
 
-impl Kernel<3, 1> for Times {
+impl Kernel<3, 1> for ProductSum {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 3] {
         [self.a, self.b, self.before]
@@ -65,11 +65,11 @@ impl Kernel<3, 1> for Times {
 
 /// The power of a spring added to others: before − k (l − l₀) dl/dt.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spring {
+pub struct SpringPower {
     /// The vector from one end to the other.
-    pub d: Pair,
+    pub d: RegPair,
     /// The rate of that vector.
-    pub v: Pair,
+    pub v: RegPair,
     /// The power of the loads before (W).
     pub before: Reg,
     /// The stiffness k (N/m).
@@ -78,7 +78,7 @@ pub struct Spring {
     pub free: f64,
 }
 
-impl Kernel<5, 1> for Spring {
+impl Kernel<5, 1> for SpringPower {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 5] {
         [self.d.x, self.d.y, self.v.x, self.v.y, self.before]
@@ -96,7 +96,7 @@ impl Kernel<5, 1> for Spring {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repeated {
     /// The driver's angle in [`super::turns::Quarters`].
-    pub quarters: Pair,
+    pub quarters: RegPair,
     /// The least angle, less an allowance for rounding.
     pub first: f64,
     /// The period (degrees).

@@ -33,7 +33,7 @@ pub fn extreme(table: &dyn Fn(Vec<f64>) -> Option<Table>, column: &str, range: [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Placed, of_values};
+    use crate::{PlacedScene, of_values};
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{read, templates};
 
@@ -41,7 +41,7 @@ mod tests {
     fn the_piston_stops_at_the_ends_of_its_stroke() {
         let scene = read(templates::get("slider-crank").unwrap()).unwrap().value;
         let mechanism = Mechanism::new(&scene).unwrap().value;
-        let placed = Placed::new(&scene, &mechanism).unwrap();
+        let placed = PlacedScene::new(&scene, &mechanism).unwrap();
         let table = |values| of_values(&placed, 0, values);
         // Between these two stations, at 180 degrees, the crank is in line: the piston's speed is
         // zero there.

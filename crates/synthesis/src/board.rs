@@ -1,6 +1,6 @@
 //! The drawing board of synthesis: constructions with ruler and compasses, in millimetres of paper.
 //!
-//! A [`Board`] does not use the formulas: it lays off the givens to the scale μ_l, draws lines and
+//! A [`SynthesisBoard`] does not use the formulas: it lays off the givens to the scale μ_l, draws lines and
 //! circles, marks their crossings and measures. Its only arithmetic is that of crossings, so that
 //! its agreement with the closed formula is evidence. Given angles are laid off with the
 //! protractor; halves, bisectors and circles through points are drawn.
@@ -25,7 +25,7 @@ pub enum Weight {
 
 /// A stroke on the paper (mm).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stroke {
+pub enum PaperStroke {
     /// A segment between two places.
     Line(Point, Point),
     /// A full circle: centre and radius.
@@ -36,18 +36,18 @@ pub enum Stroke {
 
 /// A step of the construction.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Step {
+pub struct BoardStep {
     /// The instruction.
     pub text: Both,
     /// The strokes.
-    pub strokes: Vec<(Stroke, Weight)>,
+    pub strokes: Vec<(PaperStroke, Weight)>,
     /// The marks that the step adds: name in the label language, and place.
     pub marks: Vec<(String, Point)>,
 }
 
 /// A length or angle measured on the paper, for comparison with the formula's value.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reading {
+pub struct PaperReading {
     /// The name of the number of the design that the reading checks.
     pub name: String,
     /// The value on paper (mm; rad for an angle).
@@ -58,13 +58,13 @@ pub struct Reading {
 
 /// The drawing board.
 #[derive(Clone, Debug)]
-pub struct Board {
+pub struct SynthesisBoard {
     /// The scale μ_l: metres per millimetre of paper.
     pub mu_l: f64,
     /// The steps drawn.
-    pub steps: Vec<Step>,
+    pub steps: Vec<BoardStep>,
     /// The readings taken.
-    pub readings: Vec<Reading>,
+    pub readings: Vec<PaperReading>,
     hand: Hand,
 }
 
@@ -74,26 +74,26 @@ const LINE_MM: f64 = 0.5;
 const SAME_MM: f64 = 1e-3;
 
 /// A way of drawing a task.
-pub type Way<'a> = dyn Fn(&mut Board) -> Option<()> + 'a;
+pub type ConstructionVariant<'a> = dyn Fn(&mut SynthesisBoard) -> Option<()> + 'a;
 
 /// A line on paper: a place and a direction.
 #[derive(Clone, Copy, Debug)]
-pub struct Line {
+pub struct PaperLine {
     /// A point of the line.
     pub at: Point,
     /// The direction, a unit vector.
     pub along: Vec2,
 }
 
-impl Line {
+impl PaperLine {
     /// The line through two places; `None` where they coincide.
-    pub fn through(p: Point, q: Point) -> Option<Line> {
-        Some(Line { at: p, along: (q - p).unit()? })
+    pub fn through(p: Point, q: Point) -> Option<PaperLine> {
+        Some(PaperLine { at: p, along: (q - p).unit()? })
     }
 
     /// The line from a place at an angle (rad).
-    pub fn ray(at: Point, angle: f64) -> Line {
-        Line { at, along: Vec2::from_angle(angle) }
+    pub fn ray(at: Point, angle: f64) -> PaperLine {
+        PaperLine { at, along: Vec2::from_angle(angle) }
     }
 
     /// The place at a distance along the line (mm).
@@ -102,7 +102,7 @@ impl Line {
     }
 
     /// The intersection with another line.
-    pub fn cross(&self, other: &Line) -> Option<Point> {
+    pub fn cross(&self, other: &PaperLine) -> Option<Point> {
         Some(cross_lines(self.at, self.along, other.at, other.along).at).filter(|p| p.is_finite())
     }
 
@@ -112,21 +112,21 @@ impl Line {
     }
 
     /// The perpendicular through a place.
-    pub fn square(&self, through: Point) -> Line {
-        Line { at: through, along: self.along.perp() }
+    pub fn square(&self, through: Point) -> PaperLine {
+        PaperLine { at: through, along: self.along.perp() }
     }
 }
 
-impl Board {
+impl SynthesisBoard {
     /// Returns an empty sheet.
-    pub fn new(mu_l: f64) -> Board {
-        Board { mu_l, steps: Vec::new(), readings: Vec::new(), hand: Hand::default() }
+    pub fn new(mu_l: f64) -> SynthesisBoard {
+        SynthesisBoard { mu_l, steps: Vec::new(), readings: Vec::new(), hand: Hand::default() }
     }
 
     /// Returns an empty sheet for an inaccurate pencil: places laid off, marks, openings of the
     /// compasses and readings have errors.
-    pub fn by_hand(mu_l: f64, pencil: Blunt) -> Board {
-        Board { hand: Hand::with(pencil, 1.0), ..Board::new(mu_l) }
+    pub fn by_hand(mu_l: f64, pencil: Blunt) -> SynthesisBoard {
+        SynthesisBoard { hand: Hand::with(pencil, 1.0), ..SynthesisBoard::new(mu_l) }
     }
 
     /// Returns the mark for an intended place.
@@ -140,7 +140,7 @@ impl Board {
     pub fn circles(&self, p: Point, r: f64, q: Point, s: f64) -> Option<[Point; 2]> {
         let touching = || {
             let gap = (p.distance(q) - r - s).max((r - s).abs() - p.distance(q));
-            let along = Line::through(p, q).filter(|_| self.misses() && gap < LINE_MM)?;
+            let along = PaperLine::through(p, q).filter(|_| self.misses() && gap < LINE_MM)?;
             let at = along.place(if r >= s || p.distance(q) > s { r } else { -r });
             Some([at, at])
         };
@@ -149,8 +149,8 @@ impl Board {
     }
 
     /// The intersections of a line and a circle, in the direction of the line; touching as for
-    /// [`Board::circles`].
-    pub fn cut(&self, line: &Line, centre: Point, radius_mm: f64) -> Option<[Point; 2]> {
+    /// [`SynthesisBoard::circles`].
+    pub fn cut(&self, line: &PaperLine, centre: Point, radius_mm: f64) -> Option<[Point; 2]> {
         let touching = || {
             let foot = line.place(line.along.dot(centre - line.at));
             (self.misses() && foot.distance(centre) - radius_mm < LINE_MM).then_some([foot, foot])
@@ -164,7 +164,7 @@ impl Board {
     }
 
     /// The value of a reading at full size (m or rad).
-    pub fn value(&self, reading: &Reading) -> f64 {
+    pub fn value(&self, reading: &PaperReading) -> f64 {
         if reading.angle { reading.measured.abs() } else { reading.measured * self.mu_l }
     }
 
@@ -182,12 +182,12 @@ impl Board {
     }
 
     /// Begins a step.
-    pub fn step(&mut self, text: Both) -> &mut Board {
-        self.steps.push(Step { text: text.sentence(), strokes: Vec::new(), marks: Vec::new() });
+    pub fn step(&mut self, text: Both) -> &mut SynthesisBoard {
+        self.steps.push(BoardStep { text: text.sentence(), strokes: Vec::new(), marks: Vec::new() });
         self
     }
 
-    fn last(&mut self) -> &mut Step {
+    fn last(&mut self) -> &mut BoardStep {
         if self.steps.is_empty() {
             self.step(Both::default());
         }
@@ -196,25 +196,25 @@ impl Board {
     }
 
     /// Draws a segment.
-    pub fn line(&mut self, p: Point, q: Point, weight: Weight) -> &mut Board {
-        self.last().strokes.push((Stroke::Line(p, q), weight));
+    pub fn line(&mut self, p: Point, q: Point, weight: Weight) -> &mut SynthesisBoard {
+        self.last().strokes.push((PaperStroke::Line(p, q), weight));
         self
     }
 
     /// Draws a circle.
-    pub fn circle(&mut self, centre: Point, radius_mm: f64, weight: Weight) -> &mut Board {
-        self.last().strokes.push((Stroke::Circle(centre, radius_mm), weight));
+    pub fn circle(&mut self, centre: Point, radius_mm: f64, weight: Weight) -> &mut SynthesisBoard {
+        self.last().strokes.push((PaperStroke::Circle(centre, radius_mm), weight));
         self
     }
 
     /// Strikes a short arc about a centre at a place.
-    pub fn arc(&mut self, centre: Point, at: Point) -> &mut Board {
-        self.last().strokes.push((Stroke::Arc(centre, centre.distance(at), (at - centre).angle()), Weight::Thin));
+    pub fn arc(&mut self, centre: Point, at: Point) -> &mut SynthesisBoard {
+        self.last().strokes.push((PaperStroke::Arc(centre, centre.distance(at), (at - centre).angle()), Weight::Thin));
         self
     }
 
     /// Marks and names a place.
-    pub fn mark(&mut self, name: &str, at: Point) -> &mut Board {
+    pub fn mark(&mut self, name: &str, at: Point) -> &mut SynthesisBoard {
         // A point found again by another construction keeps its name.
         let there = |(n, p): &(String, Point)| n == name && p.distance(at) < SAME_MM;
         if !self.steps.iter().any(|s| s.marks.iter().any(there)) {
@@ -224,24 +224,24 @@ impl Board {
     }
 
     /// Reads the length between two places.
-    pub fn read(&mut self, name: &str, p: Point, q: Point) -> &mut Board {
-        self.readings.push(Reading { name: name.to_owned(), measured: self.marked(p).distance(self.marked(q)), angle: false });
+    pub fn read(&mut self, name: &str, p: Point, q: Point) -> &mut SynthesisBoard {
+        self.readings.push(PaperReading { name: name.to_owned(), measured: self.marked(p).distance(self.marked(q)), angle: false });
         self
     }
 
     /// Reads an angle (rad).
-    pub fn read_angle(&mut self, name: &str, angle: f64) -> &mut Board {
-        self.readings.push(Reading { name: name.to_owned(), measured: angle, angle: true });
+    pub fn read_angle(&mut self, name: &str, angle: f64) -> &mut SynthesisBoard {
+        self.readings.push(PaperReading { name: name.to_owned(), measured: angle, angle: true });
         self
     }
 
     /// The perpendicular bisector: two circles of equal radius, and the line through their
     /// intersections.
-    pub fn bisector(&mut self, p: Point, q: Point) -> Option<Line> {
+    pub fn bisector(&mut self, p: Point, q: Point) -> Option<PaperLine> {
         // A radius well over half the distance gives sharp crossings.
         let opening = 0.7 * p.distance(q);
         let [one, other] = cross_circles(p, opening, q, opening)?.map(|at| self.marked(at));
-        let line = Line::through(one, other)?;
+        let line = PaperLine::through(one, other)?;
         for (centre, at) in [(p, one), (q, one), (p, other), (q, other)] {
             self.arc(centre, at);
         }
@@ -253,7 +253,7 @@ impl Board {
     /// The midpoint of two places.
     pub fn middle(&mut self, p: Point, q: Point) -> Option<Point> {
         let line = self.bisector(p, q)?;
-        line.cross(&Line::through(p, q)?).map(|at| self.marked(at))
+        line.cross(&PaperLine::through(p, q)?).map(|at| self.marked(at))
     }
 
     /// The centre of the circle through three places: the intersection of two bisectors.
@@ -276,7 +276,7 @@ impl Board {
         let side = if left { 1.0 } else { -1.0 };
         let lean = side * (std::f64::consts::FRAC_PI_2 - angle);
         let chord = q - p;
-        let (one, other) = (Line::ray(p, chord.angle() + lean), Line::ray(q, (p - q).angle() - lean));
+        let (one, other) = (PaperLine::ray(p, chord.angle() + lean), PaperLine::ray(q, (p - q).angle() - lean));
         let centre = self.marked(one.cross(&other)?);
         self.line(p, centre, Weight::Thin).line(q, centre, Weight::Thin);
         let radius = centre.distance(p);
@@ -311,12 +311,12 @@ impl Board {
         self.halve_at(a, c, "F")
     }
 
-    /// Performs [`Board::halve`] with another letter than F for the end of the difference.
+    /// Performs [`SynthesisBoard::halve`] with another letter than F for the end of the difference.
     pub fn halve_at(&mut self, a: Point, c: [Point; 2], letter: &str) -> Option<()> {
         let far = usize::from(a.distance(c[1]) > a.distance(c[0]));
         let (long, short) = (c[far], c[1 - far]);
         let reach = a.distance(short) + self.marked(Point::ORIGIN).x;
-        let ray = Line::through(a, long)?;
+        let ray = PaperLine::through(a, long)?;
         let cut = ray.place(reach);
         self.step(both!(
             "With AC{} as opening about A cut AC{} at {letter}; halve {letter}C{}: the half is the crank AB, the rest the coupler BC",
@@ -342,9 +342,9 @@ impl Board {
 
     /// Draws the task in several ways (choice of crossing or side) and keeps the one whose readings
     /// are nearest to the design's numbers.
-    pub fn meant(&mut self, draft: &Draft, ways: &[&Way]) -> Option<()> {
-        let off = |board: &Board| {
-            let of = |r: &Reading| draft.numbers.iter().find(|n| n.name == r.name).map(|n| (board.value(r) - n.value.abs()).abs());
+    pub fn meant(&mut self, draft: &Draft, ways: &[&ConstructionVariant]) -> Option<()> {
+        let off = |board: &SynthesisBoard| {
+            let of = |r: &PaperReading| draft.numbers.iter().find(|n| n.name == r.name).map(|n| (board.value(r) - n.value.abs()).abs());
             board.readings.iter().filter_map(of).fold(0.0, f64::max)
         };
         let drawn = ways.iter().filter_map(|way| {

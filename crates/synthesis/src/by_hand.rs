@@ -4,7 +4,7 @@
 //! reading has the pencil's error, as marks of scenes do ([`Blunt`]); given angles are laid off
 //! exactly. The tolerance of a reading is the bound that contains 95 of 100 drawings.
 
-use super::{Board, Candidate, Task};
+use super::{DesignCandidate, SynthesisBoard, Task};
 use hodograph_board::construct::pencil::{Blunt, USUAL_MM, bound};
 
 /// The number of drawings: it gives the 95 % bound to about a tenth of itself.
@@ -13,16 +13,16 @@ const DRAWINGS: u64 = 200;
 /// Returns the tolerances of a board's readings in their order (m or rad), which contain 95 of 100
 /// drawings with this pencil. `None` where too many drawings fail, because circles that just meet
 /// miss one another.
-pub fn tolerances(task: &Task, candidate: &Candidate, board: &Board) -> Vec<Option<f64>> {
+pub fn tolerances(task: &Task, candidate: &DesignCandidate, board: &SynthesisBoard) -> Vec<Option<f64>> {
     let pencil_mm = pencil_mm(task);
     let drawn = |seed: u64| {
-        let mut hand = Board::by_hand(board.mu_l, Blunt::new(pencil_mm, seed));
+        let mut hand = SynthesisBoard::by_hand(board.mu_l, Blunt::new(pencil_mm, seed));
         task.wish.construct(&candidate.draft, &mut hand).map(|()| hand)
     };
-    let all: Vec<Option<Board>> = (1..=DRAWINGS).map(drawn).collect();
+    let all: Vec<Option<SynthesisBoard>> = (1..=DRAWINGS).map(drawn).collect();
     let of = |k: usize| {
         let exact = &board.readings[k];
-        let off = |hand: &Option<Board>| {
+        let off = |hand: &Option<SynthesisBoard>| {
             let read = hand.as_ref()?.readings.get(k).filter(|r| r.name == exact.name)?;
             Some((board.value(read) - board.value(exact)).abs())
         };
@@ -51,7 +51,7 @@ mod tests {
             let design = solve(&task).unwrap();
             for candidate in &design.candidates {
                 let Some(board) = construct(&task, candidate, 1e-3).unwrap() else { continue };
-                let mut hand = Board::by_hand(board.mu_l, Blunt::new(0.1, 3));
+                let mut hand = SynthesisBoard::by_hand(board.mu_l, Blunt::new(0.1, 3));
                 if task.wish.construct(&candidate.draft, &mut hand).is_none() {
                     continue;
                 }

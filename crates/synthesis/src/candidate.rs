@@ -1,7 +1,7 @@
 //! Designs: the scene as written, its numbers, its requirements and the remarks on it.
 //!
 //! A kind of task makes a [`Draft`]; judging adds the results of sweeping the finished scene and
-//! makes it a [`Candidate`].
+//! makes it a [`DesignCandidate`].
 
 use super::judge::Judged;
 use hodograph_base::diag::{Both, Diagnostic};
@@ -11,7 +11,7 @@ use serde_json::{Value as Json, json};
 
 /// A number of a design, with its name and description.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Number {
+pub struct DesignNumber {
     /// A short name for programs and tables: `AB`, `theta`, `gamma`.
     pub name: String,
     /// The description.
@@ -22,26 +22,26 @@ pub struct Number {
     pub kind: Option<Kind>,
 }
 
-impl Number {
+impl DesignNumber {
     /// A length (m).
-    pub fn length(name: &str, what: Both, value: f64) -> Number {
-        Number { name: name.to_owned(), what, value, kind: Some(Kind::Length) }
+    pub fn length(name: &str, what: Both, value: f64) -> DesignNumber {
+        DesignNumber { name: name.to_owned(), what, value, kind: Some(Kind::Length) }
     }
 
     /// An angle (rad).
-    pub fn angle(name: &str, what: Both, value: f64) -> Number {
-        Number { name: name.to_owned(), what, value, kind: Some(Kind::Angle) }
+    pub fn angle(name: &str, what: Both, value: f64) -> DesignNumber {
+        DesignNumber { name: name.to_owned(), what, value, kind: Some(Kind::Angle) }
     }
 
     /// A pure number.
-    pub fn ratio(name: &str, what: Both, value: f64) -> Number {
-        Number { name: name.to_owned(), what, value, kind: None }
+    pub fn ratio(name: &str, what: Both, value: f64) -> DesignNumber {
+        DesignNumber { name: name.to_owned(), what, value, kind: None }
     }
 }
 
 /// Required places of points at a position of the driver.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wanted {
+pub struct WantedPosition {
     /// The position of the driver (rad), as the scene counts it.
     pub driver: f64,
     /// The points by name, each with its required place (m).
@@ -90,9 +90,9 @@ pub struct Draft {
     /// The scene.
     pub scene: Json,
     /// Lengths and other numbers of the design, in the order of printing.
-    pub numbers: Vec<Number>,
+    pub numbers: Vec<DesignNumber>,
     /// The required positions. The scene is drawn in the first.
-    pub wanted: Vec<Wanted>,
+    pub wanted: Vec<WantedPosition>,
     /// The requirements on the whole motion.
     pub demands: Vec<Demand>,
     /// True if the required positions are meant in the order of the driver's motion: then an order
@@ -111,7 +111,7 @@ pub struct Draft {
 impl Draft {
     /// Returns a design that meets its requirements exactly, in any order, without demands on the
     /// whole motion.
-    pub fn new(which: Both, scene: Json, numbers: Vec<Number>, wanted: Vec<Wanted>) -> Draft {
+    pub fn new(which: Both, scene: Json, numbers: Vec<DesignNumber>, wanted: Vec<WantedPosition>) -> Draft {
         Draft {
             which,
             scene,
@@ -129,14 +129,14 @@ impl Draft {
 
 /// A design with the results of its finished scene.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Candidate {
+pub struct DesignCandidate {
     /// The design.
     pub draft: Draft,
     /// The results of sweeping the scene.
     pub judged: Judged,
 }
 
-impl Candidate {
+impl DesignCandidate {
     /// The text of the scene.
     pub fn scene_text(&self) -> String {
         scene_text(&self.draft.scene)

@@ -11,11 +11,11 @@
 
 mod explained;
 
-use super::board::{Board, Line, Weight};
-use super::candidate::{Draft, Number, Wanted};
-use super::form::Form;
+use super::board::{PaperLine, SynthesisBoard, Weight};
+use super::candidate::{DesignNumber, Draft, WantedPosition};
+use super::form::TaskForm;
 use super::fourbar::{FourBar, Heading, named_lengths};
-use super::{Found, KindOfTask, Proof, Statement, USUAL_OMEGA, Wish};
+use super::{KindOfTask, Proof, Statement, TaskResult, USUAL_OMEGA, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
@@ -141,12 +141,12 @@ fn four_bar(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result
 }
 
 /// A position of the given linkage: crank AB, coupler BC, and E.
-type Position = (Vec2, Vec2, Point);
+type FourBarPose = (Vec2, Vec2, Point);
 /// The vector of the given linkage that rotates with a cognate's driver.
-type TurnsAs = fn(&Position) -> Vec2;
+type TurnsAs = fn(&FourBarPose) -> Vec2;
 
 #[derive(Clone, Debug)]
-struct Task {
+struct CognatesTask {
     cognates: Cognates,
     /// The title if the file has none.
     name: Both,
@@ -154,11 +154,11 @@ struct Task {
     rate: f64,
 }
 
-fn read(form: &Form) -> Option<Box<dyn Wish>> {
+fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let node = form.need("scene", "\"crank-rocker\"")?;
     let fault = |d: Diagnostic| form.fault(d.at(form.span("scene")));
     let text = match &node.kind {
-        hodograph_base::json::Kind::Text(name) => match templates::get(name) {
+        hodograph_base::json::NodeKind::Text(name) => match templates::get(name) {
             Ok(text) => text.to_owned(),
             Err(d) => {
                 fault(d.help(both!(
@@ -168,11 +168,11 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
                 return None;
             }
         },
-        hodograph_base::json::Kind::Object(_) => node.text(),
-        hodograph_base::json::Kind::Number(_)
-        | hodograph_base::json::Kind::Bool(_)
-        | hodograph_base::json::Kind::Null
-        | hodograph_base::json::Kind::Array(_) => {
+        hodograph_base::json::NodeKind::Object(_) => node.text(),
+        hodograph_base::json::NodeKind::Number(_)
+        | hodograph_base::json::NodeKind::Bool(_)
+        | hodograph_base::json::NodeKind::Null
+        | hodograph_base::json::NodeKind::Array(_) => {
             return form.refuse(
                 node,
                 "scene",
@@ -216,7 +216,7 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
                 both!("Cognates of: {}", "同源机构：{}", Both { en: scene.title.en.clone(), zh: scene.title.zh.clone() })
             };
             let rate = scene.drivers.iter().find(|d| d.kind.turns()).map_or(USUAL_OMEGA, |d| d.rate.value);
-            Some(Box::new(Task { cognates, name, rate }))
+            Some(Box::new(CognatesTask { cognates, name, rate }))
         }
         Err(d) => {
             fault(d);
@@ -225,10 +225,10 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     }
 }
 
-impl Task {
+impl CognatesTask {
     /// Positions of the given linkage over a turn of its crank, or over the range in which it
     /// closes: crank, coupler, E.
-    fn positions(&self) -> Vec<Position> {
+    fn positions(&self) -> Vec<FourBarPose> {
         let given = &self.cognates.given;
         let start = (given.b - given.a).angle();
         let place = |k: usize| {
@@ -242,16 +242,25 @@ impl Task {
         let positions = self.positions();
         let first = positions.first().map_or(Vec2::new(1.0, 0.0), link);
         let crank = linkage.b - linkage.a;
-        let wanted =
-            positions.iter().map(|p| Wanted { driver: crank.rotate_by(link(p).divide_by(first)).angle(), places: vec![("E".into(), p.2)] });
+        let wanted = positions
+            .iter()
+            .map(|p| WantedPosition { driver: crank.rotate_by(link(p).divide_by(first)).angle(), places: vec![("E".into(), p.2)] });
         let mut numbers = named_lengths(linkage.lengths());
-        numbers.push(Number::length("BE", both!("from B to the coupler point", "B 到连杆上 E 点"), linkage.b.distance(self.cognates.e)));
-        numbers.push(Number::length("CE", both!("from C to the coupler point", "C 到连杆上 E 点"), linkage.c.distance(self.cognates.e)));
+        numbers.push(DesignNumber::length(
+            "BE",
+            both!("from B to the coupler point", "B 到连杆上 E 点"),
+            linkage.b.distance(self.cognates.e),
+        ));
+        numbers.push(DesignNumber::length(
+            "CE",
+            both!("from C to the coupler point", "C 到连杆上 E 点"),
+            linkage.c.distance(self.cognates.e),
+        ));
         Draft::new(which, linkage.scene(heading), numbers, wanted.collect())
     }
 }
 
-impl Wish for Task {
+impl Wish for CognatesTask {
     fn title(&self) -> Both {
         self.name.clone()
     }
@@ -260,7 +269,7 @@ impl Wish for Task {
         self.rate
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let c = &self.cognates;
         let mut notes = Vec::new();
         let mut drafts = vec![self.draft(both!("the given linkage", "给定的机构"), &c.given, heading, |p| p.0)];
@@ -284,7 +293,7 @@ impl Wish for Task {
             }
         }
         let place = |name: &str, what: Both, p: Point| {
-            [Number::length(&format!("{name}_x"), what.clone(), p.x), Number::length(&format!("{name}_y"), what, p.y)]
+            [DesignNumber::length(&format!("{name}_x"), what.clone(), p.x), DesignNumber::length(&format!("{name}_y"), what, p.y)]
         };
         let numbers = [
             place("F", both!("third pivot", "第三个固定铰链"), c.f),
@@ -293,11 +302,11 @@ impl Wish for Task {
             place("D1", both!("parallelogram D C E D1", "平行四边形 D C E D1"), c.right[0]),
             place("P2", both!("triangle ED1P2, similar to BCE", "三角形 ED1P2，与 BCE 相似"), c.right[1]),
         ];
-        Ok(Found { drafts, numbers: numbers.into_iter().flatten().collect(), notes })
+        Ok(TaskResult { drafts, numbers: numbers.into_iter().flatten().collect(), notes })
     }
 
-    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
-        let way = |k: usize| move |board: &mut Board| self.drawn(board, k);
+    fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
+        let way = |k: usize| move |board: &mut SynthesisBoard| self.drawn(board, k);
         board.meant(draft, &[&way(0), &way(1), &way(2)])
     }
 
@@ -310,9 +319,9 @@ impl Wish for Task {
     }
 }
 
-impl Task {
+impl CognatesTask {
     /// Draws two parallelograms and three similar triangles; linkage `k` of the three is measured.
-    fn drawn(&self, board: &mut Board, k: usize) -> Option<()> {
+    fn drawn(&self, board: &mut SynthesisBoard, k: usize) -> Option<()> {
         let FourBar { a, b, c, d, .. } = self.cognates.given;
         let [a, b, c, d, e] = [a, b, c, d, self.cognates.e].map(|p| board.at(p));
         board.step(both!("Draw the given linkage ABCD with its coupler point E", "作给定机构 ABCD 及连杆点 E"));
@@ -352,12 +361,12 @@ impl Task {
 
 /// The third corner of a triangle over a base that is similar to a given one: its angles at both
 /// ends are transferred; for a corner on the base itself the division ratio is.
-fn similar(board: &mut Board, base: [Point; 2], to: [Point; 3]) -> Option<Point> {
+fn similar(board: &mut SynthesisBoard, base: [Point; 2], to: [Point; 3]) -> Option<Point> {
     let [p, q] = base;
     let [u, v, w] = to;
     let carried = |at: Point, toward: Point, from: [Point; 2]| {
         let turn = (w - from[0]).divide_by((from[1] - from[0]).unit()?).unit()?;
-        Some(Line { at, along: (toward - at).unit()?.rotate_by(turn) })
+        Some(PaperLine { at, along: (toward - at).unit()?.rotate_by(turn) })
     };
     let (one, other) = (carried(p, q, [u, v])?, carried(q, p, [v, u])?);
     // A pencil line's width over the length of a sheet: flatter triangles are degenerate.

@@ -1,15 +1,15 @@
 //! The synthesis file as written: an object with known keys, whose quantities are read with the
 //! same code as those of scenes.
 //!
-//! A [`Form`] interprets nothing; each kind of task reads from it the keys that it needs, and
+//! A [`TaskForm`] interprets nothing; each kind of task reads from it the keys that it needs, and
 //! reports missing ones with an example. Faults are collected, so that one run shows all.
 
 use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 use hodograph_base::geom::Point;
 use hodograph_base::json::fields::{Fields, list, suggest, word, wrong};
-use hodograph_base::json::{Kind, Node, Word};
+use hodograph_base::json::{Node, NodeKind, Word};
 use hodograph_scene::front::{Curve, Front};
-use hodograph_scene::units::Wanted;
+use hodograph_scene::units::RequiredQuantity;
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ use std::collections::BTreeSet;
 const MOST: usize = 400;
 
 /// An object of the file.
-pub(crate) struct Form<'a> {
+pub(crate) struct TaskForm<'a> {
     fields: Fields<'a>,
     front: &'a Front<'a>,
     faults: &'a RefCell<Faults>,
@@ -26,10 +26,10 @@ pub(crate) struct Form<'a> {
     taken: RefCell<BTreeSet<String>>,
 }
 
-impl<'a> Form<'a> {
+impl<'a> TaskForm<'a> {
     /// Returns an object with checked keys.
-    pub fn new(fields: Fields<'a>, front: &'a Front<'a>, faults: &'a RefCell<Faults>) -> Form<'a> {
-        Form { fields, front, faults, taken: RefCell::default() }
+    pub fn new(fields: Fields<'a>, front: &'a Front<'a>, faults: &'a RefCell<Faults>) -> TaskForm<'a> {
+        TaskForm { fields, front, faults, taken: RefCell::default() }
     }
 
     /// Adds a fault.
@@ -77,7 +77,7 @@ impl<'a> Form<'a> {
 
     /// A length (m), from any value.
     pub fn length_of(&self, node: &Node, key: &str) -> Option<f64> {
-        self.front.si(node, Wanted::Length, &format!("\"{key}\""), &mut self.faults.borrow_mut())
+        self.front.si(node, RequiredQuantity::Length, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
 
     /// A length (m) that must be greater than zero.
@@ -135,7 +135,7 @@ impl<'a> Form<'a> {
 
     /// An angular velocity (rad/s).
     pub fn omega(&self, key: &str) -> Option<f64> {
-        self.front.si(self.node(key)?, Wanted::Omega, &format!("\"{key}\""), &mut self.faults.borrow_mut())
+        self.front.si(self.node(key)?, RequiredQuantity::Omega, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
 
     /// An integer within bounds.
@@ -226,14 +226,14 @@ impl<'a> Form<'a> {
     }
 
     /// A nested object, whose keys must be among these.
-    pub fn inner(&self, key: &str, keys: &[&str]) -> Option<Form<'a>> {
+    pub fn inner(&self, key: &str, keys: &[&str]) -> Option<TaskForm<'a>> {
         self.object(self.node(key)?, key, keys)
     }
 
     /// Any value as an object, whose keys must be among these.
-    pub fn object(&self, node: &'a Node, key: &str, keys: &[&str]) -> Option<Form<'a>> {
+    pub fn object(&self, node: &'a Node, key: &str, keys: &[&str]) -> Option<TaskForm<'a>> {
         let fields = Fields::open(node, &format!("\"{key}\""), keys, &mut self.faults.borrow_mut())?;
-        Some(Form::new(fields, self.front, self.faults))
+        Some(TaskForm::new(fields, self.front, self.faults))
     }
 
     /// The named places of a nested object, such as `{"A": [...], "D": [...]}`; all are optional.
@@ -251,5 +251,5 @@ impl<'a> Form<'a> {
 /// Returns true for a synthesis file: an object with the key `"synthesis"`. Returns false for a
 /// file that cannot be read.
 pub(crate) fn is_task(root: &Node) -> bool {
-    matches!(&root.kind, Kind::Object(members) if members.iter().any(|(k, _)| k.text == "synthesis"))
+    matches!(&root.kind, NodeKind::Object(members) if members.iter().any(|(k, _)| k.text == "synthesis"))
 }

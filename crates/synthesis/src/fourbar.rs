@@ -132,13 +132,13 @@ pub fn cross_circle(from: Point, direction: Vec2, centre: Point, radius: f64) ->
 }
 
 /// The lengths of a four-bar as named numbers, in the order of [`FourBar::lengths`].
-pub fn named_lengths(lengths: [f64; 4]) -> Vec<super::candidate::Number> {
-    use super::candidate::Number;
+pub fn named_lengths(lengths: [f64; 4]) -> Vec<super::candidate::DesignNumber> {
+    use super::candidate::DesignNumber;
     let [ab, bc, cd, ad] = lengths;
     vec![
-        Number::length("AB", both!("crank", "曲柄"), ab),
-        Number::length("BC", both!("coupler", "连杆"), bc),
-        Number::length("CD", both!("follower", "从动连架杆"), cd),
-        Number::length("AD", both!("frame", "机架"), ad),
+        DesignNumber::length("AB", both!("crank", "曲柄"), ab),
+        DesignNumber::length("BC", both!("coupler", "连杆"), bc),
+        DesignNumber::length("CD", both!("follower", "从动连架杆"), cd),
+        DesignNumber::length("AD", both!("frame", "机架"), ad),
     ]
 }

@@ -11,7 +11,7 @@ use hodograph_sweep::extreme::{Grashof, grashof_of};
 
 /// The lengths of a four-bar, by their function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Length {
+pub enum FourBarLength {
     /// The driven crank.
     Driver,
     /// The coupler.
@@ -22,9 +22,9 @@ pub enum Length {
     Frame,
 }
 
-impl Length {
+impl FourBarLength {
     /// All lengths, in the order of the lengths of a four-bar.
-    pub const ALL: [Length; 4] = [Length::Driver, Length::Coupler, Length::Output, Length::Frame];
+    pub const ALL: [FourBarLength; 4] = [FourBarLength::Driver, FourBarLength::Coupler, FourBarLength::Output, FourBarLength::Frame];
 }
 
 /// A range of a length in which the linkage has one type; at its ends the type changes, or the
@@ -45,9 +45,9 @@ pub struct Range {
 ///
 /// ```
 /// use hodograph_sweep::extreme::Grashof;
-/// use hodograph_synthesis::grashof::{Length, ranges};
+/// use hodograph_synthesis::grashof::{FourBarLength, ranges};
 /// // A course problem: coupler 50, output 35, frame 30; for which cranks is it a crank-rocker?
-/// let all = ranges([0.0, 0.050, 0.035, 0.030], Length::Driver)?;
+/// let all = ranges([0.0, 0.050, 0.035, 0.030], FourBarLength::Driver)?;
 /// assert_eq!(all[0].kind, Grashof::CrankRocker);
 /// assert!((all[0].to - 0.015).abs() < 1e-15 && all[0].change_point);
 /// # Ok::<(), hodograph_base::diag::Diagnostic>(())
@@ -55,7 +55,7 @@ pub struct Range {
 ///
 /// # Errors
 /// A length that is not greater than zero.
-pub fn ranges(lengths: [f64; 4], which: Length) -> Result<Vec<Range>, Diagnostic> {
+pub fn ranges(lengths: [f64; 4], which: FourBarLength) -> Result<Vec<Range>, Diagnostic> {
     let k = which as usize;
     let mut others: Vec<f64> = (0..4).filter(|i| *i != k).map(|i| lengths[i]).collect();
     if let Some(bad) = others.iter().find(|l| !(**l > 0.0 && l.is_finite())) {
@@ -101,7 +101,7 @@ mod tests {
         };
         for _ in 0..300 {
             let lengths = [0; 4].map(|_| 0.02 + 0.2 * unit());
-            for which in Length::ALL {
+            for which in FourBarLength::ALL {
                 let all = ranges(lengths, which).unwrap();
                 let rest: f64 = (0..4).filter(|i| *i != which as usize).map(|i| lengths[i]).sum();
                 assert!((all.last().unwrap().to - rest).abs() < 1e-12);
@@ -133,7 +133,7 @@ mod tests {
 
     #[test]
     fn a_length_that_is_none_is_refused() {
-        assert_eq!(ranges([0.1, 0.2, -0.1, 0.2], Length::Driver).unwrap_err().code, "not-positive");
-        assert!(ranges([-0.1, 0.2, 0.1, 0.2], Length::Driver).is_ok());
+        assert_eq!(ranges([0.1, 0.2, -0.1, 0.2], FourBarLength::Driver).unwrap_err().code, "not-positive");
+        assert!(ranges([-0.1, 0.2, 0.1, 0.2], FourBarLength::Driver).is_ok());
     }
 }

@@ -8,16 +8,16 @@
 //! motion joins the two). The two cases are distinguished by driving the other links, and by
 //! Grashof's invariant where no single link drives through.
 
-use super::candidate::{Candidate, Demand, Draft, Wanted, scene_text};
+use super::candidate::{Demand, DesignCandidate, Draft, WantedPosition, scene_text};
 use super::order;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, significant};
 use hodograph_base::geom::Point;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{self as scene, Scene};
-use hodograph_sweep::extreme::{Grashof, Limits, limits};
+use hodograph_sweep::extreme::{Grashof, MotionLimits, limits};
 use hodograph_sweep::station::position_now;
-use hodograph_sweep::{Placed, Stations, Sweep, Table, Width};
+use hodograph_sweep::{PlacedScene, Stations, Sweep, Table, Width};
 use serde_json::{Value as Json, json};
 use std::f64::consts::{PI, TAU};
 
@@ -58,7 +58,7 @@ pub struct Judged {
 /// # Errors
 /// A scene that cannot be read or placed, which is an error of this program: impossible drafts have
 /// none.
-pub fn judge(draft: Draft, gamma: f64) -> Result<Candidate, Faults> {
+pub fn judge(draft: Draft, gamma: f64) -> Result<DesignCandidate, Faults> {
     let text = scene_text(&draft.scene);
     let scene = scene::read(&text)?.value;
     let mechanism = Mechanism::new(&scene)?.value;
@@ -92,7 +92,7 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<Candidate, Faults> {
         judged.remarks.push(Diagnostic::warning("poor-transmission", message));
     }
     demands(&draft, &mut judged);
-    Ok(Candidate { draft, judged })
+    Ok(DesignCandidate { draft, judged })
 }
 
 /// Adds defects for demands on the whole motion that are not met.
@@ -126,7 +126,7 @@ fn told(real: Option<f64>, what: &Both, wanted: f64, written: impl Fn(f64) -> St
     both!("the whole motion has the {} {} instead of {}", "整个运动的{}为 {}，而不是 {}", what, real, written(wanted))
 }
 
-fn least(limits: &Limits) -> Option<(f64, f64)> {
+fn least(limits: &MotionLimits) -> Option<(f64, f64)> {
     limits.transmission.iter().map(|t| (t.angle, t.driver)).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
@@ -208,25 +208,25 @@ struct Walk {
 
 impl Walk {
     /// The results asked of the scene are the places of all its points.
-    fn new(scene: &Json, limits: &Limits) -> Result<Walk, Faults> {
+    fn new(scene: &Json, limits: &MotionLimits) -> Result<Walk, Faults> {
         let text = scene_text(scene);
         let plain = scene::read(&text)?.value;
         let all: Vec<String> = plain.points.iter().flat_map(|p| [format!("x_{}", p.name), format!("y_{}", p.name)]).collect();
         let scene = scene::read_asking(&text, &all.join(", "))?.value;
         let mechanism = Mechanism::new(&scene)?.value;
-        let size_m = Placed::new(&scene, &mechanism)?.at.extent();
+        let size_m = PlacedScene::new(&scene, &mechanism)?.at.extent();
         let (range, full) = (limits.range.bounds(), limits.range.full());
         Ok(Walk { scene, mechanism, range, full, size_m, grashof: limits.grashof })
     }
 
     fn table(&self, drivers: Vec<f64>) -> Option<Table> {
-        let placed = Placed::new(&self.scene, &self.mechanism).ok()?;
+        let placed = PlacedScene::new(&self.scene, &self.mechanism).ok()?;
         Some(Sweep::new(&placed, 0).ok()?.run(&Stations::of_values(drivers, 1.0), Width::One, Table::default()))
     }
 
     /// The angle, changed by full turns, nearest to the driver's position in the scene.
     fn nearest(&self, angle: f64) -> f64 {
-        let now = Placed::new(&self.scene, &self.mechanism).map_or(angle, |p| position_now(&self.scene, &p.at, 0));
+        let now = PlacedScene::new(&self.scene, &self.mechanism).map_or(angle, |p| position_now(&self.scene, &p.at, 0));
         angle - TAU * libm::rint((angle - now) / TAU)
     }
 
@@ -243,7 +243,7 @@ impl Walk {
     }
 
     /// The driver's position at which all places are as wanted, and the largest distance left (m).
-    fn reach(&self, wanted: &Wanted) -> Option<(f64, f64)> {
+    fn reach(&self, wanted: &WantedPosition) -> Option<(f64, f64)> {
         let off = |driver: &f64| {
             let table = self.table(vec![*driver])?;
             let far = wanted.places.iter().map(|(name, at)| Some(found(&table, name, 0)?.distance(*at)));
@@ -255,7 +255,7 @@ impl Walk {
 
     /// True if no motion joins a position with the first one: neither driving the follower nor the
     /// coupler leads there, and the circuits of a Grashof chain differ.
-    fn other_circuit(&self, scene: &Json, first: Option<&Wanted>, wanted: &Wanted) -> bool {
+    fn other_circuit(&self, scene: &Json, first: Option<&WantedPosition>, wanted: &WantedPosition) -> bool {
         let Some((_, [a, b, c, d])) = self.grashof else { return false };
         let mut sorted = [a, b, c, d];
         sorted.sort_by(f64::total_cmp);
@@ -264,7 +264,7 @@ impl Walk {
             return false;
         }
         let joined = ["3", "2"].iter().any(|link| first.is_some_and(|first| driven_by(scene, link, first, wanted)));
-        let side = |w: &Wanted| {
+        let side = |w: &WantedPosition| {
             let at = |name: &str| w.places.iter().find(|(n, _)| n == name).map(|(_, p)| *p).or_else(|| self.fixed(name));
             let [pa, pb, pc, pd] = ["A", "B", "C", "D"].map(at);
             invariant([pa?, pb?, pc?, pd?], [a, b, c, d])
@@ -314,10 +314,10 @@ fn invariant([a, b, c, d]: [Point; 4], [ab, bc, cd, ad]: [f64; 4]) -> Option<boo
 }
 
 /// True if driving another link leads from one position to another.
-fn driven_by(scene: &Json, link: &str, from: &Wanted, to: &Wanted) -> bool {
+fn driven_by(scene: &Json, link: &str, from: &WantedPosition, to: &WantedPosition) -> bool {
     let reached = || -> Option<bool> {
         let mut scene = scene.clone();
-        let at = |w: &Wanted, name: &str| w.places.iter().find(|(n, _)| n == name).map(|(_, p)| *p);
+        let at = |w: &WantedPosition, name: &str| w.places.iter().find(|(n, _)| n == name).map(|(_, p)| *p);
         let object = scene.as_object_mut()?;
         let ends = object.get("links")?.get(link)?.as_array()?.iter().filter_map(Json::as_str).map(str::to_owned).collect::<Vec<_>>();
         let fixed = |name: &str| {
@@ -326,7 +326,7 @@ fn driven_by(scene: &Json, link: &str, from: &Wanted, to: &Wanted) -> bool {
             Some(Point::new(of(0)? * 1e-3, of(1)? * 1e-3))
         };
         let [p, q] = [ends.first()?, ends.get(1)?];
-        let angle = |w: &Wanted| Some((at(w, q).or_else(|| fixed(q))? - at(w, p).or_else(|| fixed(p))?).angle());
+        let angle = |w: &WantedPosition| Some((at(w, q).or_else(|| fixed(q))? - at(w, p).or_else(|| fixed(p))?).angle());
         let (now, then) = (angle(from)?, angle(to)?);
         object.shift_remove("side");
         object.insert("driver".into(), json!({"link": link, "angle": format!("{now} rad"), "omega": "1 rad/s"}));
@@ -338,7 +338,7 @@ fn driven_by(scene: &Json, link: &str, from: &Wanted, to: &Wanted) -> bool {
         let mechanism = Mechanism::new(&read).ok()?.value;
         let limits = limits(&read, &mechanism, 0).ok()?;
         let walk = Walk::new(&scene, &limits).ok()?;
-        Some(walk.reach(&Wanted { driver: then, places: to.places.clone() }).is_some())
+        Some(walk.reach(&WantedPosition { driver: then, places: to.places.clone() }).is_some())
     };
     reached().unwrap_or(false)
 }
@@ -347,7 +347,7 @@ fn driven_by(scene: &Json, link: &str, from: &Wanted, to: &Wanted) -> bool {
 const ROUNDING: f64 = 1e-12;
 
 /// The text that states the distance of the finished scene from the wanted places.
-pub fn accuracy(candidate: &Candidate) -> Both {
+pub fn accuracy(candidate: &DesignCandidate) -> Both {
     let judged = &candidate.judged;
     if judged.off_m <= ROUNDING * judged.size_m {
         let size = metres(judged.size_m);

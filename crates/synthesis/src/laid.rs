@@ -6,8 +6,8 @@
 //! from the wanted places are read from the paper. The assembly of a position is the design's; all
 //! places are constructed.
 
-use super::board::{Board, Line, Weight};
-use super::candidate::{Draft, Wanted};
+use super::board::{PaperLine, SynthesisBoard, Weight};
+use super::candidate::{Draft, WantedPosition};
 use super::told::of;
 use hodograph_base::diag::Both;
 use hodograph_base::geom::{Point, Vec2};
@@ -31,7 +31,7 @@ pub fn numbered(letter: &str, of: &[usize]) -> Both {
 
 /// The pivots and openings of the compasses, in millimetres of paper.
 #[derive(Clone, Copy, Debug)]
-pub struct Laid {
+pub struct LaidFourBar {
     /// Crank pivot.
     pub a: Point,
     /// Follower pivot.
@@ -57,11 +57,11 @@ pub struct Pins {
     pub e: Point,
 }
 
-impl Laid {
+impl LaidFourBar {
     /// Lays off the pivots and the lengths of a design (m).
-    pub fn off(board: &Board, draft: &Draft, [a, d]: [Point; 2], e: Option<Vec2>) -> Laid {
+    pub fn off(board: &SynthesisBoard, draft: &Draft, [a, d]: [Point; 2], e: Option<Vec2>) -> LaidFourBar {
         let opening = |name: &str| board.mm(of(draft, name));
-        Laid {
+        LaidFourBar {
             a: board.at(a),
             d: board.at(d),
             crank: opening("AB"),
@@ -77,7 +77,7 @@ impl Laid {
     }
 
     /// The position at a crank angle (rad), C on one side of BD.
-    pub fn at(&self, board: &Board, crank: f64, left: bool) -> Option<Pins> {
+    pub fn at(&self, board: &SynthesisBoard, crank: f64, left: bool) -> Option<Pins> {
         let b = self.b(crank);
         let c = match board.circles(b, self.coupler, self.d, self.follower) {
             Some([on_left, on_right]) => {
@@ -89,13 +89,13 @@ impl Laid {
             }
             None => self.touching(b)?,
         };
-        let along = Line::through(b, c)?.along;
+        let along = PaperLine::through(b, c)?.along;
         Some(Pins { b, c, e: self.e.map_or(c, |e| b + e.rotate_by(along)) })
     }
 
     /// C in a dead centre, on the line DB.
     fn touching(&self, b: Point) -> Option<Point> {
-        let line = Line::through(self.d, b)?;
+        let line = PaperLine::through(self.d, b)?;
         let apart = self.d.distance(b);
         let miss = (apart - self.coupler - self.follower).max((self.coupler - self.follower).abs() - apart);
         let beyond = apart < self.coupler && self.follower < self.coupler;
@@ -103,7 +103,7 @@ impl Laid {
     }
 
     /// Draws the links of a position.
-    pub fn draw(&self, board: &mut Board, pins: &Pins, weight: Weight) {
+    pub fn draw(&self, board: &mut SynthesisBoard, pins: &Pins, weight: Weight) {
         board.line(self.a, pins.b, weight).line(pins.b, pins.c, weight).line(pins.c, self.d, weight);
         if self.e.is_some() {
             board.line(pins.b, pins.e, weight).line(pins.e, pins.c, weight);
@@ -112,7 +112,7 @@ impl Laid {
 }
 
 /// True if C of a wanted position is left of BD.
-pub fn side(wanted: &Wanted, d: Point) -> Option<bool> {
+pub fn side(wanted: &WantedPosition, d: Point) -> Option<bool> {
     let place = |name: &str| wanted.places.iter().find(|p| p.0 == name).map(|p| p.1);
     let (b, c) = (place("B")?, place("C")?);
     Some((d - b).cross(c - b) > 0.0)

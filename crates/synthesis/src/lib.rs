@@ -2,7 +2,7 @@
 //!
 //! A synthesis file has the front of a scene (title, units, parameters, paper) and a kind of task
 //! ([`KINDS`], one file for each). [`read`] returns a [`Task`], [`solve`] its [`Design`]: all
-//! solutions as [`Candidate`]s, each with a scene that every other command accepts, judged by
+//! solutions as [`DesignCandidate`]s, each with a scene that every other command accepts, judged by
 //! sweeping that scene ([`judge`]). Numbers come from closed formulas; the construction with ruler
 //! and paper is drawn from the same data by its own arithmetic and must agree with them.
 //!
@@ -52,15 +52,15 @@ pub mod templates;
 pub mod time_ratio;
 pub(crate) mod told;
 
-pub use board::Board;
-pub use candidate::{Candidate, Compared, Draft, Number, Wanted};
+pub use board::SynthesisBoard;
+pub use candidate::{Compared, DesignCandidate, DesignNumber, Draft, WantedPosition};
 pub use fourbar::{FourBar, Heading};
 pub use told::{Proof, Statement};
 
-use form::Form;
+use form::TaskForm;
 use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_base::json::fields::{Fields, suggest};
-use hodograph_base::json::{self, Kind as NodeKind, Node};
+use hodograph_base::json::{self, Node, NodeKind};
 use hodograph_scene::front::{self, Front, RawFront};
 use hodograph_scene::{Book, Lang, Paper};
 use std::cell::RefCell;
@@ -81,12 +81,12 @@ pub trait Wish: Debug + Send + Sync {
     ///
     /// # Errors
     /// If there is no solution: the root that is not real, and the nearest feasible task.
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults>;
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults>;
 
     /// Draws the construction of a design on the board, from the givens; the formula's numbers
     /// serve for comparison only. Results of least squares, an exchange or a search are laid off,
     /// and their deviations are measured. `None` where the drawing does not close.
-    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()>;
+    fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()>;
 
     /// The task as a problem: givens and unknowns.
     fn statement(&self) -> Statement;
@@ -97,11 +97,11 @@ pub trait Wish: Debug + Send + Sync {
 
 /// The result of solving a kind of task.
 #[derive(Clone, Debug, Default)]
-pub struct Found {
+pub struct TaskResult {
     /// All designs.
     pub drafts: Vec<Draft>,
     /// Numbers of the task as a whole, such as precision points and poles.
-    pub numbers: Vec<Number>,
+    pub numbers: Vec<DesignNumber>,
     /// Remarks on the task as a whole.
     pub notes: Vec<Diagnostic>,
 }
@@ -114,7 +114,7 @@ pub struct KindOfTask {
     pub what: [&'static str; 2],
     /// The keys, in addition to those of the front and of every task.
     pub keys: &'static [&'static str],
-    read: fn(&Form) -> Option<Box<dyn Wish>>,
+    read: fn(&TaskForm) -> Option<Box<dyn Wish>>,
 }
 
 /// All kinds.
@@ -149,7 +149,7 @@ impl Task {
     }
 
     /// The closed formula with the numbers of a design, the proof of its drawing.
-    pub fn proof(&self, candidate: &Candidate) -> Vec<Proof> {
+    pub fn proof(&self, candidate: &DesignCandidate) -> Vec<Proof> {
         self.wish.proof(&candidate.draft).iter().map(|p| p.written(&self.book)).collect()
     }
 }
@@ -160,9 +160,9 @@ pub struct Design {
     /// All solutions, the best first. They are ordered by: no defects, a crank that turns fully,
     /// the least error of an approximation, the greatest least transmission angle, the smallest
     /// size.
-    pub candidates: Vec<Candidate>,
+    pub candidates: Vec<DesignCandidate>,
     /// Numbers of the task as a whole, such as precision points and poles.
-    pub numbers: Vec<Number>,
+    pub numbers: Vec<DesignNumber>,
     /// Remarks on the task as a whole.
     pub notes: Vec<Diagnostic>,
 }
@@ -201,7 +201,7 @@ fn of_kind(root: &Node, text: &str, faults: &RefCell<Faults>) -> Option<Task> {
     let fields = Fields::open(root, both!("a synthesis file of this kind", "此类综合文件"), &keys, &mut faults.borrow_mut())?;
     let raw = RawFront::decode(root, &mut faults.borrow_mut());
     let front = Front::new(&raw, text, &mut faults.borrow_mut());
-    let form = Form::new(fields, &front, faults);
+    let form = TaskForm::new(fields, &front, faults);
     let wish = (kind.read)(&form);
     let omega = form.omega("omega");
     let transmission = form.angle("transmission").unwrap_or(judge::USUAL_GAMMA);
@@ -247,14 +247,14 @@ fn kind_of(root: &Node, faults: &mut Faults) -> Option<&'static KindOfTask> {
 /// # Errors
 /// If there is no solution: the root that is not real, and the nearest feasible task.
 pub fn solve(task: &Task) -> Result<Design, Faults> {
-    let Found { drafts, numbers, notes } = task.wish.solve(&task.heading)?;
+    let TaskResult { drafts, numbers, notes } = task.wish.solve(&task.heading)?;
     let mut candidates = Vec::new();
     for draft in drafts {
         candidates.push(judge::judge(draft, task.transmission)?);
     }
     candidates.sort_by(|a, b| {
-        let key = |c: &Candidate| (c.judged.defects.len(), !c.judged.rotates);
-        let gamma = |c: &Candidate| c.judged.transmission.map_or(0.0, |t| t.0);
+        let key = |c: &DesignCandidate| (c.judged.defects.len(), !c.judged.rotates);
+        let gamma = |c: &DesignCandidate| c.judged.transmission.map_or(0.0, |t| t.0);
         key(a)
             .cmp(&key(b))
             .then(a.draft.error.total_cmp(&b.draft.error))
@@ -269,8 +269,8 @@ pub fn solve(task: &Task) -> Result<Design, Faults> {
 ///
 /// # Errors
 /// Drawing and formula disagree, which is an error of this program.
-pub fn construct(task: &Task, candidate: &Candidate, mu_l: f64) -> Result<Option<Board>, Faults> {
-    let mut board = Board::new(mu_l);
+pub fn construct(task: &Task, candidate: &DesignCandidate, mu_l: f64) -> Result<Option<SynthesisBoard>, Faults> {
+    let mut board = SynthesisBoard::new(mu_l);
     let drawn = task.wish.construct(&candidate.draft, &mut board);
     if drawn.is_none() || board.steps.is_empty() {
         return Ok(None);

@@ -10,12 +10,12 @@
 mod explained;
 mod two_places;
 
-use super::board::{Board, Line, Weight};
-use super::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
-use super::form::Form;
+use super::board::{PaperLine, SynthesisBoard, Weight};
+use super::candidate::{Demand, DesignNumber, Draft, WantedPosition, deg, mm, place};
+use super::form::TaskForm;
 use super::fourbar::{Heading, headed, omega};
 use super::nearest::{number, told};
-use super::{Found, KindOfTask, Proof, Statement, Wish};
+use super::{KindOfTask, Proof, Statement, TaskResult, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, significant};
 use hodograph_base::geom::{Point, Vec2};
@@ -46,18 +46,18 @@ struct Press {
 }
 
 /// Reads the task for a linkage.
-type Reader = fn(&Form) -> Option<Box<dyn Wish>>;
+type LimitsReader = fn(&TaskForm) -> Option<Box<dyn Wish>>;
 
 /// The linkages, each with its reader.
-const LINKAGES: [(&str, Reader); 3] = [("crank-rocker", two_places::rocker), ("slider-crank", two_places::slider), ("press", press)];
+const LINKAGES: [(&str, LimitsReader); 3] = [("crank-rocker", two_places::rocker), ("slider-crank", two_places::slider), ("press", press)];
 
-fn read(form: &Form) -> Option<Box<dyn Wish>> {
+fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     form.need("linkage", "\"crank-rocker\"")?;
     let name = form.choice("linkage", &LINKAGES.map(|l| l.0))?;
     LINKAGES.iter().find(|l| l.0 == name).and_then(|(_, read)| read(form))
 }
 
-fn press(form: &Form) -> Option<Box<dyn Wish>> {
+fn press(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let length = |key: &str| form.need(key, "\"50 mm\"").and_then(|n| form.length_of(n, key));
     let (x1, x2, y) = (length("x1"), length("x2"), length("y"));
     let stroke = form.need_size("stroke", "\"150 mm\"");
@@ -212,7 +212,7 @@ impl Wish for Press {
         both!("Press with a stroke of {}", "行程为 {} 的压床机构", metres(self.stroke))
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let Some(de) = self.de() else {
             let message = both!("the link EF does not reach the ram's line in one of the limits", "在某一极限位置上 EF 不能到达滑块导路");
             let help = self.nearest_line();
@@ -226,25 +226,25 @@ impl Wish for Press {
             let message = both!("AC1 and AC2 are equal: the crank would have no length", "AC1 与 AC2 相等：曲柄长为零");
             return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
         }
-        let wanted: Vec<Wanted> = (0..2)
+        let wanted: Vec<WantedPosition> = (0..2)
             .filter_map(|i| {
                 let sense = if far[i] > far[1 - i] { 1.0 } else { -1.0 };
                 let crank = (c[i] - self.a) * (sense / far[i]);
                 let places = vec![("B".into(), self.a + crank * ab), ("C".into(), c[i]), ("F".into(), self.f(de, self.angles[i])?)];
-                Some(Wanted { driver: crank.angle(), places })
+                Some(WantedPosition { driver: crank.angle(), places })
             })
             .collect();
         let between = (c[0] - self.a).cross(c[1] - self.a).abs();
         let theta = libm::atan2(between, (c[0] - self.a).dot(c[1] - self.a));
         let k = (PI + theta) / (PI - theta);
         let numbers = vec![
-            Number::length("AB", both!("crank", "曲柄"), ab),
-            Number::length("BC", both!("coupler", "连杆"), bc),
-            Number::length("CD", both!("rocker to the coupler", "摇杆上至连杆"), cd),
-            Number::length("DE", both!("rocker", "摇杆"), de),
-            Number::length("EF", both!("link to the ram", "连接滑块的连杆"), de * self.ef_de),
-            Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), theta),
-            Number::ratio("K", both!("time ratio", "行程速度变化系数"), k),
+            DesignNumber::length("AB", both!("crank", "曲柄"), ab),
+            DesignNumber::length("BC", both!("coupler", "连杆"), bc),
+            DesignNumber::length("CD", both!("rocker to the coupler", "摇杆上至连杆"), cd),
+            DesignNumber::length("DE", both!("rocker", "摇杆"), de),
+            DesignNumber::length("EF", both!("link to the ram", "连接滑块的连杆"), de * self.ef_de),
+            DesignNumber::angle("theta", both!("crank angle between the limit positions", "极位夹角"), theta),
+            DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), k),
         ];
         let rough = [("C", c[0]), ("F", wanted.first().map_or(Point::ORIGIN, |w| w.places[2].1))];
         let driver = wanted.first().map_or(0.0, |w| w.driver);
@@ -252,18 +252,18 @@ impl Wish for Press {
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(k), Demand::Stroke(self.stroke)];
         let notes = self.warned();
         let draft = Draft { demands, ..Draft::new(both!("the only solution", "唯一解"), scene, numbers, wanted) };
-        Ok(Found { drafts: vec![draft], notes, ..Found::default() })
+        Ok(TaskResult { drafts: vec![draft], notes, ..TaskResult::default() })
     }
 
-    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         let [p, q] = self.angles;
         let (d, a) = (Point::ORIGIN, board.at(self.a));
-        let lay = |angle: f64| Line { at: d, along: from_vertical(angle) };
+        let lay = |angle: f64| PaperLine { at: d, along: from_vertical(angle) };
         // Symmetrical limits: the chord of E is the stroke, because EF has the same inclination in
         // both.
         let even = (p + q - PI).abs() < 1e-9;
         let de = if even {
-            let half = Line::ray(Point::new(0.0, board.mm(self.stroke) / 2.0), 0.0);
+            let half = PaperLine::ray(Point::new(0.0, board.mm(self.stroke) / 2.0), 0.0);
             let e = lay(p).cross(&half)?;
             board.step(both!(
                 "Draw the rocker's limits from D; a parallel at H/2 over the horizontal meets the upper one at E1: DE",

@@ -12,17 +12,17 @@
 mod drawing;
 mod explained;
 
-use super::board::Board;
-use super::candidate::{Draft, Number, Wanted, deg, mm, place, scene_text};
-use super::form::Form;
+use super::board::SynthesisBoard;
+use super::candidate::{DesignNumber, Draft, WantedPosition, deg, mm, place, scene_text};
+use super::form::TaskForm;
 use super::fourbar::{FourBar, Heading, headed, meet, omega};
-use super::{Found, KindOfTask, Proof, Statement, Wish};
+use super::{KindOfTask, Proof, Statement, TaskResult, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, significant};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene as scene;
-use hodograph_sweep::{Placed, Stations, Width, of_values, run, zoom};
+use hodograph_sweep::{PlacedScene, Stations, Width, of_values, run, zoom};
 use serde_json::{Value as Json, json};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -69,7 +69,7 @@ const STEPS: usize = 360;
 const SHORT: f64 = 1e-13;
 
 #[derive(Clone, Debug)]
-struct Task {
+struct StraightLineTask {
     linkage: Linkage,
     /// The wanted length (m).
     length: f64,
@@ -79,7 +79,7 @@ struct Task {
     ratios: [f64; 2],
 }
 
-fn read(form: &Form) -> Option<Box<dyn Wish>> {
+fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     form.need("linkage", "\"hoeken\"")?;
     let name = form.choice("linkage", &NAMES.map(|n| n.0));
     let length = form.need_size("length", "\"200 mm\"");
@@ -109,11 +109,11 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
         return None;
     }
     let ratios = if form.has("ratios") { ratios(form, linkage)? } else { [2.0, 2.5] };
-    Some(Box::new(Task { linkage, length: length?, swing, ratios }))
+    Some(Box::new(StraightLineTask { linkage, length: length?, swing, ratios }))
 }
 
 /// Reads frame and rods of Hoeken's linkage over its crank.
-fn ratios(form: &Form, linkage: Linkage) -> Option<[f64; 2]> {
+fn ratios(form: &TaskForm, linkage: Linkage) -> Option<[f64; 2]> {
     let [p, q] = form.several::<2>(form.node("ratios")?, "ratios", "[2, 2.5]")?;
     let (frame, rod) = (form.number_of(p, "ratios")?, form.number_of(q, "ratios")?);
     // The crank is the shortest link and turns fully, and the dyad closes: s + l < p + q.
@@ -144,16 +144,16 @@ fn nearest_ratios([frame, rod]: [f64; 2]) -> Both {
 
 /// A linkage at a scale: its scene, the driver's range, the axis of the line, and the places of E
 /// at the ends and the middle.
-struct Made {
+struct ScaledLinkage {
     scene: Json,
     range: [f64; 2],
     /// The direction of the line, `x` or `y`.
     along: char,
-    wanted: Vec<Wanted>,
-    numbers: Vec<Number>,
+    wanted: Vec<WantedPosition>,
+    numbers: Vec<DesignNumber>,
 }
 
-impl Task {
+impl StraightLineTask {
     /// The name of the linkage.
     fn name(&self) -> Both {
         match self.linkage {
@@ -182,13 +182,18 @@ impl Task {
         }
     }
 
-    fn made(&self, k: f64, heading: &Heading) -> Option<Made> {
+    fn made(&self, k: f64, heading: &Heading) -> Option<ScaledLinkage> {
         let s = self.swing;
         let four = |l: FourBar, range: [f64; 2], along: char, middle: f64| {
-            let wanted = [middle, range[0], range[1]].map(|at| Some(Wanted { driver: at, places: vec![("E".into(), l.e_at(at)?)] }));
+            let wanted =
+                [middle, range[0], range[1]].map(|at| Some(WantedPosition { driver: at, places: vec![("E".into(), l.e_at(at)?)] }));
             let mut numbers = super::fourbar::named_lengths(l.lengths());
-            numbers.push(Number::length("BE", both!("to the point that runs straight", "到作直线运动的点"), l.e.map_or(0.0, Vec2::norm)));
-            Some(Made { scene: l.scene(heading), range, along, wanted: wanted.into_iter().flatten().collect(), numbers })
+            numbers.push(DesignNumber::length(
+                "BE",
+                both!("to the point that runs straight", "到作直线运动的点"),
+                l.e.map_or(0.0, Vec2::norm),
+            ));
+            Some(ScaledLinkage { scene: l.scene(heading), range, along, wanted: wanted.into_iter().flatten().collect(), numbers })
         };
         match self.linkage {
             Linkage::Watt => four(watt(k), [-s, s], 'y', 0.0),
@@ -207,18 +212,26 @@ impl Task {
             }
             Linkage::ScottRussell => {
                 let place_of = |at: f64| Point::new(0.0, 2.0 * k * libm::sin(at));
-                let wanted = [0.3 * s, -s, s].map(|at| Wanted { driver: at, places: vec![("E".into(), place_of(at))] });
-                let numbers = vec![Number::length("AB", both!("crank", "曲柄"), k), Number::length("CE", both!("rod", "连杆"), 2.0 * k)];
-                Some(Made { scene: scott_russell(k, 0.3 * s, heading), range: [-s, s], along: 'y', wanted: wanted.into(), numbers })
+                let wanted = [0.3 * s, -s, s].map(|at| WantedPosition { driver: at, places: vec![("E".into(), place_of(at))] });
+                let numbers =
+                    vec![DesignNumber::length("AB", both!("crank", "曲柄"), k), DesignNumber::length("CE", both!("rod", "连杆"), 2.0 * k)];
+                Some(ScaledLinkage {
+                    scene: scott_russell(k, 0.3 * s, heading),
+                    range: [-s, s],
+                    along: 'y',
+                    wanted: wanted.into(),
+                    numbers,
+                })
             }
             Linkage::Peaucellier => {
-                let wanted = [0.5 * s, -s, s].map(|at| Some(Wanted { driver: at, places: vec![("E".into(), inversor(k, at)?[3])] }));
+                let wanted =
+                    [0.5 * s, -s, s].map(|at| Some(WantedPosition { driver: at, places: vec![("E".into(), inversor(k, at)?[3])] }));
                 let numbers = vec![
-                    Number::length("KC", both!("crank, and its distance from O", "曲柄，及其到 O 的距离"), 2.0 * k),
-                    Number::length("OX", both!("long arms", "长杆"), 6.0 * k),
-                    Number::length("CX", both!("sides of the rhombus", "菱形的边"), 2.5 * k),
+                    DesignNumber::length("KC", both!("crank, and its distance from O", "曲柄，及其到 O 的距离"), 2.0 * k),
+                    DesignNumber::length("OX", both!("long arms", "长杆"), 6.0 * k),
+                    DesignNumber::length("CX", both!("sides of the rhombus", "菱形的边"), 2.5 * k),
                 ];
-                Some(Made {
+                Some(ScaledLinkage {
                     scene: peaucellier(k, 0.5 * s, heading)?,
                     range: [-s, s],
                     along: 'y',
@@ -307,12 +320,12 @@ fn peaucellier(k: f64, angle: f64, heading: &Heading) -> Option<Json> {
     Some(Json::Object(scene))
 }
 
-impl Wish for Task {
+impl Wish for StraightLineTask {
     fn title(&self) -> Both {
         both!("{}'s straight-line linkage, {} long", "{}直线机构，直线段长 {}", self.name(), metres(self.length))
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let scale = self.length / self.unit_length();
         let none = || Diagnostic::error("no-real-solution", both!("the linkage does not reach over this swing", "在此摆角内机构不能装配"));
         let Some(made) = self.made(scale, heading).filter(|_| scale.is_finite()) else {
@@ -323,10 +336,10 @@ impl Wish for Task {
         numbers.extend(measured.numbers());
         let which = if measured.deviation == 0.0 { both!("exact", "精确直线") } else { both!("nearly straight", "近似直线") };
         let draft = Draft { error: measured.deviation, ..Draft::new(which, made.scene, numbers, made.wanted) };
-        Ok(Found { drafts: vec![draft], numbers: Vec::new(), notes: Vec::new() })
+        Ok(TaskResult { drafts: vec![draft], numbers: Vec::new(), notes: Vec::new() })
     }
 
-    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         self.drawn(draft, board)
     }
 
@@ -347,7 +360,7 @@ const EXACT: f64 = 1e-11;
 const NEXT_TO_DEAD: f64 = 1e-6;
 
 /// Measurements of the finished scene over its range.
-struct Measured {
+struct MeasuredStretch {
     /// The difference of the greatest and the least coordinate along the line (m).
     length: f64,
     /// The difference of the greatest and the least coordinate across the line (m).
@@ -357,36 +370,36 @@ struct Measured {
     range: [f64; 2],
 }
 
-impl Measured {
-    fn numbers(&self) -> Vec<Number> {
+impl MeasuredStretch {
+    fn numbers(&self) -> Vec<DesignNumber> {
         let [(low_at, low), (high_at, high)] = self.extremes;
         let mut out = vec![
-            Number::length("length", both!("length along the line", "直线段长"), self.length),
-            Number::length("deviation", both!("from the least to the greatest deviation", "最大与最小偏离之差"), self.deviation),
-            Number::ratio("relative", both!("deviation over length", "偏差与长度之比"), self.deviation / self.length),
+            DesignNumber::length("length", both!("length along the line", "直线段长"), self.length),
+            DesignNumber::length("deviation", both!("from the least to the greatest deviation", "最大与最小偏离之差"), self.deviation),
+            DesignNumber::ratio("relative", both!("deviation over length", "偏差与长度之比"), self.deviation / self.length),
         ];
         // A straight line has no least and no greatest place.
         if self.deviation > 0.0 {
             out.extend([
-                Number::length("least", both!("least coordinate across the line", "横向坐标最小值"), low),
-                Number::angle("at_least", both!("the driver there", "此处原动件的位置"), low_at),
-                Number::length("greatest", both!("greatest coordinate across the line", "横向坐标最大值"), high),
-                Number::angle("at_greatest", both!("the driver there", "此处原动件的位置"), high_at),
+                DesignNumber::length("least", both!("least coordinate across the line", "横向坐标最小值"), low),
+                DesignNumber::angle("at_least", both!("the driver there", "此处原动件的位置"), low_at),
+                DesignNumber::length("greatest", both!("greatest coordinate across the line", "横向坐标最大值"), high),
+                DesignNumber::angle("at_greatest", both!("the driver there", "此处原动件的位置"), high_at),
             ]);
         }
         out.extend([
-            Number::angle("from", both!("the driver where the line begins", "直线段起点的原动件位置"), self.range[0]),
-            Number::angle("to", both!("the driver where it ends", "直线段终点的原动件位置"), self.range[1]),
+            DesignNumber::angle("from", both!("the driver where the line begins", "直线段起点的原动件位置"), self.range[0]),
+            DesignNumber::angle("to", both!("the driver where it ends", "直线段终点的原动件位置"), self.range[1]),
         ]);
         out
     }
 }
 
 /// Sweeps the scene over the range and locates the extremes of E.
-fn measure(made: &Made, wanted: f64) -> Result<Measured, Faults> {
+fn measure(made: &ScaledLinkage, wanted: f64) -> Result<MeasuredStretch, Faults> {
     let scene = scene::read_asking(scene_text(&made.scene), "x_E, y_E")?.value;
     let mechanism = Mechanism::new(&scene)?.value;
-    let placed = Placed::new(&scene, &mechanism)?;
+    let placed = PlacedScene::new(&scene, &mechanism)?;
     let [from, to] = made.range;
     let values: Vec<f64> = (0..=STEPS).map(|i| from + (to - from) * i as f64 / STEPS as f64).collect();
     let table = run(&placed, 0, &Stations::of_values(values.clone(), 1.0), Width::One)?;
@@ -411,5 +424,5 @@ fn measure(made: &Made, wanted: f64) -> Result<Measured, Faults> {
     // A range that begins in a dead centre is swept from next to it: the wanted length includes the
     // rest.
     let length = if (length - wanted).abs() <= NEXT_TO_DEAD * wanted { wanted } else { length };
-    Ok(Measured { length, deviation, extremes: [low, high], range: made.range })
+    Ok(MeasuredStretch { length, deviation, extremes: [low, high], range: made.range })
 }

@@ -7,7 +7,7 @@
 //! convert them to the units of the file. This module defines the structure and the format of
 //! numbers; the text itself is in the file of each kind.
 
-use super::candidate::{Draft, Number};
+use super::candidate::{DesignNumber, Draft};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Point;
@@ -140,7 +140,7 @@ pub fn place(at: Point) -> String {
 /// The value of a number of a design by its name; NaN, which is printed as a dash, if there is
 /// none.
 pub fn of(draft: &Draft, name: &str) -> f64 {
-    draft.numbers.iter().find(|n: &&Number| n.name == name).map_or(f64::NAN, |n| n.value)
+    draft.numbers.iter().find(|n: &&DesignNumber| n.name == name).map_or(f64::NAN, |n| n.value)
 }
 
 /// The lengths of a four-bar as unknowns.

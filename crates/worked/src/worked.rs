@@ -14,22 +14,22 @@ mod sizes;
 #[cfg(test)]
 mod tests;
 
-pub use far::{Far, NoAnswer, Unanswered};
+pub use far::{InfiniteCentre, NoAnswer, Unanswered};
 pub use joint::instant;
 pub use posed::{work_motion, work_pose};
 
-use self::pose::{Given, Posed, groups_of};
-use self::sizes::Sizes;
+use self::pose::{DecidedPose, PoseInput, groups_of};
+use self::sizes::PoseSizes;
 use crate::accuracy::Rung;
-use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, bad_angles, compare, drafting, regular, settled};
-use hodograph_analytic::{Refused, Solution};
+use crate::accuracy::{Agreement, BadAngle, DraftedConstruction, Drafting, bad_angles, compare, drafting, regular, settled};
+use hodograph_analytic::{RefusedPart, Solution};
 use hodograph_base::diag::{Faults, Warned};
-use hodograph_board::construct::{self, Answer, Drawing};
+use hodograph_board::construct::{self, FindAnswer, PlanDrawing};
 use hodograph_board::equilibrium::Equilibrium;
 use hodograph_board::plan::Plan;
-use hodograph_mechanism::answer::{Source, Value, evaluate};
+use hodograph_mechanism::answer::{AnswerValue, MotionSource, evaluate};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need};
-use hodograph_mechanism::position::redundant::Verdict;
+use hodograph_mechanism::position::redundant::RedundancyVerdict;
 use hodograph_mechanism::position::{self, Configuration};
 use hodograph_mechanism::stated::{self, Moment};
 use hodograph_scene::{Asked, Find, LinkId, Scene};
@@ -57,7 +57,7 @@ pub struct Worked {
     /// The equations.
     pub plan: Plan,
     /// The drawing board.
-    pub construction: Drawing,
+    pub construction: PlanDrawing,
     /// The number of evaluations of the construction: a trial for its scales, and the drawing; more
     /// in a pose that loses digits, or with special points.
     pub drawings: usize,
@@ -70,7 +70,7 @@ pub struct Worked {
     /// The questions that have no answer in the pose.
     pub unanswered: Vec<Unanswered>,
     /// The requested instantaneous centres that are at infinity.
-    pub at_infinity: Vec<Far>,
+    pub at_infinity: Vec<InfiniteCentre>,
     /// Links and pairs that repeat others, checked in several positions; empty for [`work_placed`].
     pub redundant: Vec<position::redundant::Checked>,
     /// Crossings under less than 10°, with remedies.
@@ -81,12 +81,12 @@ pub struct Worked {
 
 impl Worked {
     /// Returns everything that is needed to draw the construction again with another pencil.
-    pub fn drawn<'a>(&'a self, scene: &'a Scene) -> Drawn<'a> {
+    pub fn drawn<'a>(&'a self, scene: &'a Scene) -> DraftedConstruction<'a> {
         let mut values = vec![None; scene.find.len()];
         for r in &self.results {
             values[r.find] = r.drawn.as_ref().map(|_| r.value());
         }
-        Drawn {
+        DraftedConstruction {
             scene,
             mechanism: &self.mechanism,
             configuration: &self.configuration,
@@ -120,10 +120,10 @@ pub struct Outcome {
     /// Index into the scene's `find` list.
     pub find: usize,
     /// The value read off the paper; `None` if the group is not drawable.
-    pub drawn: Option<Answer>,
+    pub drawn: Option<FindAnswer>,
     /// The value from the loop equations (for positions from the configuration); see also
     /// [`Outcome::longer`].
-    pub computed: Value,
+    pub computed: AnswerValue,
     /// The difference of the two; `None` for positions and where nothing was drawn.
     pub agreement: Option<Agreement>,
     /// The reference size (SI) of the answer: the largest vector or rate of its kind, for positions
@@ -131,7 +131,7 @@ pub struct Outcome {
     pub scale: f64,
     /// The answer on the other motion through each change point of the pose (see [`hodograph_analytic::Singularity::other`]); empty
     /// for positions and in every other pose.
-    pub others: Vec<Value>,
+    pub others: Vec<AnswerValue>,
     /// The value (SI) up to which the answer cannot be distinguished from zero.
     pub noise: f64,
     /// The number of true digits of an answer from the next order of the loop equations, if the
@@ -145,7 +145,7 @@ pub struct Outcome {
 impl Outcome {
     /// Returns the value to print: the drawing's, if there is one; zero if it is no more than
     /// rounding.
-    pub fn value(&self) -> Value {
+    pub fn value(&self) -> AnswerValue {
         self.drawn.as_ref().map_or(self.computed, |a| a.value).above(self.noise)
     }
 }
@@ -196,7 +196,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     worked.bad_angles = bad_angles;
     // Links that repeat others only approximately make two mechanisms of one: the drawing and the
     // loop equations use different pairs of it.
-    let nearly = redundant.iter().filter(|r| r.verdict == Verdict::Almost).map(|r| r.off_m).fold(0.0, f64::max);
+    let nearly = redundant.iter().filter(|r| r.verdict == RedundancyVerdict::Almost).map(|r| r.off_m).fold(0.0, f64::max);
     let blur = NEARLY * nearly / worked.configuration.extent().max(f64::MIN_POSITIVE);
     for a in worked.results.iter_mut().filter_map(|r| r.agreement.as_mut()).filter(|_| nearly > 0.0) {
         *a = a.no_better_than(blur);
@@ -233,8 +233,8 @@ fn stages(
     configuration: Configuration,
     measured: bool,
 ) -> Result<Warned<Worked>, Faults> {
-    let given = Given { scene, mechanism: &mechanism, demand: &demand };
-    let Posed { configuration, solution, singular, written, near, drawing, drawings, mut notes } =
+    let given = PoseInput { scene, mechanism: &mechanism, demand: &demand };
+    let DecidedPose { configuration, solution, singular, written, near, drawing, drawings, mut notes } =
         pose::pose(given, configuration, measured)?;
     let magnified = |level| drawing.magnified(level);
     let (plan, construction) = (&drawing.plan, &drawing.construction);
@@ -249,7 +249,7 @@ fn stages(
         notes.extend(remarks::of_loads(scene, &configuration, &solution));
     }
     let blur = blur_of(&solution);
-    let sizes = Sizes::of(scene, construction, &configuration);
+    let sizes = PoseSizes::of(scene, construction, &configuration);
     let (mut results, mut unanswered, mut at_infinity) = (Vec::new(), Vec::new(), Vec::new());
     // The loop equations hold a driven pin by the links that it carries; if those have no motion,
     // its own group still has one.
@@ -263,7 +263,7 @@ fn stages(
     let of_forces = |i: usize, find: &Find| {
         let drawn = equilibrium.as_ref().filter(|_| matches!(find.what, Asked::Force(_)))?;
         let value = evaluate(scene, &configuration, drawn, &find.what)?;
-        value.numbers().0.is_finite().then_some(Answer { find: i, value, measured: None })
+        value.numbers().0.is_finite().then_some(FindAnswer { find: i, value, measured: None })
     };
     for (i, (find, drawn)) in scene.find.iter().zip(drawing.answers.iter().cloned()).enumerate() {
         let drawn = drawn.or_else(|| of_forces(i, find));
@@ -274,7 +274,7 @@ fn stages(
         };
         let Some(computed) = computed.filter(|c| !far::is_nowhere(&find.what, c, sizes.extent)) else {
             let asked = Demand::of_questions(scene, &mechanism, [find]);
-            let rests_on = |r: &&Refused| groups_of(scene, &mechanism, (&r.links, &r.pins)).iter().any(|g| asked.groups[*g].is_some());
+            let rests_on = |r: &&RefusedPart| groups_of(scene, &mechanism, (&r.links, &r.pins)).iter().any(|g| asked.groups[*g].is_some());
             if let Some(refused) = solution.refused.iter().find(rests_on) {
                 unanswered.push(Unanswered { find: i, why: NoAnswer::NoMotion(Box::new(refused.clone())) });
                 continue;
@@ -317,9 +317,9 @@ fn stages(
                 })
             }
         };
-        let noise_of = |of: &Solution, value: &Value| match value {
-            Value::Point(_) => blur * sizes.extent,
-            Value::Vector(_) | Value::Scalar(_) => blur * of.largest(level, matches!(value, Value::Scalar(_))),
+        let noise_of = |of: &Solution, value: &AnswerValue| match value {
+            AnswerValue::Point(_) => blur * sizes.extent,
+            AnswerValue::Vector(_) | AnswerValue::Scalar(_) => blur * of.largest(level, matches!(value, AnswerValue::Scalar(_))),
         };
         let noise = match (level, agreement) {
             _ if size.is_some() => blur * scale,

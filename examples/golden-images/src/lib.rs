@@ -1,7 +1,7 @@
 //! The figures of a project: a crank-rocker, drawn for a text.
 
 use hodograph::diag::Faults;
-use hodograph::figure::sheet::{Options, drawing};
+use hodograph::figure::sheet::{SheetOptions, drawing};
 use hodograph::render::svg;
 use hodograph::scene::{DiagramKind, Lang, build::*};
 use hodograph::worked::{Scope, work};
@@ -23,7 +23,7 @@ pub fn figures() -> Result<Vec<(&'static str, String)>, Faults> {
         .build()?
         .value;
     let worked = work(&scene, Scope::Figure)?.value;
-    let options = Options::of_language(Lang::En);
+    let options = SheetOptions::of_language(Lang::En);
     let mut out = Vec::new();
     for on in [DiagramKind::Plane, DiagramKind::Velocity] {
         let figure = drawing(&scene, &worked, &options, on).expect("velocities are asked for");

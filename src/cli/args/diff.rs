@@ -5,7 +5,7 @@ use crate::cli::values::tolerance;
 
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "Exit codes, as of diff(1): 0 the figures are alike; 1 they differ; 2 a file cannot be read or written")]
-pub struct Diff {
+pub struct DiffArgs {
     /// The figure as it was: SVG or PNG
     #[arg(value_name = "A")]
     pub old: String,

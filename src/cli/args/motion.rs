@@ -1,11 +1,11 @@
 //! Further arguments: what moves, and those of the commands that draw a motion.
 
-use super::{ClapArgs, Common, Format, Look, dpi, seconds};
-use crate::cli::values::Moving;
+use super::{ClapArgs, CommonArgs, FigureFormat, LookArgs, dpi, seconds};
+use crate::cli::values::MotionFormat;
 
 /// The motion from pose to pose.
 #[derive(ClapArgs, Debug)]
-pub struct Moves {
+pub struct TravelArgs {
     /// The motion: a driver by its name (`phi_1`, `s_B`, `l_BC`, `driver2`), the others at rest; or `t`, the time: all drivers, each by its
     /// law or at its rate (default: the time where the scene has laws of it, else the first driver)
     #[arg(long, value_name = "NAME")]
@@ -14,9 +14,9 @@ pub struct Moves {
 
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "The numbers of the curves as a table: hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv")]
-pub struct Path {
+pub struct PathArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// The points whose paths are drawn, such as E or E,F
     #[arg(long, value_name = "POINTS", value_delimiter = ',', required = true)]
     pub point: Vec<String>,
@@ -27,22 +27,22 @@ pub struct Path {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=72))]
     pub marks: Option<u16>,
     #[command(flatten)]
-    pub moves: Moves,
+    pub moves: TravelArgs,
     #[command(flatten)]
-    pub look: Look,
+    pub look: LookArgs,
     /// The file, ending in .svg, .png or .pdf, or `-` for standard output (default: named after the scene)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
     /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
-    pub format: Vec<Format>,
+    pub format: Vec<FigureFormat>,
 }
 
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "A film from the frames: ffmpeg -framerate 12 -i turn-%03d.png -pix_fmt yuv420p turn.mp4")]
-pub struct Animate {
+pub struct AnimateArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// Positions at equal steps of the driver, through a full turn, or from one end of its travel to the other and back
     #[arg(long, value_name = "N", default_value_t = 72, value_parser = clap::value_parser!(u16).range(2..=360))]
     pub frames: u16,
@@ -50,9 +50,9 @@ pub struct Animate {
     #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = seconds)]
     pub seconds: f64,
     #[command(flatten)]
-    pub moves: Moves,
+    pub moves: TravelArgs,
     #[command(flatten)]
-    pub look: Look,
+    pub look: LookArgs,
     /// Resolution of GIF and PNG in dots per inch; both sides have an even number of pixels
     #[arg(long, default_value_t = 96.0, value_parser = dpi)]
     pub dpi: f64,
@@ -62,5 +62,5 @@ pub struct Animate {
     pub output: String,
     /// Formats where -o has no such ending, such as gif,svg; each ending is added where there are several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
-    pub format: Vec<Moving>,
+    pub format: Vec<MotionFormat>,
 }

@@ -1,13 +1,13 @@
 //! Further arguments: those of the commands on curvature, inversions and synthesis.
 
-use super::Common;
+use super::CommonArgs;
 use clap::Args as ClapArgs;
 
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "The figures: hodograph draw SCENE --figure curvature,centrodes -o out/; in find: rho_E O_E J_2 d_2 K_2 u_2 p_2")]
-pub struct Curvature {
+pub struct CurvatureArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// The links (default: all that neither turn about a fixed pin nor slide on the ground)
     #[arg(long, value_name = "N", value_delimiter = ',')]
     pub link: Vec<String>,
@@ -33,9 +33,9 @@ pub struct Curvature {
 
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "Side by side as a figure: hodograph draw SCENE --figure inversions -o inversions.svg")]
-pub struct Inversions {
+pub struct InversionsArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// Write the scene of each inversion into this folder, or that of --pick to this file ending in .json or to `-`, standard output
     #[arg(short, long, value_name = "PATH")]
     pub output: Option<String>,

@@ -1,12 +1,12 @@
 //! Arguments of the commands that report on a scene and take nothing more than how.
 
-use super::{ClapArgs, Common};
+use super::{ClapArgs, CommonArgs};
 
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "The figure with the circle diagram: hodograph draw SCENE --figure centres -o centres.svg")]
-pub struct Centres {
+pub struct CentresArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// The tolerance of each place when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = crate::cli::values::length)]
     pub drafting: Option<String>,
@@ -17,9 +17,9 @@ pub struct Centres {
 
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "The figure with the parallelograms: hodograph draw SCENE --figure composite -o composite.svg")]
-pub struct Composite {
+pub struct CompositeArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// Print JSON, in SI
     #[arg(long)]
     pub json: bool,
@@ -27,9 +27,9 @@ pub struct Composite {
 
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "Each wrong solution drawn over the right one: hodograph draw SCENE --figure attempts -o attempts.svg")]
-pub struct Attempts {
+pub struct AttemptsArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// All typical mistakes of the scene, though it names some
     #[arg(long)]
     pub all: bool,
@@ -39,18 +39,18 @@ pub struct Attempts {
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Readings {
+pub struct ReadingsArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// Print JSON, in SI
     #[arg(long)]
     pub json: bool,
 }
 
 #[derive(ClapArgs, Debug)]
-pub struct Limits {
+pub struct LimitsArgs {
     #[command(flatten)]
-    pub common: Common,
+    pub common: CommonArgs,
     /// The driver that moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others are at rest
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,

@@ -1,7 +1,7 @@
 //! Damaged parts and journals: with any bytes, the result is the table or a refusal.
 
 use super::*;
-use crate::report::table::{Csv, Head};
+use crate::report::table::{Csv, TableHead};
 use std::time::Instant;
 
 /// Rows of a piece.
@@ -17,20 +17,20 @@ fn next(state: &mut u64) -> u64 {
 }
 
 fn format() -> Csv {
-    Csv::new(Head::new("", [("a".to_owned(), "m"), ("b".to_owned(), "")]))
+    Csv::new(TableHead::new("", [("a".to_owned(), "m"), ("b".to_owned(), "")]))
 }
 
 /// The pieces from `done` on, one mechanism each.
-fn go_on(part: &mut Part, until: usize) {
+fn go_on(part: &mut PartialTable, until: usize) {
     for k in part.done as usize..until {
         let columns: [Vec<f64>; 2] = [0, 1].map(|c| (0..ROWS).map(|r| (k * 100 + r * 10 + c) as f64 / 7.0).collect());
-        let piece = format().piece_in(&[&columns[0], &columns[1]], Piece::default()).unwrap();
+        let piece = format().piece_in(&[&columns[0], &columns[1]], TablePiece::default()).unwrap();
         part.add(&piece, k as u64 + 1, 1).unwrap();
     }
 }
 
-fn open(out: &Path) -> Result<Part, String> {
-    Part::open(out, "job", &format()).map_err(|f| match f {
+fn open(out: &Path) -> Result<PartialTable, String> {
+    PartialTable::open(out, "job", &format()).map_err(|f| match f {
         Failure::Output(words) => words.en,
         _ => panic!("another failure"),
     })

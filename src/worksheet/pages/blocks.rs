@@ -3,12 +3,12 @@
 //! their own.
 
 use super::super::display::built;
-use super::super::{Table, TableKind};
-use super::{BOTTOM_MM, Chunk, FOOT_MM, FULL_MM, PAPER_MM, SIDE_MM, Setter, TEXT_MM, TOP_MM, line};
+use super::super::{DocumentTable, TableKind};
+use super::{BOTTOM_MM, Chunk, FOOT_MM, FULL_MM, PAPER_MM, PageSetter, SIDE_MM, TEXT_MM, TOP_MM, line};
 use crate::geom::{Point, Vec2};
 use crate::paper::extent::{bounds, translate};
 use crate::paper::grid::{self, Cell, Row};
-use crate::paper::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
+use crate::paper::item::{Anchor, Colour, Figure, FigureItem, LineStroke, Shape};
 use crate::paper::label::Label;
 use crate::paper::lines::wrapped;
 use crate::paper::phrase::Phrase;
@@ -44,7 +44,7 @@ const ROWS_MIN: usize = 3;
 /// that prints.
 const SMALLEST: f64 = 0.6;
 
-impl Setter {
+impl PageSetter {
     pub(super) fn heading(&mut self, level: usize, words: &str) {
         // A section begins only after the drawings of the section before it.
         if !self.drawings.is_empty() && level <= 2 {
@@ -123,7 +123,7 @@ impl Setter {
         let labels = wrapped(phrase, self.width() - indent, TEXT_MM, &self.fonts);
         let count = labels.len();
         let step = self.setting.line_em * TEXT_MM;
-        let mut group: Vec<Item> = Vec::new();
+        let mut group: Vec<FigureItem> = Vec::new();
         let (mut rows, mut first) = (0, true);
         for (k, label) in labels.iter().enumerate() {
             let y = -(rows as f64) * step - TEXT_MM * 1.1;
@@ -151,22 +151,22 @@ impl Setter {
     }
 
     /// A table; one longer than a page continues with its head repeated.
-    pub(super) fn table(&mut self, table: &Table) {
+    pub(super) fn table(&mut self, table: &DocumentTable) {
         if let Some((head, rows)) = table.rows.split_first()
             && rows.len() > ROWS_MAX
         {
             for some in rows.chunks(ROWS_MAX) {
                 let rows = std::iter::once(head).chain(some).cloned().collect();
-                self.table(&Table { kind: table.kind, rows });
+                self.table(&DocumentTable { kind: table.kind, rows });
             }
             return;
         }
         if let Some(fit) = self.fitting(table).filter(|_| self.setting.filled) {
             let (here, there) = table.rows.split_at(fit);
             let rest = table.rows[..1].iter().chain(there).cloned().collect();
-            self.table(&Table { kind: table.kind, rows: here.to_vec() });
+            self.table(&DocumentTable { kind: table.kind, rows: here.to_vec() });
             self.break_page();
-            return self.table(&Table { kind: table.kind, rows: rest });
+            return self.table(&DocumentTable { kind: table.kind, rows: rest });
         }
         let gap = if table.kind == TableKind::Equation { EQUATION_GAP_MM } else { VALUES_GAP_MM };
         let set = |scale: f64| {
@@ -184,8 +184,8 @@ impl Setter {
         if table.kind == TableKind::Values {
             let y = -step * 1.15;
             let to = bounds(&items).map_or(0.0, |b| b.max.x);
-            let shape = Shape::Line { from: Point::new(0.0, y), to: Point::new(to, y), stroke: Stroke::new(0.2) };
-            items.push(Item::new("rule", shape));
+            let shape = Shape::Line { from: Point::new(0.0, y), to: Point::new(to, y), stroke: LineStroke::new(0.2) };
+            items.push(FigureItem::new("rule", shape));
         } else if wide * scale < room - INDENT_MM {
             translate(&mut items, Vec2::new(INDENT_MM, 0.0));
         }
@@ -198,7 +198,7 @@ impl Setter {
 
     /// The number of rows of a table of values that fit on the rest of this page, if not all but
     /// enough rows do.
-    fn fitting(&self, table: &Table) -> Option<usize> {
+    fn fitting(&self, table: &DocumentTable) -> Option<usize> {
         let above: f64 = self.waiting.iter().map(|c| c.air_mm + c.height_mm).sum();
         let step = self.setting.line_em * TEXT_MM;
         // The head, and the space around the table, take the height of two rows.
@@ -249,7 +249,7 @@ impl Setter {
         if figure.paper != Colour::WHITE {
             let corners = [(0.0, 0.0), (figure.width_mm, 0.0), (figure.width_mm, figure.height_mm), (0.0, figure.height_mm)];
             let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
-            items.insert(0, Item::new("paper", Shape::Polyline { points, closed: true, stroke: None, fill: Some(figure.paper) }));
+            items.insert(0, FigureItem::new("paper", Shape::Polyline { points, closed: true, stroke: None, fill: Some(figure.paper) }));
         }
         let Some(ink) = bounds(&items) else { return };
         let (wide, high) = (ink.width_mm(), ink.height_mm());
@@ -286,7 +286,7 @@ impl Setter {
 
 /// Structure of a table for readers of tagged PDF: an equation is read as a whole, in a table of
 /// values each cell.
-fn structure(table: &Table) -> Kind {
+fn structure(table: &DocumentTable) -> Kind {
     match table.kind {
         TableKind::Equation => {
             let row = |r: &Vec<Phrase>| r.iter().map(Phrase::plain).collect::<Vec<_>>().join(" ");

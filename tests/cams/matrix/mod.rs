@@ -9,7 +9,7 @@ mod seat;
 
 use crate::wide::every;
 use envelope::{End, Held, held};
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::geom::Vec2;
 use hodograph::scene;
 use hodograph::worked::{Scope, work};
@@ -46,11 +46,11 @@ fn differences(f: impl Fn(f64) -> f64) -> [f64; 3] {
     [c, (a - 8.0 * b + 8.0 * d - e) / (12.0 * H), (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * H * H)]
 }
 
-fn numbers(v: Value) -> [f64; 2] {
+fn numbers(v: AnswerValue) -> [f64; 2] {
     match v {
-        Value::Scalar(s) => [s, 0.0],
-        Value::Vector(v) => [v.x, v.y],
-        Value::Point(p) => [p.x, p.y],
+        AnswerValue::Scalar(s) => [s, 0.0],
+        AnswerValue::Vector(v) => [v.x, v.y],
+        AnswerValue::Point(p) => [p.x, p.y],
     }
 }
 

@@ -7,10 +7,10 @@
 //! within reach stay the same. The contact changes there only where two pieces hold the follower
 //! equally far out, or where a piece ceases to reach it; bisection finds these angles.
 
-use super::disc::{BESIDE, Disc, Follower, Motion, Touch};
-use super::jet::Jet;
-use super::outline::Segment;
-use super::{Side, in_turn};
+use super::disc::{BESIDE, CamMotion, Disc, Follower, FollowerTip};
+use super::jet::CamJet;
+use super::outline::ProfileSegment;
+use super::{PieceSide, in_turn};
 use crate::geom::Vec2;
 use crate::number::Real;
 
@@ -20,20 +20,20 @@ const ONE_JOINT: f64 = 1e-11;
 impl<N: Real> Disc<N> {
     /// Returns the angles of the cam at which the follower's position matches an end of a piece, in
     /// contact there or not.
-    pub(super) fn ends(&self, segment: &Segment<N>) -> Vec<N> {
+    pub(super) fn ends(&self, segment: &ProfileSegment<N>) -> Vec<N> {
         let turns: Vec<N> = match (segment, self.touch) {
-            (Segment::Arc { normals: [from, to], .. }, _) if (*to - *from).approx().abs() >= std::f64::consts::TAU => Vec::new(),
-            (Segment::Arc { centre, radius, normals }, Touch::Point { radius: r }) => {
+            (ProfileSegment::Arc { normals: [from, to], .. }, _) if (*to - *from).approx().abs() >= std::f64::consts::TAU => Vec::new(),
+            (ProfileSegment::Arc { centre, radius, normals }, FollowerTip::Point { radius: r }) => {
                 normals.iter().flat_map(|n| self.turns_to(*centre + Vec2::from_angle(*n) * (*radius + r))).collect()
             }
-            (Segment::Line { normal, distance, ends }, Touch::Point { radius: r }) => {
+            (ProfileSegment::Line { normal, distance, ends }, FollowerTip::Point { radius: r }) => {
                 let n = Vec2::from_angle(*normal);
                 ends.iter().flat_map(|t| self.turns_to(n * (*distance + r) + n.perp() * *t)).collect()
             }
-            (Segment::Arc { centre, radius, normals }, Touch::Flat { lever }) => {
+            (ProfileSegment::Arc { centre, radius, normals }, FollowerTip::Flat { lever }) => {
                 normals.iter().flat_map(|n| self.turns_facing(*n, Vec2::from_angle(*n).dot(*centre) + *radius - lever)).collect()
             }
-            (Segment::Line { .. }, Touch::Flat { .. }) => Vec::new(),
+            (ProfileSegment::Line { .. }, FollowerTip::Flat { .. }) => Vec::new(),
         };
         turns.into_iter().map(|turn| if self.sense < 0.0 { -turn } else { turn }).collect()
     }
@@ -65,7 +65,7 @@ impl<N: Real> Disc<N> {
         match self.follower {
             Follower::Translating { direction, .. } => [direction.angle() - normal; 2],
             Follower::Oscillating { pivot, .. } => {
-                let aside = Jet::constant(out / pivot.norm()).arc_cosine().value();
+                let aside = CamJet::constant(out / pivot.norm()).arc_cosine().value();
                 [aside, -aside].map(|a| pivot.angle() + a - normal)
             }
         }
@@ -79,25 +79,25 @@ impl Disc {
     /// continues through 0.
     pub fn stretches(&self) -> Vec<(f64, Option<usize>)> {
         let joints = match &self.motion {
-            Motion::Profile(segments) if segments.len() > 1 => self.changes(segments),
-            Motion::Profile(_) | Motion::Law { .. } => Vec::new(),
+            CamMotion::Profile(segments) if segments.len() > 1 => self.changes(segments),
+            CamMotion::Profile(_) | CamMotion::Law { .. } => Vec::new(),
         };
         if joints.is_empty() {
-            return vec![(0.0, self.touched(0.0, Side::After))];
+            return vec![(0.0, self.touched(0.0, PieceSide::After))];
         }
-        joints.into_iter().map(|phi| (phi, self.touched(phi, Side::After))).collect()
+        joints.into_iter().map(|phi| (phi, self.touched(phi, PieceSide::After))).collect()
     }
 
     /// Returns the angles at which the contact changes from one piece of the profile to another,
     /// from 0 on.
-    pub(super) fn changes(&self, segments: &[Segment]) -> Vec<f64> {
+    pub(super) fn changes(&self, segments: &[ProfileSegment]) -> Vec<f64> {
         let mut ends: Vec<f64> = segments.iter().flat_map(|s| self.ends(s)).filter(|phi| phi.is_finite()).map(in_turn).collect();
         ends.push(0.0);
         ends.sort_by(f64::total_cmp);
         ends.dedup_by(|a, b| (*a - *b).abs() < ONE_JOINT);
         let mut out = Vec::new();
         for (k, &here) in ends.iter().enumerate() {
-            if self.touched(here, Side::Before) != self.touched(here, Side::After) {
+            if self.touched(here, PieceSide::Before) != self.touched(here, PieceSide::After) {
                 out.push(here);
             }
             let next = ends.get(k + 1).copied().unwrap_or(std::f64::consts::TAU);
@@ -122,7 +122,7 @@ impl Disc {
 
     /// Finds the angles, each to rounding, at which the touched piece changes.
     fn between(&self, [mut low, mut high]: [f64; 2], out: &mut Vec<f64>, depth: usize) {
-        let of = |phi: f64| self.touched(phi, Side::After);
+        let of = |phi: f64| self.touched(phi, PieceSide::After);
         let (first, last) = (of(low), of(high));
         if first == last {
             return;

@@ -6,9 +6,9 @@
 //! coordinate q of an oscillating follower is the angle of its arm (or face) from the line
 //! pivot–centre, positive outward. The lift s is q less its least value on the base circle.
 
-use super::jet::{Jet, Plane};
-use super::outline::Segment;
-use super::{Program, Side, in_half_turns};
+use super::jet::{CamJet, Plane};
+use super::outline::ProfileSegment;
+use super::{PieceSide, StageProgram, in_half_turns};
 use crate::geom::Vec2;
 use crate::number::Real;
 
@@ -42,23 +42,23 @@ impl<N: Real> Follower<N> {
 
     /// Returns the follower's point at a coordinate; for a translating face, its point on the line
     /// of the guide.
-    pub fn point(&self, q: Jet<N>) -> Plane<N> {
+    pub fn point(&self, q: CamJet<N>) -> Plane<N> {
         match *self {
             Follower::Translating { direction, offset } => Plane::constant(direction.perp() * -offset) + Plane::constant(direction) * q,
             Follower::Oscillating { pivot, arm, sense } => {
-                let u = Plane::direction(q.signed(sense) + Jet::constant(Follower::centre_line(pivot)));
-                Plane::constant(pivot) + u * Jet::constant(arm)
+                let u = Plane::direction(q.signed(sense) + CamJet::constant(Follower::centre_line(pivot)));
+                Plane::constant(pivot) + u * CamJet::constant(arm)
             }
         }
     }
 
     /// Returns the outward normal of a flat face: away from the cam. A translating face is square
     /// to its guide.
-    pub fn normal(&self, q: Jet<N>) -> Plane<N> {
+    pub fn normal(&self, q: CamJet<N>) -> Plane<N> {
         match *self {
             Follower::Translating { direction, .. } => Plane::constant(direction),
             Follower::Oscillating { pivot, sense, .. } => {
-                Plane::direction(q.signed(sense) + Jet::constant(Follower::centre_line(pivot))).perp().signed(sense)
+                Plane::direction(q.signed(sense) + CamJet::constant(Follower::centre_line(pivot))).perp().signed(sense)
             }
         }
     }
@@ -67,25 +67,25 @@ impl<N: Real> Follower<N> {
     fn outward(&self, q: N) -> Vec2<N> {
         match *self {
             Follower::Translating { direction, .. } => direction,
-            Follower::Oscillating { .. } => self.normal(Jet::constant(q)).order(0),
+            Follower::Oscillating { .. } => self.normal(CamJet::constant(q)).order(0),
         }
     }
 
     /// Returns the coordinate at which the follower's point has a given distance from K; a negative
     /// distance means that K lies beyond it.
-    pub(super) fn at_distance(&self, k: Plane<N>, distance: N) -> Jet<N> {
-        let (square, way) = (Jet::constant(distance * distance), if distance.approx() < 0.0 { -1.0 } else { 1.0 });
+    pub(super) fn at_distance(&self, k: Plane<N>, distance: N) -> CamJet<N> {
+        let (square, way) = (CamJet::constant(distance * distance), if distance.approx() < 0.0 { -1.0 } else { 1.0 });
         match *self {
             Follower::Translating { direction, offset } => {
                 let d = Plane::constant(direction);
-                let aside = Jet::constant(offset) + k.dot(d.perp());
+                let aside = CamJet::constant(offset) + k.dot(d.perp());
                 k.dot(d) + (square - aside * aside).sqrt().signed(way)
             }
             Follower::Oscillating { pivot, arm, sense } => {
                 let pk = k - Plane::constant(pivot);
                 let apart = pk.dot(pk);
                 let twice = N::from_f64(2.0) * arm;
-                let cosine = (apart + Jet::constant(arm * arm) - square) * (apart.sqrt() * twice).recip();
+                let cosine = (apart + CamJet::constant(arm * arm) - square) * (apart.sqrt() * twice).recip();
                 let at = pk.angle() + cosine.arc_cosine().signed(sense * way);
                 Follower::from_centre_line(at, pivot, sense)
             }
@@ -94,12 +94,12 @@ impl<N: Real> Follower<N> {
 
     /// Returns the coordinate at which a flat face, offset by `lever` from its pivot, has a given
     /// distance from K.
-    pub(super) fn faced(&self, k: Plane<N>, distance: N, lever: N) -> Jet<N> {
+    pub(super) fn faced(&self, k: Plane<N>, distance: N, lever: N) -> CamJet<N> {
         match *self {
-            Follower::Translating { direction, .. } => k.dot(Plane::constant(direction)) + Jet::constant(distance),
+            Follower::Translating { direction, .. } => k.dot(Plane::constant(direction)) + CamJet::constant(distance),
             Follower::Oscillating { pivot, sense, .. } => {
                 let pk = k - Plane::constant(pivot);
-                let sine = Jet::constant(lever - distance) * pk.dot(pk).sqrt().recip();
+                let sine = CamJet::constant(lever - distance) * pk.dot(pk).sqrt().recip();
                 Follower::from_centre_line(pk.angle() - sine.arc_sine().signed(sense), pivot, sense)
             }
         }
@@ -107,27 +107,27 @@ impl<N: Real> Follower<N> {
 
     /// Returns the coordinate at which the follower's point lies on the line with this normal at
     /// this distance from the origin.
-    pub(super) fn along_line(&self, normal: Jet<N>, distance: N) -> Jet<N> {
+    pub(super) fn along_line(&self, normal: CamJet<N>, distance: N) -> CamJet<N> {
         let n = Plane::direction(normal);
         match *self {
             Follower::Translating { direction, offset } => {
                 let (d, aside) = (Plane::constant(direction), Plane::constant(direction.perp() * -offset));
                 let slope = d.dot(n);
                 if slope.value().approx() <= 0.0 {
-                    return Jet::constant(N::from_f64(f64::NAN));
+                    return CamJet::constant(N::from_f64(f64::NAN));
                 }
-                (Jet::constant(distance) - aside.dot(n)) * slope.recip()
+                (CamJet::constant(distance) - aside.dot(n)) * slope.recip()
             }
             Follower::Oscillating { pivot, arm, sense } => {
-                let cosine = (Jet::constant(distance) - Plane::constant(pivot).dot(n)) * (N::from_f64(1.0) / arm);
+                let cosine = (CamJet::constant(distance) - Plane::constant(pivot).dot(n)) * (N::from_f64(1.0) / arm);
                 Follower::from_centre_line(normal - cosine.arc_cosine().signed(sense), pivot, sense)
             }
         }
     }
 
     /// Returns the coordinate that belongs to a direction of the arm.
-    fn from_centre_line(at: Jet<N>, pivot: Vec2<N>, sense: f64) -> Jet<N> {
-        let mut q = (at - Jet::constant(Follower::centre_line(pivot))).signed(sense);
+    fn from_centre_line(at: CamJet<N>, pivot: Vec2<N>, sense: f64) -> CamJet<N> {
+        let mut q = (at - CamJet::constant(Follower::centre_line(pivot))).signed(sense);
         q.0[0] = in_half_turns(q.0[0]);
         q
     }
@@ -135,7 +135,7 @@ impl<N: Real> Follower<N> {
 
 /// The end of the follower that touches the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Touch<N = f64> {
+pub enum FollowerTip<N = f64> {
     /// A round end about the follower's point: a roller 滚子, an arc (mushroom), or with radius 0 a knife edge 尖顶.
     Point {
         /// Radius (m).
@@ -151,16 +151,16 @@ pub enum Touch<N = f64> {
 
 /// The source of the follower's motion.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Motion<N = f64> {
+pub enum CamMotion<N = f64> {
     /// A law; the profile follows from it.
     Law {
         /// Radius of the base circle of the profile (m) 基圆.
         base: N,
         /// The stages.
-        program: Program<N>,
+        program: StageProgram<N>,
     },
     /// A profile; the motion follows from it.
-    Profile(Vec<Segment<N>>),
+    Profile(Vec<ProfileSegment<N>>),
 }
 
 /// A cam with its follower.
@@ -169,9 +169,9 @@ pub struct Disc<N = f64> {
     /// The motion of the follower.
     pub follower: Follower<N>,
     /// The end of the follower.
-    pub touch: Touch<N>,
+    pub touch: FollowerTip<N>,
     /// The source of the motion.
-    pub motion: Motion<N>,
+    pub motion: CamMotion<N>,
     /// +1 if φ grows counter-clockwise, −1 if the cam turns clockwise.
     pub sense: f64,
 }
@@ -187,11 +187,11 @@ pub enum Branch {
 
 /// The state of the cam at one angle. Points and directions are in the frame of the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Station<N = f64> {
+pub struct CamStation<N = f64> {
     /// The angle (rad).
     pub phi: N,
     /// The coordinate of the follower, with its derivatives.
-    pub q: Jet<N>,
+    pub q: CamJet<N>,
     /// The follower's point on the pitch curve 理论廓线; for a flat face its foot: the point of the
     /// face on the line of the guide or pivot.
     pub pitch: Vec2<N>,
@@ -212,7 +212,7 @@ pub struct Station<N = f64> {
     pub pressure_slope: N,
 }
 
-impl<N: Real> Station<N> {
+impl<N: Real> CamStation<N> {
     /// Returns the centre of curvature of the profile.
     pub fn centre(&self) -> Vec2<N> {
         self.contact - self.normal * self.rho
@@ -224,7 +224,7 @@ impl<N: Real> Station<N> {
 pub(super) const BESIDE: f64 = 1e-9;
 
 /// The contact as computed from the follower's end.
-struct Bent<N> {
+struct ContactGeometry<N> {
     pitch: Vec2<N>,
     contact: Vec2<N>,
     normal: Vec2<N>,
@@ -240,8 +240,8 @@ impl<N: Real> Disc<N> {
     /// is on the base circle, or which the face touches.
     fn reach(&self, base: N) -> N {
         match self.touch {
-            Touch::Point { radius } => base + radius,
-            Touch::Flat { .. } => base,
+            FollowerTip::Point { radius } => base + radius,
+            FollowerTip::Flat { .. } => base,
         }
     }
 
@@ -251,8 +251,8 @@ impl<N: Real> Disc<N> {
         let reach = self.reach(base);
         let centre = Plane::constant(Vec2::zero());
         match self.touch {
-            Touch::Point { .. } => self.follower.at_distance(centre, reach),
-            Touch::Flat { lever } => self.follower.faced(centre, reach, lever),
+            FollowerTip::Point { .. } => self.follower.at_distance(centre, reach),
+            FollowerTip::Flat { lever } => self.follower.faced(centre, reach, lever),
         }
         .value()
     }
@@ -262,47 +262,47 @@ impl<N: Real> Disc<N> {
     }
 
     /// Returns the follower's coordinate with its derivatives by φ, by the formula of a branch.
-    pub fn coordinate_on(&self, branch: Branch, phi: N) -> Option<Jet<N>> {
+    pub fn coordinate_on(&self, branch: Branch, phi: N) -> Option<CamJet<N>> {
         let q = match (&self.motion, branch) {
-            (Motion::Law { base, program }, Branch::Stage(stage, piece)) => {
-                program.lift_in((stage, piece), phi)? + Jet::constant(self.rest(*base))
+            (CamMotion::Law { base, program }, Branch::Stage(stage, piece)) => {
+                program.lift_in((stage, piece), phi)? + CamJet::constant(self.rest(*base))
             }
-            (Motion::Profile(segments), Branch::Piece(piece)) => {
-                segments.get(piece)?.coordinate(&self.follower, &self.touch, Jet::variable(phi).signed(self.sense))
+            (CamMotion::Profile(segments), Branch::Piece(piece)) => {
+                segments.get(piece)?.coordinate(&self.follower, &self.touch, CamJet::variable(phi).signed(self.sense))
             }
-            (Motion::Law { .. }, Branch::Piece(_)) | (Motion::Profile(_), Branch::Stage(..)) => return None,
+            (CamMotion::Law { .. }, Branch::Piece(_)) | (CamMotion::Profile(_), Branch::Stage(..)) => return None,
         };
         q.0.iter().all(|x| x.is_decided()).then_some(q)
     }
 
     /// Returns the state at one angle, by the formula of a branch.
-    pub fn station_on(&self, branch: Branch, phi: N) -> Option<Station<N>> {
+    pub fn station_on(&self, branch: Branch, phi: N) -> Option<CamStation<N>> {
         let station = self.station_of(self.coordinate_on(branch, phi)?, phi);
-        let (Motion::Profile(segments), Branch::Piece(piece)) = (&self.motion, branch) else { return Some(station) };
+        let (CamMotion::Profile(segments), Branch::Piece(piece)) = (&self.motion, branch) else { return Some(station) };
         // The curvature of a given profile is known and is not recomputed from the motion.
         let (rho, rho_slope) = (segments.get(piece)?.radius(), N::from_f64(0.0));
         let rho_pitch = match self.touch {
-            Touch::Point { radius } => rho + radius,
-            Touch::Flat { .. } => rho,
+            FollowerTip::Point { radius } => rho + radius,
+            FollowerTip::Flat { .. } => rho,
         };
-        Some(Station { rho, rho_pitch, rho_slope, ..station })
+        Some(CamStation { rho, rho_pitch, rho_slope, ..station })
     }
 
-    fn station_of(&self, q: Jet<N>, phi: N) -> Station<N> {
-        let back = Jet::variable(phi).signed(-self.sense);
-        let Bent { pitch, contact, normal, turning, rho, rho_pitch, rho_slope } = match self.touch {
-            Touch::Point { radius } => self.round_end(q, back, radius),
-            Touch::Flat { lever } => self.flat_end(q, back, lever),
+    fn station_of(&self, q: CamJet<N>, phi: N) -> CamStation<N> {
+        let back = CamJet::variable(phi).signed(-self.sense);
+        let ContactGeometry { pitch, contact, normal, turning, rho, rho_pitch, rho_slope } = match self.touch {
+            FollowerTip::Point { radius } => self.round_end(q, back, radius),
+            FollowerTip::Flat { lever } => self.flat_end(q, back, lever),
         };
-        let standing = Jet::constant(back.value());
+        let standing = CamJet::constant(back.value());
         let out = Plane::constant(self.follower.outward(q.value())).turned(standing).order(0);
         let against = |way: Vec2<N>| self.signed(way.cross(normal).atan2(way.dot(normal)));
         let zero = N::from_f64(0.0);
         let pressure = match (self.touch, self.follower) {
             // A flat face is pushed along its own normal. If it passes through its pivot, that is
             // the direction in which the contact point moves.
-            (Touch::Flat { .. }, Follower::Translating { .. }) => zero,
-            (Touch::Flat { lever }, Follower::Oscillating { pivot, sense, .. }) => {
+            (FollowerTip::Flat { .. }, Follower::Translating { .. }) => zero,
+            (FollowerTip::Flat { lever }, Follower::Oscillating { pivot, sense, .. }) => {
                 if lever == zero {
                     zero
                 } else {
@@ -310,14 +310,14 @@ impl<N: Real> Disc<N> {
                     against(if sense < 0.0 { -way } else { way })
                 }
             }
-            (Touch::Point { .. }, _) => against(out),
+            (FollowerTip::Point { .. }, _) => against(out),
         };
         let pressure_slope = self.signed(turning - self.normal_rate(q).value());
-        Station { phi, q, pitch, contact, normal, rho, rho_pitch, rho_slope, pressure, pressure_slope }
+        CamStation { phi, q, pitch, contact, normal, rho, rho_pitch, rho_slope, pressure, pressure_slope }
     }
 
     /// Computes the contact of a round end.
-    fn round_end(&self, q: Jet<N>, back: Jet<N>, radius: N) -> Bent<N> {
+    fn round_end(&self, q: CamJet<N>, back: CamJet<N>, radius: N) -> ContactGeometry<N> {
         let b = self.follower.point(q).turned(back);
         let w = b.derivative();
         let z = w.derivative();
@@ -334,17 +334,17 @@ impl<N: Real> Disc<N> {
         let rho = if rho_pitch.is_decided() { rho_pitch - radius } else { rho_pitch };
         let rho_slope = (N::from_f64(3.0) * speed * along.dot(across) - rho_pitch * bend.0[1]) / bend.value();
         let pitch = b.order(0);
-        Bent { pitch, contact: pitch - normal * radius, normal, turning: turn.value() / square, rho, rho_pitch, rho_slope }
+        ContactGeometry { pitch, contact: pitch - normal * radius, normal, turning: turn.value() / square, rho, rho_pitch, rho_slope }
     }
 
     /// Computes the contact of a flat face.
-    fn flat_end(&self, q: Jet<N>, back: Jet<N>, lever: N) -> Bent<N> {
+    fn flat_end(&self, q: CamJet<N>, back: CamJet<N>, lever: N) -> ContactGeometry<N> {
         let m = self.follower.normal(q);
         // Support function: the distance of the face from the centre, as a function of the
         // direction of its normal in the cam.
         let distance = match self.follower {
             Follower::Translating { .. } => q,
-            Follower::Oscillating { pivot, .. } => m.dot(Plane::constant(pivot)) + Jet::constant(lever),
+            Follower::Oscillating { pivot, .. } => m.dot(Plane::constant(pivot)) + CamJet::constant(lever),
         };
         let normal = m.turned(back);
         let rate = self.normal_rate(q);
@@ -357,28 +357,28 @@ impl<N: Real> Disc<N> {
             Follower::Oscillating { pivot, .. } => Plane::constant(pivot).turned(back).order(0) + n * lever,
         };
         let (rho, rho_slope) = (rho.0[0], rho.0[1]);
-        Bent { pitch: foot, contact, normal: n, turning: rate.value(), rho, rho_pitch: rho, rho_slope }
+        ContactGeometry { pitch: foot, contact, normal: n, turning: rate.value(), rho, rho_pitch: rho, rho_slope }
     }
 
     /// Returns the rate at which a direction of the follower, the normal of its flat face, turns in
     /// the cam as φ grows.
-    fn normal_rate(&self, q: Jet<N>) -> Jet<N> {
+    fn normal_rate(&self, q: CamJet<N>) -> CamJet<N> {
         let turning = match self.follower {
-            Follower::Translating { .. } => Jet::constant(N::from_f64(0.0)),
+            Follower::Translating { .. } => CamJet::constant(N::from_f64(0.0)),
             Follower::Oscillating { sense, .. } => q.derivative().signed(sense),
         };
-        turning - Jet::constant(N::from_f64(self.sense))
+        turning - CamJet::constant(N::from_f64(self.sense))
     }
 }
 
 impl Disc {
     /// Returns the piece of the profile that is touched; among several, the one that holds the
     /// follower farthest out. `None` for a law, and if no piece is touched.
-    pub fn touched(&self, phi: f64, side: Side) -> Option<usize> {
-        let Motion::Profile(segments) = &self.motion else { return None };
+    pub fn touched(&self, phi: f64, side: PieceSide) -> Option<usize> {
+        let CamMotion::Profile(segments) = &self.motion else { return None };
         let beside = match side {
-            Side::Before => phi - BESIDE,
-            Side::After => phi + BESIDE,
+            PieceSide::Before => phi - BESIDE,
+            PieceSide::After => phi + BESIDE,
         };
         // If the follower leaves its cam here, nothing is touched beside the pose on that side, but
         // a piece is touched in the pose.
@@ -387,10 +387,10 @@ impl Disc {
 
     /// Returns the piece that holds the follower farthest out when the cam is turned by `turn`
     /// (rad).
-    fn farthest(&self, segments: &[Segment], turn: f64) -> Option<usize> {
+    fn farthest(&self, segments: &[ProfileSegment], turn: f64) -> Option<usize> {
         let mut best: Option<(usize, f64)> = None;
         for (i, segment) in segments.iter().enumerate() {
-            let q = segment.coordinate(&self.follower, &self.touch, Jet::constant(turn)).value();
+            let q = segment.coordinate(&self.follower, &self.touch, CamJet::constant(turn)).value();
             if q.is_finite() && segment.holds(&self.follower, &self.touch, turn, q) && best.is_none_or(|b| q > b.1) {
                 best = Some((i, q));
             }
@@ -399,38 +399,38 @@ impl Disc {
     }
 
     /// Returns the formula that applies at an angle; `None` if nothing is touched.
-    pub fn branch(&self, phi: f64, side: Side) -> Option<Branch> {
+    pub fn branch(&self, phi: f64, side: PieceSide) -> Option<Branch> {
         match &self.motion {
-            Motion::Law { program, .. } => program.branch(phi, side).map(|(stage, piece)| Branch::Stage(stage, piece)),
-            Motion::Profile(_) => self.touched(phi, side).map(Branch::Piece),
+            CamMotion::Law { program, .. } => program.branch(phi, side).map(|(stage, piece)| Branch::Stage(stage, piece)),
+            CamMotion::Profile(_) => self.touched(phi, side).map(Branch::Piece),
         }
     }
 
     /// Returns the follower's coordinate with its derivatives by φ; `None` if it touches nothing.
-    pub fn coordinate(&self, phi: f64, side: Side) -> Option<Jet> {
+    pub fn coordinate(&self, phi: f64, side: PieceSide) -> Option<CamJet> {
         match &self.motion {
-            Motion::Law { base, program } => {
-                let q = program.lift(phi, side) + Jet::constant(self.rest(*base));
+            CamMotion::Law { base, program } => {
+                let q = program.lift(phi, side) + CamJet::constant(self.rest(*base));
                 q.0.iter().all(|x| x.is_finite()).then_some(q)
             }
-            Motion::Profile(_) => self.coordinate_on(Branch::Piece(self.touched(phi, side)?), phi),
+            CamMotion::Profile(_) => self.coordinate_on(Branch::Piece(self.touched(phi, side)?), phi),
         }
     }
 
     /// Returns the state at one angle.
-    pub fn station(&self, phi: f64, side: Side) -> Option<Station> {
+    pub fn station(&self, phi: f64, side: PieceSide) -> Option<CamStation> {
         match self.motion {
-            Motion::Law { .. } => Some(self.station_of(self.coordinate(phi, side)?, phi)),
-            Motion::Profile(_) => self.station_on(self.branch(phi, side)?, phi),
+            CamMotion::Law { .. } => Some(self.station_of(self.coordinate(phi, side)?, phi)),
+            CamMotion::Profile(_) => self.station_on(self.branch(phi, side)?, phi),
         }
     }
 
     /// Returns the angles of the cam at which pieces of its law or of its profile meet, from 0 on.
     pub fn corners(&self) -> Vec<f64> {
         match &self.motion {
-            Motion::Law { program, .. } => program.corners(),
-            Motion::Profile(segments) if segments.len() > 1 => self.changes(segments),
-            Motion::Profile(_) => Vec::new(),
+            CamMotion::Law { program, .. } => program.corners(),
+            CamMotion::Profile(segments) if segments.len() > 1 => self.changes(segments),
+            CamMotion::Profile(_) => Vec::new(),
         }
     }
 }

@@ -3,13 +3,13 @@
 
 use super::exact::{is_at, root};
 use super::survey::{least_base, sharpest};
-use super::turn::{Peak, Turn};
-use super::{Branch, Disc, Exact, Follower, Motion, Segment, Side, Station, Touch, round};
+use super::turn::{DividedTurn, Peak};
+use super::{Branch, CamMotion, CamStation, Disc, ExactCam, Follower, FollowerTip, PieceSide, ProfileSegment, round};
 use crate::number::Real;
 
 /// An extreme of a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mark {
+pub enum CamExtreme {
     /// Least (0) or greatest (1) s′.
     Rate(usize),
     /// Least (0) or greatest (1) s″.
@@ -28,30 +28,30 @@ const BESIDE: f64 = 1e-9;
 const SAMPLES: usize = 720;
 const BETWEEN_SAMPLES: f64 = 1e-3;
 
-impl<N: Real> Exact<'_, N> {
+impl<N: Real> ExactCam<'_, N> {
     /// Returns the cam in these numbers.
     pub fn disc(&self) -> &Disc<N> {
         &self.disc
     }
 
     /// Returns the angle and the value of an extreme.
-    pub fn mark(&self, mark: Mark) -> Option<[N; 2]> {
+    pub fn mark(&self, mark: CamExtreme) -> Option<[N; 2]> {
         let survey = self.survey();
         match mark {
-            Mark::Rate(k) => self.peak(survey.fastest[0][k]?, &|s| s.q.0[2], &|s| s.q.0[1]),
-            Mark::Bend(k) => self.peak(survey.fastest[1][k]?, &|s| s.q.0[3], &|s| s.q.0[2]),
-            Mark::Pressure(k) => {
+            CamExtreme::Rate(k) => self.peak(survey.fastest[0][k]?, &|s| s.q.0[2], &|s| s.q.0[1]),
+            CamExtreme::Bend(k) => self.peak(survey.fastest[1][k]?, &|s| s.q.0[3], &|s| s.q.0[2]),
+            CamExtreme::Pressure(k) => {
                 let peak = survey.steepest[k]?;
                 // The rate is zero where a phase of the follower begins or ends.
                 let ends = survey.phases.iter().flat_map(|p| [p.from, p.to]).any(|end| is_at(end, peak.phi));
-                let slope: &dyn Fn(&Station<N>) -> N = if ends { &|s| s.q.0[1] } else { &|s| s.pressure_slope };
+                let slope: &dyn Fn(&CamStation<N>) -> N = if ends { &|s| s.q.0[1] } else { &|s| s.pressure_slope };
                 self.peak(peak, slope, &|s| s.pressure)
             }
-            Mark::Radius => self.peak(survey.sharpest?, &|s| s.rho_slope, &|s| s.rho_pitch),
+            CamExtreme::Radius => self.peak(survey.sharpest?, &|s| s.rho_slope, &|s| s.rho_pitch),
         }
     }
 
-    fn peak(&self, peak: Peak, slope: &dyn Fn(&Station<N>) -> N, value: &dyn Fn(&Station<N>) -> N) -> Option<[N; 2]> {
+    fn peak(&self, peak: Peak, slope: &dyn Fn(&CamStation<N>) -> N, value: &dyn Fn(&CamStation<N>) -> N) -> Option<[N; 2]> {
         let place = self.located(peak.phi, peak.side, slope)?;
         let station = self.disc.station_on(self.double.branch(peak.phi, peak.side)?, place)?;
         Some([place, value(&station)])
@@ -61,25 +61,25 @@ impl<N: Real> Exact<'_, N> {
     pub fn jump(&self, index: usize) -> Option<[N; 3]> {
         let jump = self.survey().jumps.get(index)?;
         let place = self.joint(jump.phi)?;
-        let on = |side: Side| Some(self.disc.coordinate_on(self.double.branch(jump.phi, side)?, place)?.0[jump.shock.order()]);
-        Some([place, on(Side::Before)?, on(Side::After)?])
+        let on = |side: PieceSide| Some(self.disc.coordinate_on(self.double.branch(jump.phi, side)?, place)?.0[jump.shock.order()]);
+        Some([place, on(PieceSide::Before)?, on(PieceSide::After)?])
     }
 
     /// Returns the angle of the first contact with a hollow that is too narrow for the follower's
     /// end, and the radius of the hollow (negative).
     pub fn hollow(&self) -> Option<[N; 2]> {
-        let (Motion::Profile(segments), Touch::Point { radius }) = (&self.disc.motion, self.disc.touch) else { return None };
+        let (CamMotion::Profile(segments), FollowerTip::Point { radius }) = (&self.disc.motion, self.disc.touch) else { return None };
         let narrow = |rho: &N| rho.approx() < 0.0 && -rho.approx() <= radius.approx();
-        let rho = segments.iter().map(Segment::radius).find(narrow)?;
-        Some([self.located(self.survey().hollow?.0, Side::After, &|s| s.rho_slope)?, rho])
+        let rho = segments.iter().map(ProfileSegment::radius).find(narrow)?;
+        Some([self.located(self.survey().hollow?.0, PieceSide::After, &|s| s.rho_slope)?, rho])
     }
 
     /// Returns the radius of the base circle; for a profile, the least distance of the touched
     /// points from the axis.
     pub fn base(&self) -> Option<N> {
         let segments = match &self.disc.motion {
-            Motion::Law { base, .. } => return Some(*base),
-            Motion::Profile(segments) => segments,
+            CamMotion::Law { base, .. } => return Some(*base),
+            CamMotion::Profile(segments) => segments,
         };
         let near = round(self.double, SAMPLES)
             .into_iter()
@@ -88,8 +88,8 @@ impl<N: Real> Exact<'_, N> {
         let Branch::Piece(piece) = self.double.branch(phi, side)? else { return None };
         // On the normal through the axis, or at an end of the piece.
         let (distance, radius) = match segments[piece] {
-            Segment::Arc { centre, radius, .. } => (centre.norm(), radius),
-            Segment::Line { distance, .. } => (distance, N::from_f64(0.0)),
+            ProfileSegment::Arc { centre, radius, .. } => (centre.norm(), radius),
+            ProfileSegment::Line { distance, .. } => (distance, N::from_f64(0.0)),
         };
         let (sum, difference) = (distance + radius, distance - radius);
         let all = [sum, -sum, difference, -difference].into_iter().filter(|x| x.approx() > 0.0);
@@ -103,14 +103,14 @@ impl<N: Real> Exact<'_, N> {
     /// Returns the pressure angle at the start of the rise.
     pub fn pressure_at_start(&self) -> Option<N> {
         let from = self.survey().phases.iter().find(|p| p.way == 1)?.from;
-        let peak = Peak { phi: from, side: Side::After, value: 0.0 };
+        let peak = Peak { phi: from, side: PieceSide::After, value: 0.0 };
         self.peak(peak, &|s| s.q.0[1], &|s| s.pressure).map(|[_, pressure]| pressure)
     }
 
     /// Returns the least half width of a flat face about its point: max |s′|, since the contact is
     /// at the distance s′ from the point.
     pub fn face_half(&self) -> Option<N> {
-        let both = [self.mark(Mark::Rate(0))?[1], self.mark(Mark::Rate(1))?[1]];
+        let both = [self.mark(CamExtreme::Rate(0))?[1], self.mark(CamExtreme::Rate(1))?[1]];
         let [low, high] = both.map(N::magnitude);
         Some(if low.approx() > high.approx() { low } else { high })
     }
@@ -122,19 +122,19 @@ impl<N: Real> Exact<'_, N> {
         let near = least_base(self.double)?;
         let zero = N::from_f64(0.0);
         let (radius, reach) = match (self.disc.touch, self.disc.follower) {
-            (Touch::Flat { .. }, _) => (zero, None),
-            (Touch::Point { radius }, Follower::Translating { offset, .. }) => (radius, Some(offset)),
-            (Touch::Point { radius }, Follower::Oscillating { pivot, arm, .. }) => (radius, Some(pivot.norm() - arm)),
+            (FollowerTip::Flat { .. }, _) => (zero, None),
+            (FollowerTip::Point { radius }, Follower::Translating { offset, .. }) => (radius, Some(offset)),
+            (FollowerTip::Point { radius }, Follower::Oscillating { pivot, arm, .. }) => (radius, Some(pivot.norm() - arm)),
         };
         let reach = reach.map(|r| r.magnitude() - radius);
         if let Some(reach) = reach.filter(|r| (r.approx() - near).abs() <= BESIDE * near) {
             return Some(reach);
         }
         let double = with_base(self.double, near)?;
-        let peak = sharpest(&double, &Turn::of(&double))?;
+        let peak = sharpest(&double, &DividedTurn::of(&double))?;
         root(near, BESIDE * near, &|base| {
             let disc = with_base(&self.disc, base)?;
-            let place = Exact { disc: disc.clone(), ..*self }.located(peak.phi, peak.side, &|s| s.rho_slope)?;
+            let place = ExactCam { disc: disc.clone(), ..*self }.located(peak.phi, peak.side, &|s| s.rho_slope)?;
             Some(disc.station_on(self.double.branch(peak.phi, peak.side)?, place)?.rho_pitch - radius)
         })
     }
@@ -142,6 +142,6 @@ impl<N: Real> Exact<'_, N> {
 
 /// Returns the cam with the same law on another base circle.
 fn with_base<N: Real>(disc: &Disc<N>, base: N) -> Option<Disc<N>> {
-    let Motion::Law { program, .. } = &disc.motion else { return None };
-    Some(Disc { motion: Motion::Law { base, program: program.clone() }, ..disc.clone() })
+    let CamMotion::Law { program, .. } = &disc.motion else { return None };
+    Some(Disc { motion: CamMotion::Law { base, program: program.clone() }, ..disc.clone() })
 }

@@ -7,14 +7,14 @@
 //! zero of a derivative. The secant method finds the zero; it lies surely between two angles at
 //! which the signs of the function differ.
 
-use super::survey::Phase;
+use super::survey::FollowerPhase;
 use super::turn::Peak;
-use super::{Branch, Disc, Motion, Side, Station, Survey, Surveyed, Touch, in_half_turns, whole_turns};
+use super::{Branch, CamMotion, CamStation, CamSurvey, Disc, FollowerTip, PieceSide, Surveyed, in_half_turns, whole_turns};
 use crate::number::Real;
 use std::f64::consts::TAU;
 
 /// A cam in one kind of number, with the same cam in double precision.
-pub struct Exact<'a, N> {
+pub struct ExactCam<'a, N> {
     pub(super) double: &'a Disc,
     pub(super) survey: &'a Surveyed,
     pub(super) disc: Disc<N>,
@@ -28,28 +28,28 @@ const ON_THE_JOINT: f64 = 1e-12;
 /// by chance.
 const THE_SAME: f64 = 1e-8;
 
-impl<'a, N: Real> Exact<'a, N> {
+impl<'a, N: Real> ExactCam<'a, N> {
     /// Creates a cam in one kind of number; `double` is the same cam in double precision, with its
     /// survey.
     pub fn new(double: &'a Disc, survey: &'a Surveyed, disc: Disc<N>) -> Self {
-        Exact { double, survey, disc }
+        ExactCam { double, survey, disc }
     }
 
     /// The survey in double precision.
-    pub(super) fn survey(&self) -> &'a Survey {
+    pub(super) fn survey(&self) -> &'a CamSurvey {
         self.survey.of(self.double)
     }
 
     /// Returns the state at an angle, seen from a side, by the formula that applies there in double
     /// precision.
-    pub fn station(&self, (near, side): (f64, Side), phi: N) -> Option<Station<N>> {
+    pub fn station(&self, (near, side): (f64, PieceSide), phi: N) -> Option<CamStation<N>> {
         self.disc.station_on(self.double.branch(near, side)?, phi)
     }
 
     /// Returns the lift: the follower's coordinate less its value on the base circle.
-    pub fn lift(&self, (near, side): (f64, Side), phi: N) -> Option<N> {
+    pub fn lift(&self, (near, side): (f64, PieceSide), phi: N) -> Option<N> {
         match (&self.disc.motion, self.double.branch(near, side)?) {
-            (Motion::Law { program, .. }, Branch::Stage(stage, piece)) => program.lift_in((stage, piece), phi).map(|s| s.value()),
+            (CamMotion::Law { program, .. }, Branch::Stage(stage, piece)) => program.lift_in((stage, piece), phi).map(|s| s.value()),
             (_, branch) => Some(self.disc.coordinate_on(branch, phi)?.value() - self.end(0)?),
         }
     }
@@ -57,8 +57,8 @@ impl<'a, N: Real> Exact<'a, N> {
     /// Returns the greatest lift.
     pub fn stroke(&self) -> Option<N> {
         match &self.disc.motion {
-            Motion::Law { program, .. } => Some(program.stroke()),
-            Motion::Profile(_) => Some(self.end(1)? - self.end(0)?),
+            CamMotion::Law { program, .. } => Some(program.stroke()),
+            CamMotion::Profile(_) => Some(self.end(1)? - self.end(0)?),
         }
     }
 
@@ -69,32 +69,34 @@ impl<'a, N: Real> Exact<'a, N> {
         self.disc.coordinate_on(self.double.branch(phi, side)?, place).map(|q| q.value())
     }
 
-    /// Returns the sum of the angles of the phases of a kind: see [`Survey::angle`].
+    /// Returns the sum of the angles of the phases of a kind: see [`CamSurvey::angle`].
     pub fn angle(&self, way: i8, out: bool) -> Option<N> {
-        let reversal = |phi: f64, side: Side| self.located(phi, side, &|s| s.q.0[1]);
+        let reversal = |phi: f64, side: PieceSide| self.located(phi, side, &|s| s.q.0[1]);
         // Double precision may take the ends of a phase in the wrong order if the profile hardly
         // lifts the follower.
-        let of = |p: &Phase| Some(reversal(p.to, Side::Before)? - reversal(p.from, Side::After)?).filter(|a| a.approx() >= 0.0);
+        let of = |p: &FollowerPhase| {
+            Some(reversal(p.to, PieceSide::Before)? - reversal(p.from, PieceSide::After)?).filter(|a| a.approx() >= 0.0)
+        };
         self.survey().phases_of(way, out).try_fold(N::from_f64(0.0), |sum, p| Some(sum + of(p)?))
     }
 
-    /// Returns the least radius of curvature of the profile: see [`Survey::sharpest`].
+    /// Returns the least radius of curvature of the profile: see [`CamSurvey::sharpest`].
     pub fn least_rho(&self) -> Option<N> {
         let Peak { phi, side, .. } = self.survey().sharpest?;
         let branch = self.double.branch(phi, side)?;
-        if let (Motion::Profile(segments), Branch::Piece(piece)) = (&self.disc.motion, branch) {
+        if let (CamMotion::Profile(segments), Branch::Piece(piece)) = (&self.disc.motion, branch) {
             return segments.get(piece).map(|s| s.radius());
         }
         let station = self.disc.station_on(branch, self.located(phi, side, &|s| s.rho_slope)?)?;
         Some(match self.disc.touch {
-            Touch::Point { radius } => station.rho_pitch - radius,
-            Touch::Flat { .. } => station.rho,
+            FollowerTip::Point { radius } => station.rho_pitch - radius,
+            FollowerTip::Flat { .. } => station.rho,
         })
     }
 
     /// Returns the exact angle of a result of double precision: a joint, or the zero of a
     /// derivative.
-    pub(super) fn located(&self, phi: f64, side: Side, slope: &dyn Fn(&Station<N>) -> N) -> Option<N> {
+    pub(super) fn located(&self, phi: f64, side: PieceSide, slope: &dyn Fn(&CamStation<N>) -> N) -> Option<N> {
         if self.survey().corners.iter().any(|c| is_at(*c, phi)) {
             return self.joint(phi);
         }
@@ -111,15 +113,15 @@ impl<'a, N: Real> Exact<'a, N> {
     /// of the profile; otherwise the angle at which two pieces hold the follower equally far out.
     pub(super) fn joint(&self, phi: f64) -> Option<N> {
         let ends: Vec<N> = match &self.disc.motion {
-            Motion::Law { program, .. } => program.corners(),
-            Motion::Profile(segments) => segments.iter().flat_map(|s| self.disc.ends(s)).collect(),
+            CamMotion::Law { program, .. } => program.corners(),
+            CamMotion::Profile(segments) => segments.iter().flat_map(|s| self.disc.ends(s)).collect(),
         };
         let off = |x: &N| in_half_turns(x.approx() - phi).abs();
         let end = ends.into_iter().filter(|x| x.is_decided() && off(x) <= THE_SAME).min_by(|a, b| off(a).total_cmp(&off(b)));
         if let Some(x) = end {
             return Some(x - whole_turns(libm::rint((x.approx() - phi) / TAU)));
         }
-        let [before, after] = [Side::Before, Side::After].map(|side| self.double.branch(phi, side));
+        let [before, after] = [PieceSide::Before, PieceSide::After].map(|side| self.double.branch(phi, side));
         let (before, after) = (before?, after?);
         let of = |branch: Branch, x: N| self.disc.coordinate_on(branch, x).map(|q| q.value());
         root(phi, STEP, &|x| Some(of(before, x)? - of(after, x)?))
@@ -160,7 +162,7 @@ pub(super) fn root<N: Real>(near: f64, step: f64, f: &dyn Fn(N) -> Option<N>) ->
         (a, fa, b, fb) = (b, fb, next, there);
         // A value that cannot be distinguished from zero, or that does not decrease, is not
         // improved by further steps.
-        if !told(fb) || fb.approx().abs() >= last.approx().abs() {
+        if !is_surely_nonzero(fb) || fb.approx().abs() >= last.approx().abs() {
             break;
         }
     }
@@ -171,7 +173,7 @@ pub(super) fn root<N: Real>(near: f64, step: f64, f: &dyn Fn(N) -> Option<N>) ->
     while r <= step {
         let [low, high] = [-r, r].map(|r| f(b + N::from_f64(r)));
         let (low, high) = (low?, high?);
-        if told(low) && told(high) && low.approx().signum() != high.approx().signum() {
+        if is_surely_nonzero(low) && is_surely_nonzero(high) && low.approx().signum() != high.approx().signum() {
             return Some(b.widened(r));
         }
         r *= 4.0;
@@ -180,6 +182,6 @@ pub(super) fn root<N: Real>(near: f64, step: f64, f: &dyn Fn(N) -> Option<N>) ->
 }
 
 /// Returns true if a number is surely not zero.
-fn told<N: Real>(x: N) -> bool {
+fn is_surely_nonzero<N: Real>(x: N) -> bool {
     x.is_decided() && x.approx().abs() * (1.0 - 1e-15) > x.radius()
 }

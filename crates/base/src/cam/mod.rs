@@ -3,7 +3,7 @@
 //!
 //! This module computes s(φ) with its first three derivatives ([`law`], [`program`], [`outline`]);
 //! the profile by inversion, pressure angle and radius of curvature ([`Disc`]); extremes, undercut
-//! and jumps of a whole turn ([`Survey`]). All functions are pure functions of numbers. Other
+//! and jumps of a whole turn ([`CamSurvey`]). All functions are pure functions of numbers. Other
 //! modules decide how a scene writes a cam, which kinematic pairs replace its contact, and which
 //! items are drawn.
 //!
@@ -25,22 +25,22 @@ pub mod survey;
 mod tests;
 mod turn;
 
-pub use disc::{Branch, Disc, Follower, Motion, Station, Touch};
-pub use enclosed::Mark;
-pub use exact::Exact;
-pub use jet::Jet;
-pub use law::Law;
-pub use outline::Segment;
-pub use program::{Jump, Program, Shock, Stage, Way, in_turn_of};
+pub use disc::{Branch, CamMotion, CamStation, Disc, Follower, FollowerTip};
+pub use enclosed::CamExtreme;
+pub use exact::ExactCam;
+pub use jet::CamJet;
+pub use law::MotionLaw;
+pub use outline::ProfileSegment;
+pub use program::{Jump, Shock, Stage, StageMotion, StageProgram, in_turn_of};
 pub use round::round;
-pub use survey::{Fault, Survey, Surveyed, least_base};
+pub use survey::{CamSurvey, Fault, Surveyed, least_base};
 pub use turn::Peak;
 
 use crate::number::Real;
 
 /// The side of a joint of two pieces from which a value is taken, in the direction of growing φ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum PieceSide {
     /// The value as φ approaches the joint from below.
     Before,
     /// The value after the joint.

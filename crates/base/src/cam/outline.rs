@@ -6,8 +6,8 @@
 //! flat face. These are the equivalent linkages 高副低代. They are exact on the whole piece,
 //! including every derivative.
 
-use super::disc::{Follower, Touch};
-use super::jet::{Jet, Plane};
+use super::disc::{Follower, FollowerTip};
+use super::jet::{CamJet, Plane};
 use super::{in_half_turns, in_turn, whole_turns};
 use crate::geom::Vec2;
 use crate::number::Real;
@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 
 /// A piece of a profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Segment<N = f64> {
+pub enum ProfileSegment<N = f64> {
     /// An arc.
     Arc {
         /// The centre.
@@ -40,54 +40,54 @@ pub enum Segment<N = f64> {
 /// Relative tolerance at the ends of a piece: joints are computed from both sides.
 const ON: f64 = 1e-12;
 
-impl<N: Real> Segment<N> {
+impl<N: Real> ProfileSegment<N> {
     /// Returns the radius of curvature, convex positive; a line has an infinite radius.
     pub fn radius(&self) -> N {
         match self {
-            Segment::Arc { radius, .. } => *radius,
-            Segment::Line { .. } => N::from_f64(f64::INFINITY),
+            ProfileSegment::Arc { radius, .. } => *radius,
+            ProfileSegment::Line { .. } => N::from_f64(f64::INFINITY),
         }
     }
 
     /// Returns the follower's coordinate (see [`super::Disc`]) in contact with this piece, with the
     /// cam turned by `turn`; undecided if no contact is possible.
-    pub fn coordinate(&self, follower: &Follower<N>, touch: &Touch<N>, turn: Jet<N>) -> Jet<N> {
-        let nothing = || Jet::constant(N::from_f64(f64::NAN));
+    pub fn coordinate(&self, follower: &Follower<N>, touch: &FollowerTip<N>, turn: CamJet<N>) -> CamJet<N> {
+        let nothing = || CamJet::constant(N::from_f64(f64::NAN));
         match (self, *touch) {
-            (Segment::Arc { centre, radius, .. }, Touch::Point { radius: r }) => {
+            (ProfileSegment::Arc { centre, radius, .. }, FollowerTip::Point { radius: r }) => {
                 let k = Plane::constant(*centre).turned(turn);
                 follower.at_distance(k, *radius + r)
             }
-            (Segment::Arc { centre, radius, .. }, Touch::Flat { lever }) => {
+            (ProfileSegment::Arc { centre, radius, .. }, FollowerTip::Flat { lever }) => {
                 if radius.approx() < 0.0 {
                     return nothing();
                 }
                 follower.faced(Plane::constant(*centre).turned(turn), *radius, lever)
             }
-            (Segment::Line { normal, distance, .. }, Touch::Point { radius }) => {
-                follower.along_line(turn + Jet::constant(*normal), *distance + radius)
+            (ProfileSegment::Line { normal, distance, .. }, FollowerTip::Point { radius }) => {
+                follower.along_line(turn + CamJet::constant(*normal), *distance + radius)
             }
             // Two lines touch only at their ends, which are corners.
-            (Segment::Line { .. }, Touch::Flat { .. }) => nothing(),
+            (ProfileSegment::Line { .. }, FollowerTip::Flat { .. }) => nothing(),
         }
     }
 }
 
-impl Segment {
+impl ProfileSegment {
     /// Returns true if the follower at this coordinate touches within the piece.
-    pub fn holds(&self, follower: &Follower, touch: &Touch, turn: f64, coordinate: f64) -> bool {
-        let back = Jet::constant(-turn);
-        let q = Jet::constant(coordinate);
+    pub fn holds(&self, follower: &Follower, touch: &FollowerTip, turn: f64, coordinate: f64) -> bool {
+        let back = CamJet::constant(-turn);
+        let q = CamJet::constant(coordinate);
         match *touch {
-            Touch::Flat { .. } => self.faces(follower.normal(q).turned(back).angle().value()),
-            Touch::Point { radius } => {
+            FollowerTip::Flat { .. } => self.faces(follower.normal(q).turned(back).angle().value()),
+            FollowerTip::Point { radius } => {
                 let b = follower.point(q).turned(back).order(0);
                 match self {
-                    Segment::Arc { centre, radius: rho, .. } => {
+                    ProfileSegment::Arc { centre, radius: rho, .. } => {
                         let n = (b - *centre) * (1.0 / (rho + radius));
                         self.faces(libm::atan2(n.y, n.x))
                     }
-                    Segment::Line { normal, ends: [from, to], .. } => {
+                    ProfileSegment::Line { normal, ends: [from, to], .. } => {
                         let along = Vec2::from_angle(*normal).perp().dot(b);
                         let slack = ON * (to - from).abs().max(b.norm());
                         (from - slack..=to + slack).contains(&along)
@@ -101,12 +101,12 @@ impl Segment {
     /// frame of the cam; `None` if the point lies beyond the piece's ends.
     pub fn missed_by(&self, end: Vec2, radius: f64) -> Option<f64> {
         match self {
-            Segment::Arc { centre, radius: rho, .. } => {
+            ProfileSegment::Arc { centre, radius: rho, .. } => {
                 let (way, length) = (end - *centre, rho + radius);
                 let outward = if length < 0.0 { -way } else { way };
                 self.faces(outward.angle()).then(|| way.norm() - length.abs())
             }
-            Segment::Line { normal, distance, ends: [from, to] } => {
+            ProfileSegment::Line { normal, distance, ends: [from, to] } => {
                 let n = Vec2::from_angle(*normal);
                 let along = n.perp().dot(end);
                 let slack = ON * (to - from).abs().max(end.norm());
@@ -120,11 +120,11 @@ impl Segment {
     /// the normal (rad) on an arc, fractions of the length on a line; negative within the piece.
     pub fn beyond(&self, end: Vec2, radius: f64) -> [f64; 2] {
         match self {
-            Segment::Arc { centre, radius: rho, .. } => {
+            ProfileSegment::Arc { centre, radius: rho, .. } => {
                 let way = end - *centre;
                 self.beyond_facing((if rho + radius < 0.0 { -way } else { way }).angle())
             }
-            Segment::Line { normal, ends: [from, to], .. } => {
+            ProfileSegment::Line { normal, ends: [from, to], .. } => {
                 let along = Vec2::from_angle(*normal).perp().dot(end);
                 [(from - along) / (to - from), (along - to) / (to - from)]
             }
@@ -136,23 +136,23 @@ impl Segment {
     /// infinite for a line.
     pub fn beyond_facing(&self, direction: f64) -> [f64; 2] {
         match self {
-            Segment::Arc { normals: [from, to], .. } => {
+            ProfileSegment::Arc { normals: [from, to], .. } => {
                 let way = in_half_turns(direction - 0.5 * (from + to)) * (to - from).signum();
                 let half = 0.5 * (to - from).abs();
                 [-way - half, way - half]
             }
-            Segment::Line { .. } => [f64::INFINITY; 2],
+            ProfileSegment::Line { .. } => [f64::INFINITY; 2],
         }
     }
 
     /// Returns true if an arc has an outward normal of this direction.
     pub fn faces(&self, direction: f64) -> bool {
         match self {
-            Segment::Arc { normals: [from, to], .. } => {
+            ProfileSegment::Arc { normals: [from, to], .. } => {
                 let (low, high) = (from.min(*to), from.max(*to));
                 high - low >= TAU - ON || in_half_turns(direction - 0.5 * (low + high)).abs() <= 0.5 * (high - low) + ON
             }
-            Segment::Line { .. } => false,
+            ProfileSegment::Line { .. } => false,
         }
     }
 
@@ -160,12 +160,12 @@ impl Segment {
     /// two of them.
     pub fn points(&self, most: f64) -> Vec<Vec2> {
         match *self {
-            Segment::Arc { centre, radius, normals: [from, to] } => {
+            ProfileSegment::Arc { centre, radius, normals: [from, to] } => {
                 let count = libm::ceil((to - from).abs() / most).max(1.0) as usize;
                 let at = |k: usize| centre + Vec2::from_angle(from + (to - from) * k as f64 / count as f64) * radius;
                 (0..=count).map(at).collect()
             }
-            Segment::Line { normal, distance, ends } => {
+            ProfileSegment::Line { normal, distance, ends } => {
                 let n = Vec2::from_angle(normal);
                 ends.iter().map(|t| n * distance + n.perp() * *t).collect()
             }
@@ -175,7 +175,7 @@ impl Segment {
 
 /// A part of a profile in a scene: a circle, or the piece between two circles.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Part<N = f64> {
+pub enum ProfilePart<N = f64> {
     /// An arc about a centre with a radius; zero makes a corner.
     Circle(Vec2<N>, N),
     /// The outer tangent of the preceding and the following circle.
@@ -201,36 +201,36 @@ pub enum Broken {
 ///
 /// # Errors
 /// The first part that does not fit between its neighbours.
-pub fn segments<N: Real>(parts: &[Part<N>]) -> Result<Vec<Segment<N>>, Broken> {
+pub fn segments<N: Real>(parts: &[ProfilePart<N>]) -> Result<Vec<ProfileSegment<N>>, Broken> {
     let n = parts.len();
-    if let [Part::Circle(centre, radius)] = parts {
-        return Ok(vec![Segment::Arc { centre: *centre, radius: *radius, normals: [N::from_f64(0.0), whole_turns(1.0)] }]);
+    if let [ProfilePart::Circle(centre, radius)] = parts {
+        return Ok(vec![ProfileSegment::Arc { centre: *centre, radius: *radius, normals: [N::from_f64(0.0), whole_turns(1.0)] }]);
     }
     let circle = |i: usize| match parts[i % n] {
-        Part::Circle(c, r) => Some((c, r)),
-        Part::Tangent | Part::Flank(_) => None,
+        ProfilePart::Circle(c, r) => Some((c, r)),
+        ProfilePart::Tangent | ProfilePart::Flank(_) => None,
     };
     if n == 0 || (0..n).all(|i| circle(i).is_none()) {
         return Err(Broken::NoCircle);
     }
     // Beginning and end of each circle.
     let mut ends = vec![[N::from_f64(0.0); 2]; n];
-    let mut made: Vec<Option<Segment<N>>> = vec![None; n];
+    let mut made: Vec<Option<ProfileSegment<N>>> = vec![None; n];
     for i in 0..n {
         let next = (i + 1) % n;
         match parts[i] {
-            Part::Circle(a, ra) => {
+            ProfilePart::Circle(a, ra) => {
                 // A circle directly after this one.
                 let Some((b, rb)) = circle(next).filter(|_| next != i) else { continue };
                 let [from, to] = crossing(a, ra, b, rb).ok_or(Broken::Apart(next))?;
                 (ends[i][1], ends[next][0]) = (from, to);
             }
-            Part::Tangent | Part::Flank(_) => {
+            ProfilePart::Tangent | ProfilePart::Flank(_) => {
                 let before = (i + n - 1) % n;
                 let ((a, ra), (b, rb)) = circle(before).zip(circle(next)).ok_or(Broken::NoNeighbour(i))?;
                 let (segment, from, to) = match parts[i] {
-                    Part::Flank(radius) => flank(a, ra, b, rb, radius),
-                    Part::Tangent | Part::Circle(..) => tangent(a, ra, b, rb),
+                    ProfilePart::Flank(radius) => flank(a, ra, b, rb, radius),
+                    ProfilePart::Tangent | ProfilePart::Circle(..) => tangent(a, ra, b, rb),
                 }
                 .ok_or(Broken::Apart(i))?;
                 (ends[before][1], ends[next][0], made[i]) = (from, to, Some(segment));
@@ -238,12 +238,12 @@ pub fn segments<N: Real>(parts: &[Part<N>]) -> Result<Vec<Segment<N>>, Broken> {
         }
     }
     let one = |i: usize| match parts[i] {
-        Part::Circle(centre, radius) => {
+        ProfilePart::Circle(centre, radius) => {
             let [from, to] = ends[i];
             // Counter-clockwise, less than a turn.
-            Some(Segment::Arc { centre, radius, normals: [from, from + counter_clockwise(to - from)] })
+            Some(ProfileSegment::Arc { centre, radius, normals: [from, from + counter_clockwise(to - from)] })
         }
-        Part::Tangent | Part::Flank(_) => made[i],
+        ProfilePart::Tangent | ProfilePart::Flank(_) => made[i],
     };
     (0..n).map(one).collect::<Option<Vec<_>>>().ok_or(Broken::NoCircle)
 }
@@ -256,21 +256,21 @@ fn counter_clockwise<N: Real>(angle: N) -> N {
 
 /// Returns the outer tangent on the right of the direction from one centre to the other, and the
 /// direction of its normal, twice.
-fn tangent<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N) -> Option<(Segment<N>, N, N)> {
+fn tangent<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N) -> Option<(ProfileSegment<N>, N, N)> {
     let way = b - a;
     let cosine = (ra - rb) / way.norm();
     if !cosine.is_decided() || cosine.approx().abs() > 1.0 {
         return None;
     }
-    let normal = way.angle() - Jet::constant(cosine).arc_cosine().value();
+    let normal = way.angle() - CamJet::constant(cosine).arc_cosine().value();
     let n = Vec2::from_angle(normal);
     let along = n.perp();
-    Some((Segment::Line { normal, distance: a.dot(n) + ra, ends: [a.dot(along), b.dot(along)] }, normal, normal))
+    Some((ProfileSegment::Line { normal, distance: a.dot(n) + ra, ends: [a.dot(along), b.dot(along)] }, normal, normal))
 }
 
 /// Returns an arc of a radius that touches two circles on the right of the direction from one
 /// centre to the other.
-fn flank<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N, radius: N) -> Option<(Segment<N>, N, N)> {
+fn flank<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N, radius: N) -> Option<(ProfileSegment<N>, N, N)> {
     let way = b - a;
     let (d, la, lb) = (way.norm(), radius - ra, radius - rb);
     let foot = (d * d + la * la - lb * lb) / (N::from_f64(2.0) * d);
@@ -289,7 +289,7 @@ fn flank<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N, radius: N) -> Option<(Se
         return None;
     }
     let (from, to) = (normal(a), normal(b));
-    Some((Segment::Arc { centre, radius, normals: [from, from + in_half_turns(to - from)] }, from, to))
+    Some((ProfileSegment::Arc { centre, radius, normals: [from, from + in_half_turns(to - from)] }, from, to))
 }
 
 /// Returns the directions of the normals of two circles at their intersection on the right of the

@@ -1,23 +1,24 @@
 //! Sampling of a whole turn of a cam: angles, points of its profile, its base circle.
 
-use super::{Disc, Motion, Side};
+use super::{CamMotion, Disc, PieceSide};
 use crate::geom::Vec2;
 
 /// Returns angles of the cam from 0 to a whole turn: equal steps and, at every joint, both sides.
-pub fn round(disc: &Disc, steps: usize) -> Vec<(f64, Side)> {
+pub fn round(disc: &Disc, steps: usize) -> Vec<(f64, PieceSide)> {
     let tau = std::f64::consts::TAU;
     let corners = disc.corners();
     // A step that coincides with a joint within rounding is the joint.
     let apart = |phi: f64| corners.iter().all(|c| (c - phi).abs() > 1e-7);
-    let even = (0..steps).map(|k| tau * k as f64 / steps as f64).filter(|phi| *phi == 0.0 || apart(*phi)).map(|phi| (phi, Side::After));
-    let joints = corners.iter().flat_map(|phi| [(*phi, Side::Before), (*phi, Side::After)]);
-    let mut all: Vec<(f64, Side)> = even.chain(joints).chain([(tau, Side::Before)]).collect();
-    all.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1 == Side::After).cmp(&(b.1 == Side::After))));
+    let even =
+        (0..steps).map(|k| tau * k as f64 / steps as f64).filter(|phi| *phi == 0.0 || apart(*phi)).map(|phi| (phi, PieceSide::After));
+    let joints = corners.iter().flat_map(|phi| [(*phi, PieceSide::Before), (*phi, PieceSide::After)]);
+    let mut all: Vec<(f64, PieceSide)> = even.chain(joints).chain([(tau, PieceSide::Before)]).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1 == PieceSide::After).cmp(&(b.1 == PieceSide::After))));
     all.dedup_by(|a, b| a.1 == b.1 && (a.0 - b.0).abs() < 1e-9);
     // The turn begins after its start and ends before it.
-    let outside = |(phi, side): &(f64, Side)| match side {
-        Side::Before => *phi < 1e-9,
-        Side::After => *phi > tau - 1e-9,
+    let outside = |(phi, side): &(f64, PieceSide)| match side {
+        PieceSide::Before => *phi < 1e-9,
+        PieceSide::After => *phi > tau - 1e-9,
     };
     all.retain(|station| !outside(station));
     all
@@ -27,11 +28,11 @@ impl Disc {
     /// Returns points along the profile, in the frame of the cam; closed.
     pub fn outline(&self, steps: usize) -> Vec<Vec2> {
         match &self.motion {
-            Motion::Profile(segments) => {
+            CamMotion::Profile(segments) => {
                 let most = std::f64::consts::TAU / steps as f64;
                 segments.iter().flat_map(|s| s.points(most)).collect()
             }
-            Motion::Law { .. } => {
+            CamMotion::Law { .. } => {
                 round(self, steps).into_iter().filter_map(|(phi, side)| self.station(phi, side)).map(|s| s.contact).collect()
             }
         }
@@ -41,8 +42,8 @@ impl Disc {
     /// points from the centre.
     pub fn base(&self) -> f64 {
         match &self.motion {
-            Motion::Law { base, .. } => *base,
-            Motion::Profile(_) => {
+            CamMotion::Law { base, .. } => *base,
+            CamMotion::Profile(_) => {
                 let near = round(self, 720).into_iter().filter_map(|(phi, side)| self.station(phi, side));
                 near.map(|s| s.contact.norm()).fold(f64::INFINITY, f64::min)
             }

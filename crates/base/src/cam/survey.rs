@@ -2,8 +2,8 @@
 //! curvature, undercut and the base circle that avoids it.
 
 use super::program::{Jump, Shock};
-use super::turn::{Peak, Turn, sampled, zero};
-use super::{Disc, Motion, Side, Station, Touch};
+use super::turn::{DividedTurn, Peak, sampled, zero};
+use super::{CamMotion, CamStation, Disc, FollowerTip, PieceSide};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
@@ -46,11 +46,11 @@ pub enum Fault {
 }
 
 /// An extreme of a quantity: the angle of the cam (rad) and the value.
-pub type Extreme = (f64, f64);
+pub type PhiExtreme = (f64, f64);
 
 /// A part of the turn in which the follower goes out, rests, or comes back.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Phase {
+pub struct FollowerPhase {
     /// +1 out, 0 at rest, −1 back.
     pub way: i8,
     /// Angle at which the phase begins (rad).
@@ -63,26 +63,26 @@ pub struct Phase {
 
 /// The results of a whole turn.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Survey {
+pub struct CamSurvey {
     /// The least coordinate of the follower, from which the lift is counted.
     pub rest: f64,
     /// The greatest lift h.
     pub stroke: f64,
     /// Rises, dwells and returns, in order from the first rise on.
-    pub phases: Vec<Phase>,
+    pub phases: Vec<FollowerPhase>,
     /// Angles at which s′ or s″ jumps.
     pub jumps: Vec<Jump>,
     /// Least and greatest s′.
-    pub velocity: [Extreme; 2],
+    pub velocity: [PhiExtreme; 2],
     /// Least and greatest s″ between jumps.
-    pub acceleration: [Extreme; 2],
+    pub acceleration: [PhiExtreme; 2],
     /// Greatest magnitude of the pressure angle on the way out and on the way back; `None` for a
     /// flat face.
-    pub pressure: [Option<Extreme>; 2],
+    pub pressure: [Option<PhiExtreme>; 2],
     /// The least convex radius of the pitch curve; for a flat face the least radius of the profile,
     /// negative if a hollow is needed.
-    pub least_rho: Option<Extreme>,
-    /// The least radius of [`Survey::least_rho`] with the side of a joint.
+    pub least_rho: Option<PhiExtreme>,
+    /// The least radius of [`CamSurvey::least_rho`] with the side of a joint.
     pub sharpest: Option<Peak>,
     /// Least and greatest s′, least and greatest s″, with the side of a joint.
     pub fastest: [[Option<Peak>; 2]; 2],
@@ -93,7 +93,7 @@ pub struct Survey {
     /// Angles at which pieces of the law or of the profile meet.
     pub corners: Vec<f64>,
     /// The sharpest hollow: the greatest negative radius.
-    pub hollow: Option<Extreme>,
+    pub hollow: Option<PhiExtreme>,
     /// The faults of the cam.
     pub faults: Vec<Fault>,
 }
@@ -107,7 +107,7 @@ const JUMP: f64 = 1e-7;
 /// holds a disc keeps its survey beside it, since the disc is the same at every position of a
 /// motion.
 #[derive(Clone, Debug, Default)]
-pub struct Surveyed(Arc<OnceLock<Survey>>);
+pub struct Surveyed(Arc<OnceLock<CamSurvey>>);
 
 /// The survey follows from the disc and adds no information: two of them compare equal.
 impl PartialEq for Surveyed {
@@ -118,19 +118,19 @@ impl PartialEq for Surveyed {
 
 impl Surveyed {
     /// Returns the survey of the disc to which this value belongs.
-    pub fn of(&self, disc: &Disc) -> &Survey {
-        self.0.get_or_init(|| Survey::of(disc))
+    pub fn of(&self, disc: &Disc) -> &CamSurvey {
+        self.0.get_or_init(|| CamSurvey::of(disc))
     }
 }
 
-impl Survey {
+impl CamSurvey {
     /// Surveys a whole turn.
-    pub fn of(disc: &Disc) -> Survey {
+    pub fn of(disc: &Disc) -> CamSurvey {
         let mut faults = Vec::new();
-        let turn = Turn::of(disc);
-        let lift = |phi: f64, side: Side| disc.coordinate(phi, side);
-        let samples: Vec<(f64, Side)> = turn.spans.iter().flat_map(|s| sampled(*s)).collect();
-        let known: Vec<Station> = samples.iter().filter_map(|(phi, side)| disc.station(*phi, *side)).collect();
+        let turn = DividedTurn::of(disc);
+        let lift = |phi: f64, side: PieceSide| disc.coordinate(phi, side);
+        let samples: Vec<(f64, PieceSide)> = turn.spans.iter().flat_map(|s| sampled(*s)).collect();
+        let known: Vec<CamStation> = samples.iter().filter_map(|(phi, side)| disc.station(*phi, *side)).collect();
         if let Some((phi, _)) = samples.iter().find(|(phi, side)| disc.station(*phi, *side).is_none()) {
             faults.push(Fault::NoContact { phi: *phi });
         }
@@ -145,19 +145,19 @@ impl Survey {
         let ends = peak(0, -1.0).zip(peak(0, 1.0)).map(|(low, high)| [low, high]);
         let [low, high] = ends.map_or([0.0; 2], |ends| ends.map(|p| p.value));
         let rest = match &disc.motion {
-            Motion::Law { base, .. } => disc.rest(*base),
-            Motion::Profile(_) => low,
+            CamMotion::Law { base, .. } => disc.rest(*base),
+            CamMotion::Profile(_) => low,
         };
         let jumps = jumps(disc, &turn.corners, [v_most, a_most]);
         let phases = phases(disc, &known, &turn.spans, v_most);
         let steepest = [1, -1].map(|way| match disc.touch {
-            Touch::Flat { .. } => None,
-            Touch::Point { .. } => greatest_pressure(disc, &turn, phases.iter().filter(|p| p.way == way)),
+            FollowerTip::Flat { .. } => None,
+            FollowerTip::Point { .. } => greatest_pressure(disc, &turn, phases.iter().filter(|p| p.way == way)),
         });
         let sharpest = sharpest(disc, &turn);
-        let of_hollow = |s: Station| Some([s.rho_pitch, s.rho_slope]).filter(|r| r[0] < 0.0);
+        let of_hollow = |s: CamStation| Some([s.rho_pitch, s.rho_slope]).filter(|r| r[0] < 0.0);
         let hollow = turn.best(|phi, side| disc.station(phi, side).and_then(of_hollow)).map(Peak::extreme);
-        let mut survey = Survey {
+        let mut survey = CamSurvey {
             rest,
             stroke: high - rest,
             phases,
@@ -180,11 +180,11 @@ impl Survey {
 
     /// Returns the lift and its derivatives at an angle; values within the rounding error of the
     /// follower's coordinate are zero.
-    pub fn lift(&self, disc: &Disc, phi: f64, side: Side) -> Option<[f64; 4]> {
+    pub fn lift(&self, disc: &Disc, phi: f64, side: PieceSide) -> Option<[f64; 4]> {
         let mut q = disc.coordinate(phi, side)?.0;
         let (lift, rounding) = match &disc.motion {
-            Motion::Law { program, .. } => (program.lift(phi, side).value(), ROUNDING * self.stroke),
-            Motion::Profile(_) => (q[0] - self.rest, ROUNDING * self.rest.abs().max(self.stroke)),
+            CamMotion::Law { program, .. } => (program.lift(phi, side).value(), ROUNDING * self.stroke),
+            CamMotion::Profile(_) => (q[0] - self.rest, ROUNDING * self.rest.abs().max(self.stroke)),
         };
         q[0] = lift;
         let most = [rounding, ROUNDING * self.greatest(&self.velocity), ROUNDING * self.greatest(&self.acceleration)];
@@ -192,33 +192,33 @@ impl Survey {
         Some(q)
     }
 
-    fn greatest(&self, [low, high]: &[Extreme; 2]) -> f64 {
+    fn greatest(&self, [low, high]: &[PhiExtreme; 2]) -> f64 {
         low.1.abs().max(high.1.abs())
     }
 
     /// Collects the faults.
     fn judge(&mut self, disc: &Disc) {
-        let law = matches!(disc.motion, Motion::Law { .. });
+        let law = matches!(disc.motion, CamMotion::Law { .. });
         match disc.touch {
-            Touch::Point { radius } if law => {
+            FollowerTip::Point { radius } if law => {
                 if let Some((phi, rho)) = self.least_rho.filter(|(_, rho)| *rho <= radius) {
                     self.faults.push(Fault::Undercut { phi, rho, least_base: least_base(disc) });
                 }
             }
-            Touch::Flat { .. } if law => {
+            FollowerTip::Flat { .. } if law => {
                 if let Some((phi, rho)) = self.least_rho.filter(|(_, rho)| *rho <= 0.0) {
                     self.faults.push(Fault::Undercut { phi, rho, least_base: least_base(disc) });
                 }
             }
-            Touch::Point { radius } => {
-                if let Motion::Profile(segments) = &disc.motion
-                    && let Some(rho) = segments.iter().map(super::Segment::radius).find(|rho| *rho < 0.0 && -rho <= radius)
+            FollowerTip::Point { radius } => {
+                if let CamMotion::Profile(segments) = &disc.motion
+                    && let Some(rho) = segments.iter().map(super::ProfileSegment::radius).find(|rho| *rho < 0.0 && -rho <= radius)
                 {
                     let phi = self.hollow.map_or(0.0, |h| h.0);
                     self.faults.push(Fault::RollerTooLarge { phi, rho });
                 }
             }
-            Touch::Flat { .. } => {}
+            FollowerTip::Flat { .. } => {}
         }
         // 孙桓: [α] = 30° for a translating follower, 45° for an oscillating one, 70° to 80° on the return.
         let out = match disc.follower {
@@ -239,15 +239,15 @@ impl Survey {
     }
 
     /// Returns the phases of a kind.
-    pub(super) fn phases_of(&self, way: i8, out: bool) -> impl Iterator<Item = &Phase> {
+    pub(super) fn phases_of(&self, way: i8, out: bool) -> impl Iterator<Item = &FollowerPhase> {
         self.phases.iter().filter(move |p| p.way == way && (way != 0 || p.out == out))
     }
 }
 
 /// Returns the pressure angle of the greatest magnitude in some phases; the start and the end of a
 /// phase belong to it.
-fn greatest_pressure<'p>(disc: &Disc, turn: &Turn, phases: impl Iterator<Item = &'p Phase>) -> Option<Peak> {
-    let cut = |p: &Phase| {
+fn greatest_pressure<'p>(disc: &Disc, turn: &DividedTurn, phases: impl Iterator<Item = &'p FollowerPhase>) -> Option<Peak> {
+    let cut = |p: &FollowerPhase| {
         let within = |c: &f64| *c > p.from + 1e-10 && *c < p.to - 1e-10;
         let mut at: Vec<f64> = turn.corners.iter().flat_map(|c| [*c, c + TAU]).filter(within).chain([p.from, p.to]).collect();
         at.sort_by(f64::total_cmp);
@@ -255,18 +255,18 @@ fn greatest_pressure<'p>(disc: &Disc, turn: &Turn, phases: impl Iterator<Item = 
     };
     let spans: Vec<[f64; 2]> = phases.flat_map(cut).collect();
     // The ends of a phase count as ends, with or without corners.
-    let moving = Turn { corners: vec![spans.first()?[0]], spans };
-    let magnitude = |s: Station| [s.pressure.abs(), s.pressure_slope * s.pressure.signum()];
+    let moving = DividedTurn { corners: vec![spans.first()?[0]], spans };
+    let magnitude = |s: CamStation| [s.pressure.abs(), s.pressure_slope * s.pressure.signum()];
     let found = moving.best(|phi, side| disc.station(phi, side).map(magnitude))?;
     disc.station(found.phi, found.side).map(|s| Peak { value: s.pressure, ..found })
 }
 
 /// Returns the least convex radius of the pitch curve for a round end, the least radius of the
 /// profile for a flat face.
-pub(super) fn sharpest(disc: &Disc, turn: &Turn) -> Option<Peak> {
-    let of = |s: Station| match disc.touch {
-        Touch::Point { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite() && r[0] < 0.0),
-        Touch::Flat { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite()),
+pub(super) fn sharpest(disc: &Disc, turn: &DividedTurn) -> Option<Peak> {
+    let of = |s: CamStation| match disc.touch {
+        FollowerTip::Point { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite() && r[0] < 0.0),
+        FollowerTip::Flat { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite()),
     };
     let found = turn.best(|phi, side| disc.station(phi, side).and_then(of))?;
     Some(Peak { value: -found.value, ..found })
@@ -276,15 +276,15 @@ pub(super) fn sharpest(disc: &Disc, turn: &Turn) -> Option<Peak> {
 /// curvature grow with the base circle. `None` if the profile is given, or if no base circle avoids
 /// undercut.
 pub fn least_base(disc: &Disc) -> Option<f64> {
-    let Motion::Law { base, program } = &disc.motion else { return None };
-    let with = |base: f64| Disc { motion: Motion::Law { base, program: program.clone() }, ..disc.clone() };
+    let CamMotion::Law { base, program } = &disc.motion else { return None };
+    let with = |base: f64| Disc { motion: CamMotion::Law { base, program: program.clone() }, ..disc.clone() };
     let good = |base: f64| {
         let disc = with(base);
         let least = match disc.touch {
-            Touch::Point { radius } => radius,
-            Touch::Flat { .. } => 0.0,
+            FollowerTip::Point { radius } => radius,
+            FollowerTip::Flat { .. } => 0.0,
         };
-        sharpest(&disc, &Turn::of(&disc)).is_none_or(|p| p.value >= least)
+        sharpest(&disc, &DividedTurn::of(&disc)).is_none_or(|p| p.value >= least)
     };
     let holds = good(*base);
     let mut high = *base;
@@ -305,8 +305,8 @@ pub fn least_base(disc: &Disc) -> Option<f64> {
 /// Returns true if the follower reaches the base circle.
 fn disc_holds(disc: &Disc) -> bool {
     match &disc.motion {
-        Motion::Law { base, .. } => disc.rest(*base).is_finite(),
-        Motion::Profile(_) => true,
+        CamMotion::Law { base, .. } => disc.rest(*base).is_finite(),
+        CamMotion::Profile(_) => true,
     }
 }
 
@@ -314,7 +314,7 @@ fn disc_holds(disc: &Disc) -> bool {
 fn jumps(disc: &Disc, corners: &[f64], most: [f64; 2]) -> Vec<Jump> {
     let mut out = Vec::new();
     for &phi in corners {
-        let sides = [Side::Before, Side::After].map(|side| disc.coordinate(phi, side));
+        let sides = [PieceSide::Before, PieceSide::After].map(|side| disc.coordinate(phi, side));
         let [Some(before), Some(after)] = sides else { continue };
         for (k, shock) in [(1, Shock::Rigid), (2, Shock::Soft)] {
             let values = [before.0[k], after.0[k]];
@@ -328,9 +328,9 @@ fn jumps(disc: &Disc, corners: &[f64], most: [f64; 2]) -> Vec<Jump> {
 }
 
 /// Returns rises, dwells and returns, in order from the first rise.
-fn phases(disc: &Disc, known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Vec<Phase> {
-    let mut out: Vec<Phase> = Vec::new();
-    let way = |s: &Station| if s.q.0[1].abs() <= JUMP * v_most { 0 } else { s.q.0[1].signum() as i8 };
+fn phases(disc: &Disc, known: &[CamStation], spans: &[[f64; 2]], v_most: f64) -> Vec<FollowerPhase> {
+    let mut out: Vec<FollowerPhase> = Vec::new();
+    let way = |s: &CamStation| if s.q.0[1].abs() <= JUMP * v_most { 0 } else { s.q.0[1].signum() as i8 };
     for window in known.windows(2) {
         let [a, b] = window else { continue };
         if b.phi <= a.phi {
@@ -342,7 +342,7 @@ fn phases(disc: &Disc, known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Ve
         let here = if rate.abs() <= 0.1 * JUMP * v_most && way(a) == 0 && way(b) == 0 { 0 } else { rate.signum() as i8 };
         match out.last_mut() {
             Some(last) if last.way == here => last.to = b.phi,
-            _ => out.push(Phase { way: here, from: a.phi, to: b.phi, out: false }),
+            _ => out.push(FollowerPhase { way: here, from: a.phi, to: b.phi, out: false }),
         }
     }
     // A phase across the start of the turn.
@@ -375,11 +375,11 @@ fn phases(disc: &Disc, known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Ve
 }
 
 /// Returns the zero of the velocity next to an angle, between the surrounding samples.
-fn turning(disc: &Disc, known: &[Station], near: f64) -> f64 {
+fn turning(disc: &Disc, known: &[CamStation], near: f64) -> f64 {
     let around = known.windows(2).filter(|w| w[1].phi > w[0].phi && w[0].q.0[1] * w[1].q.0[1] <= 0.0);
     let closest = around.min_by(|a, b| (a[0].phi - near).abs().total_cmp(&(b[0].phi - near).abs()));
     closest.map_or(near, |w| {
         let sign = if w[0].q.0[1] > 0.0 || w[1].q.0[1] < 0.0 { 1.0 } else { -1.0 };
-        zero([w[0].phi, w[1].phi], |phi| disc.coordinate(phi, Side::After).map(|q| sign * q.0[1]))
+        zero([w[0].phi, w[1].phi], |phi| disc.coordinate(phi, PieceSide::After).map(|q| sign * q.0[1]))
     })
 }

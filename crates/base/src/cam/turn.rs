@@ -1,7 +1,7 @@
 //! Extremes over a turn: sampled between corners, each then solved as the zero of a derivative.
 
-use super::survey::Extreme;
-use super::{Disc, Side, in_turn};
+use super::survey::PhiExtreme;
+use super::{Disc, PieceSide, in_turn};
 use std::f64::consts::TAU;
 
 /// Number of samples between two corners.
@@ -13,20 +13,20 @@ pub struct Peak {
     /// The angle of the cam (rad), from 0 on.
     pub phi: f64,
     /// At a joint, the side on which the value is taken.
-    pub side: Side,
+    pub side: PieceSide,
     /// The value.
     pub value: f64,
 }
 
 impl Peak {
     /// Returns the extreme without the side.
-    pub(super) fn extreme(self) -> Extreme {
+    pub(super) fn extreme(self) -> PhiExtreme {
         (self.phi, self.value)
     }
 }
 
 /// A turn divided at its corners.
-pub(super) struct Turn {
+pub(super) struct DividedTurn {
     /// The angles of the corners.
     pub corners: Vec<f64>,
     /// The intervals between successive corners.
@@ -34,31 +34,31 @@ pub(super) struct Turn {
 }
 
 /// Returns angles through a span; the ends are seen from inside the span.
-pub(super) fn sampled([from, to]: [f64; 2]) -> impl Iterator<Item = (f64, Side)> {
+pub(super) fn sampled([from, to]: [f64; 2]) -> impl Iterator<Item = (f64, PieceSide)> {
     (0..=SAMPLES).map(move |k| match k {
-        0 => (from, Side::After),
-        SAMPLES => (to, Side::Before),
-        k => (from + (to - from) * k as f64 / SAMPLES as f64, Side::After),
+        0 => (from, PieceSide::After),
+        SAMPLES => (to, PieceSide::Before),
+        k => (from + (to - from) * k as f64 / SAMPLES as f64, PieceSide::After),
     })
 }
 
-impl Turn {
+impl DividedTurn {
     /// Returns the turn of a disc.
-    pub fn of(disc: &Disc) -> Turn {
+    pub fn of(disc: &Disc) -> DividedTurn {
         let corners = disc.corners();
         let mut at = if corners.is_empty() { vec![0.0] } else { corners.clone() };
         at.dedup_by(|a, b| (*a - *b).abs() < 1e-10);
         let ends: Vec<f64> = at.iter().skip(1).copied().chain([at[0] + TAU]).collect();
         let spans = at.into_iter().zip(ends).map(|(a, b)| [a, b]).filter(|[a, b]| b - a > 1e-10).collect();
-        Turn { corners, spans }
+        DividedTurn { corners, spans }
     }
 
     /// Returns the greatest value of a function, given with its derivative by φ: at an end of a
     /// span, seen from inside, or between two samples where the derivative passes through zero from
     /// above.
-    pub fn best(&self, f: impl Fn(f64, Side) -> Option<[f64; 2]>) -> Option<Peak> {
+    pub fn best(&self, f: impl Fn(f64, PieceSide) -> Option<[f64; 2]>) -> Option<Peak> {
         let mut most: Option<Peak> = None;
-        let mut consider = |phi: f64, side: Side, value: f64| {
+        let mut consider = |phi: f64, side: PieceSide, value: f64| {
             // Of equal values the first is taken.
             if most.is_none_or(|m| value > m.value + 1e-13 * m.value.abs()) {
                 most = Some(Peak { phi: in_turn(phi), side, value });
@@ -67,8 +67,8 @@ impl Turn {
         // Without corners the turn has no ends: the samples extend one step beyond its start.
         let round = self.corners.is_empty();
         for &[from, to] in &self.spans {
-            let beyond = round.then(|| (to + (to - from) / SAMPLES as f64, Side::After));
-            let samples: Vec<(f64, Side, Option<[f64; 2]>)> =
+            let beyond = round.then(|| (to + (to - from) / SAMPLES as f64, PieceSide::After));
+            let samples: Vec<(f64, PieceSide, Option<[f64; 2]>)> =
                 sampled([from, to]).chain(beyond).map(|(phi, side)| (phi, side, f(phi, side))).collect();
             for (k, &(phi, side, here)) in samples.iter().enumerate() {
                 let Some([value, slope]) = here else { continue };
@@ -79,14 +79,14 @@ impl Turn {
                 }
                 let Some(&(next, _, Some([_, then]))) = samples.get(k + 1) else { continue };
                 if slope > 0.0 && then <= 0.0 {
-                    let at = zero([phi, next], |phi| f(phi, Side::After).map(|v| v[1]));
-                    if let Some([value, _]) = f(at, Side::After) {
-                        consider(at, Side::After, value);
+                    let at = zero([phi, next], |phi| f(phi, PieceSide::After).map(|v| v[1]));
+                    if let Some([value, _]) = f(at, PieceSide::After) {
+                        consider(at, PieceSide::After, value);
                     }
                 }
             }
         }
-        most.or_else(|| f(0.0, Side::After).map(|[value, _]| Peak { phi: 0.0, side: Side::After, value }))
+        most.or_else(|| f(0.0, PieceSide::After).map(|[value, _]| Peak { phi: 0.0, side: PieceSide::After, value }))
     }
 }
 

@@ -1,20 +1,20 @@
 //! Decoding of JSON objects: known keys, expected types, and a diagnostic for everything else.
 
-use super::{Kind, Node, Word};
+use super::{Node, NodeKind, Word};
 use crate::diag::{Both, Diagnostic, Faults, Piece, Span, both};
 
 /// The subject of a message: a key in quotation marks, which is the same in both languages, or
 /// words.
-pub struct What(Both);
+pub struct FaultSubject(Both);
 
-impl What {
+impl FaultSubject {
     /// Returns true if it is this key.
     pub fn is(&self, key: &str) -> bool {
         self.0.en == key
     }
 }
 
-impl Piece for What {
+impl Piece for FaultSubject {
     type Shown = str;
     fn en(&self) -> &str {
         &self.0.en
@@ -24,33 +24,33 @@ impl Piece for What {
     }
 }
 
-impl From<&What> for What {
-    fn from(what: &What) -> What {
-        What(what.0.clone())
+impl From<&FaultSubject> for FaultSubject {
+    fn from(what: &FaultSubject) -> FaultSubject {
+        FaultSubject(what.0.clone())
     }
 }
 
-impl From<Both> for What {
-    fn from(words: Both) -> What {
-        What(words)
+impl From<Both> for FaultSubject {
+    fn from(words: Both) -> FaultSubject {
+        FaultSubject(words)
     }
 }
 
-impl From<&Both> for What {
-    fn from(words: &Both) -> What {
-        What(words.clone())
+impl From<&Both> for FaultSubject {
+    fn from(words: &Both) -> FaultSubject {
+        FaultSubject(words.clone())
     }
 }
 
-impl From<&str> for What {
-    fn from(key: &str) -> What {
-        What(Both::same(key))
+impl From<&str> for FaultSubject {
+    fn from(key: &str) -> FaultSubject {
+        FaultSubject(Both::same(key))
     }
 }
 
-impl From<&String> for What {
-    fn from(key: &String) -> What {
-        What(Both::same(key))
+impl From<&String> for FaultSubject {
+    fn from(key: &String) -> FaultSubject {
+        FaultSubject(Both::same(key))
     }
 }
 
@@ -67,7 +67,7 @@ pub struct Fields<'a> {
 impl<'a> Fields<'a> {
     /// Opens an object; every key that is not in `keys` is a fault. `None` (with a fault) if the
     /// node is no object.
-    pub fn open(node: &'a Node, what: impl Into<What>, keys: &[&str], faults: &mut Faults) -> Option<Self> {
+    pub fn open(node: &'a Node, what: impl Into<FaultSubject>, keys: &[&str], faults: &mut Faults) -> Option<Self> {
         let what = what.into().0;
         let members = object(node, what.clone(), faults)?;
         for (key, _) in members {
@@ -85,7 +85,7 @@ impl<'a> Fields<'a> {
     }
 
     /// Returns the value of a required key.
-    pub fn need(&self, key: &str, example: impl Into<What>, faults: &mut Faults) -> Option<&'a Node> {
+    pub fn need(&self, key: &str, example: impl Into<FaultSubject>, faults: &mut Faults) -> Option<&'a Node> {
         let found = self.get(key);
         if found.is_none() {
             let d = Diagnostic::error("missing-key", both!("{} has no `{key}`", "{}缺少 `{key}`", self.what));
@@ -106,41 +106,41 @@ impl<'a> Fields<'a> {
 }
 
 /// Returns the members of any object, in order.
-pub fn object<'a>(node: &'a Node, what: impl Into<What>, faults: &mut Faults) -> Option<&'a [(Word, Node)]> {
+pub fn object<'a>(node: &'a Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<&'a [(Word, Node)]> {
     match &node.kind {
-        Kind::Object(members) => Some(members),
+        NodeKind::Object(members) => Some(members),
         _ => wrong(node, what, both!("an object", "对象 {{...}}"), faults),
     }
 }
 
 /// Returns the items of a list.
-pub fn list<'a>(node: &'a Node, what: impl Into<What>, faults: &mut Faults) -> Option<&'a [Node]> {
+pub fn list<'a>(node: &'a Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<&'a [Node]> {
     match &node.kind {
-        Kind::Array(items) => Some(items),
+        NodeKind::Array(items) => Some(items),
         _ => wrong(node, what, both!("a list", "列表 [...]"), faults),
     }
 }
 
 /// Returns a text that is not empty.
-pub fn word(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<Word> {
+pub fn word(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<Word> {
     match &node.kind {
-        Kind::Text(text) if text.trim().is_empty() => {
+        NodeKind::Text(text) if text.trim().is_empty() => {
             let what = what.into();
             faults.push(Diagnostic::error("empty", both!("{} is empty", "{}为空", what)).at(node.span));
             None
         }
-        Kind::Text(text) => Some(Word { text: text.clone(), span: node.span }),
+        NodeKind::Text(text) => Some(Word { text: text.clone(), span: node.span }),
         _ => wrong(node, what, both!("a text", "文字 \"...\""), faults),
     }
 }
 
 /// Reports a value that has another type than expected.
-pub fn wrong<T>(node: &Node, what: impl Into<What>, wanted: Both, faults: &mut Faults) -> Option<T> {
+pub fn wrong<T>(node: &Node, what: impl Into<FaultSubject>, wanted: Both, faults: &mut Faults) -> Option<T> {
     let what = what.into();
     let d =
         Diagnostic::error("wrong-type", both!("{} must be {}, this is {}", "{}应为{}，此处为{}", what, wanted, node.what())).at(node.span);
     faults.push(match &node.kind {
-        Kind::Number(n) if wanted.en == "a text" => d.help(both!("write \"{n}\"", "请写作 \"{n}\"")),
+        NodeKind::Number(n) if wanted.en == "a text" => d.help(both!("write \"{n}\"", "请写作 \"{n}\"")),
         _ => d,
     });
     None
@@ -182,7 +182,7 @@ pub fn nearest<'a>(got: &str, known: impl Iterator<Item = &'a str>) -> Option<Bo
 /// each: `{"en": ..., "zh": ...}`. The result is English and Chinese, `None` for a missing
 /// language.
 pub fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<[Option<Word>; 2]> {
-    if let Kind::Object(_) = node.kind {
+    if let NodeKind::Object(_) = node.kind {
         let f = Fields::open(node, what, &["en", "zh"], faults)?;
         let mut text = |key: &str| {
             f.get(key)

@@ -34,14 +34,14 @@ pub struct Word {
 #[derive(Clone, Debug)]
 pub struct Node {
     /// The value.
-    pub kind: Kind,
+    pub kind: NodeKind,
     /// The span.
     pub span: Span,
 }
 
 /// A JSON value.
 #[derive(Clone, Debug)]
-pub enum Kind {
+pub enum NodeKind {
     /// A string, unescaped.
     Text(String),
     /// A number literal, as written.
@@ -60,12 +60,12 @@ impl Node {
     /// Returns a description of the value for a message: "a number".
     pub fn what(&self) -> Both {
         match self.kind {
-            Kind::Text(_) => both!("a text", "文字"),
-            Kind::Number(_) => both!("a number", "数"),
-            Kind::Bool(_) => both!("true or false", "true 或 false"),
-            Kind::Null => both!("null", "空值 null"),
-            Kind::Array(_) => both!("a list", "列表"),
-            Kind::Object(_) => both!("an object", "对象"),
+            NodeKind::Text(_) => both!("a text", "文字"),
+            NodeKind::Number(_) => both!("a number", "数"),
+            NodeKind::Bool(_) => both!("true or false", "true 或 false"),
+            NodeKind::Null => both!("null", "空值 null"),
+            NodeKind::Array(_) => both!("a list", "列表"),
+            NodeKind::Object(_) => both!("an object", "对象"),
         }
     }
 }
@@ -75,12 +75,12 @@ impl Node {
     pub fn text(&self) -> String {
         let quoted = |text: &str| serde_json::Value::from(text).to_string();
         match &self.kind {
-            Kind::Text(text) => quoted(text),
-            Kind::Number(literal) => literal.clone(),
-            Kind::Bool(value) => value.to_string(),
-            Kind::Null => "null".to_owned(),
-            Kind::Array(items) => format!("[{}]", items.iter().map(Node::text).collect::<Vec<_>>().join(", ")),
-            Kind::Object(members) => {
+            NodeKind::Text(text) => quoted(text),
+            NodeKind::Number(literal) => literal.clone(),
+            NodeKind::Bool(value) => value.to_string(),
+            NodeKind::Null => "null".to_owned(),
+            NodeKind::Array(items) => format!("[{}]", items.iter().map(Node::text).collect::<Vec<_>>().join(", ")),
+            NodeKind::Object(members) => {
                 let all: Vec<String> = members.iter().map(|(key, value)| format!("{}: {}", quoted(&key.text), value.text())).collect();
                 format!("{{{}}}", all.join(", "))
             }
@@ -237,7 +237,7 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
         ast::Value::StringLit(s) => {
             let text = Word { text: s.value.into_owned(), span: place(s.range) };
             check_string(&text, source, faults);
-            Node { kind: Kind::Text(text.text), span: text.span }
+            Node { kind: NodeKind::Text(text.text), span: text.span }
         }
         ast::Value::NumberLit(n) => {
             let span = place(n.range);
@@ -250,14 +250,14 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
                     .at(span),
                 );
             }
-            Node { kind: Kind::Number(n.value.to_owned()), span }
+            Node { kind: NodeKind::Number(n.value.to_owned()), span }
         }
-        ast::Value::BooleanLit(b) => Node { kind: Kind::Bool(b.value), span: place(b.range) },
-        ast::Value::NullKeyword(n) => Node { kind: Kind::Null, span: place(n.range) },
+        ast::Value::BooleanLit(b) => Node { kind: NodeKind::Bool(b.value), span: place(b.range) },
+        ast::Value::NullKeyword(n) => Node { kind: NodeKind::Null, span: place(n.range) },
         ast::Value::Array(a) => {
             let span = place(a.range);
             let items = a.elements.into_iter().map(|v| convert(v, base, source, faults)).collect();
-            Node { kind: Kind::Array(items), span }
+            Node { kind: NodeKind::Array(items), span }
         }
         ast::Value::Object(o) => {
             let span = place(o.range);
@@ -280,7 +280,7 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
                     );
                 }
             }
-            Node { kind: Kind::Object(members), span }
+            Node { kind: NodeKind::Object(members), span }
         }
     }
 }

@@ -13,7 +13,7 @@ use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The number type of the library that a region stores.
-pub(super) type Long = FBig<HalfEven, 2>;
+pub(super) type BigFloat = FBig<HalfEven, 2>;
 
 /// A number of the open region; undecided if an operation has no value.
 #[derive(Clone, Copy, Debug)]
@@ -21,8 +21,8 @@ pub struct Big(u32);
 
 struct Region {
     bits: usize,
-    numbers: Vec<Long>,
-    pi: Option<Long>,
+    numbers: Vec<BigFloat>,
+    pi: Option<BigFloat>,
 }
 
 thread_local! {
@@ -39,8 +39,8 @@ const MOST: usize = 4_000_000;
 /// outer region is suspended and then resumed.
 pub fn within<T>(bits: usize, work: impl FnOnce() -> T) -> T {
     /// Resumes the outer region, also when the work panics.
-    struct Outer(Option<Region>);
-    impl Drop for Outer {
+    struct OuterRegion(Option<Region>);
+    impl Drop for OuterRegion {
         fn drop(&mut self) {
             if let Some(outer) = self.0.take() {
                 REGION.with_borrow_mut(|r| *r = outer);
@@ -48,7 +48,7 @@ pub fn within<T>(bits: usize, work: impl FnOnce() -> T) -> T {
         }
     }
     let fresh = Region { bits: bits.max(64), numbers: Vec::new(), pi: None };
-    let _outer = Outer(Some(REGION.with_borrow_mut(|r| std::mem::replace(r, fresh))));
+    let _outer = OuterRegion(Some(REGION.with_borrow_mut(|r| std::mem::replace(r, fresh))));
     work()
 }
 
@@ -57,7 +57,7 @@ pub(super) fn bits() -> usize {
     REGION.with_borrow(|r| r.bits)
 }
 
-fn push(r: &mut Region, x: Long) -> Big {
+fn push(r: &mut Region, x: BigFloat) -> Big {
     // A result that overflows is infinite.
     if r.numbers.len() >= MOST || !x.repr().is_finite() {
         return UNDECIDED;
@@ -66,37 +66,37 @@ fn push(r: &mut Region, x: Long) -> Big {
     Big((r.numbers.len() - 1) as u32)
 }
 
-fn is_zero(x: &Long) -> bool {
-    *x == Long::ZERO
+fn is_zero(x: &BigFloat) -> bool {
+    *x == BigFloat::ZERO
 }
 
 /// Returns the remainder of degrees after whole turns, in (−360, 360) and without rounding: the
 /// number is significand · 2^e with whole numbers, so the remainder is computed in whole numbers
 /// too, for any number of turns.
-fn less_turns(degrees: &Long, bits: usize) -> Long {
+fn less_turns(degrees: &BigFloat, bits: usize) -> BigFloat {
     let (whole, exponent) = (degrees.repr().significand(), degrees.repr().exponent());
     let turn = IBig::from(360);
     let (rest, exponent) = match usize::try_from(exponent) {
         Ok(up) => ((whole << up) % turn, 0),
         Err(_) => (whole % (turn << exponent.unsigned_abs()), exponent),
     };
-    Long::from_parts(rest, exponent).with_precision(bits).value()
+    BigFloat::from_parts(rest, exponent).with_precision(bits).value()
 }
 
 impl Big {
     /// Returns the number as stored; `None` if undecided.
-    pub(super) fn long(self) -> Option<Long> {
+    pub(super) fn long(self) -> Option<BigFloat> {
         REGION.with_borrow(|r| r.numbers.get(self.0 as usize).cloned())
     }
 
-    fn unary(self, f: impl FnOnce(&Long, usize) -> Option<Long>) -> Big {
+    fn unary(self, f: impl FnOnce(&BigFloat, usize) -> Option<BigFloat>) -> Big {
         REGION.with_borrow_mut(|r| match r.numbers.get(self.0 as usize).and_then(|x| f(x, r.bits)) {
             Some(y) => push(r, y),
             None => UNDECIDED,
         })
     }
 
-    fn binary(self, o: Big, f: impl FnOnce(&Long, &Long, &Context<HalfEven>) -> Option<Long>) -> Big {
+    fn binary(self, o: Big, f: impl FnOnce(&BigFloat, &BigFloat, &Context<HalfEven>) -> Option<BigFloat>) -> Big {
         spend();
         REGION.with_borrow_mut(|r| {
             let (Some(a), Some(b)) = (r.numbers.get(self.0 as usize), r.numbers.get(o.0 as usize)) else { return UNDECIDED };
@@ -110,16 +110,16 @@ impl Big {
 
 /// A number copied out of its region.
 #[derive(Clone, Debug)]
-pub struct Kept(Long);
+pub struct RegionCopy(BigFloat);
 
 impl Big {
     /// Copies the number so that it outlives the region; `None` if undecided.
-    pub fn keep(self) -> Option<Kept> {
-        self.long().map(Kept)
+    pub fn keep(self) -> Option<RegionCopy> {
+        self.long().map(RegionCopy)
     }
 }
 
-impl Kept {
+impl RegionCopy {
     /// Returns the number in the open region, rounded to its bits.
     pub fn take(&self) -> Big {
         REGION.with_borrow_mut(|r| {
@@ -168,7 +168,7 @@ impl Neg for Big {
 
 impl Real for Big {
     fn from_f64(x: f64) -> Big {
-        REGION.with_borrow_mut(|r| match Long::try_from(x) {
+        REGION.with_borrow_mut(|r| match BigFloat::try_from(x) {
             Ok(y) if x.is_finite() => {
                 let bits = r.bits;
                 push(r, y.with_precision(bits).value())
@@ -271,7 +271,7 @@ impl Real for Big {
     fn pi() -> Big {
         REGION.with_borrow_mut(|r| {
             let bits = r.bits;
-            let pi = r.pi.get_or_insert_with(|| Long::pi(bits)).clone();
+            let pi = r.pi.get_or_insert_with(|| BigFloat::pi(bits)).clone();
             push(r, pi)
         })
     }

@@ -1,7 +1,7 @@
 //! Decimal input and output: a literal to any number type, and a ball to its certain digits.
 
 use super::ball::Ball;
-use super::big::Long;
+use super::big::BigFloat;
 use super::{Big, Dd, Real};
 use dashu_base::{DivEuclid, RemEuclid, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -67,7 +67,7 @@ pub(super) fn by_digits<N: Real>(text: &str) -> N {
 /// computation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enclosure {
-    ends: Ends,
+    ends: IntervalEnds,
     /// The midpoint, to `f64`.
     pub approx: f64,
     /// Half the width.
@@ -75,7 +75,7 @@ pub struct Enclosure {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Ends {
+enum IntervalEnds {
     Double(f64, f64),
     /// Both ends times 10^-exponent, the lower rounded down, the upper up.
     Long(Box<[IBig; 2]>, i32),
@@ -93,7 +93,7 @@ impl Certain for Ball<f64> {
         if !self.is_decided() {
             return None;
         }
-        let ends = if r == 0.0 { Ends::Double(m, m) } else { Ends::Double((m - r).next_down(), (m + r).next_up()) };
+        let ends = if r == 0.0 { IntervalEnds::Double(m, m) } else { IntervalEnds::Double((m - r).next_down(), (m + r).next_up()) };
         Some(Enclosure { ends, approx: m, radius: r })
     }
 }
@@ -114,24 +114,24 @@ impl Certain for Ball<Big> {
 /// More bits than the range between the largest and the smallest `f64`: sums are exact.
 const ALL_BITS: usize = 2200;
 
-fn exactly(x: f64) -> Option<Long> {
-    Some(Long::try_from(x).ok()?.with_precision(ALL_BITS).value())
+fn exactly(x: f64) -> Option<BigFloat> {
+    Some(BigFloat::try_from(x).ok()?.with_precision(ALL_BITS).value())
 }
 
 /// Number of digits of the ends: twice the largest number that is requested. The ends are rounded
 /// outward.
 const KEPT: i32 = 64;
 
-fn long_enclosure(mid: Long, approx: f64, radius: f64) -> Option<Enclosure> {
+fn long_enclosure(mid: BigFloat, approx: f64, radius: f64) -> Option<Enclosure> {
     let r = exactly(radius)?;
     let largest = approx.abs() + radius;
     let exponent = if largest > 0.0 { libm::floor(libm::log10(largest)) as i32 - KEPT } else { 0 };
     let ends = Box::new([whole(&(&mid - &r), exponent, false), whole(&(mid + r), exponent, true)]);
-    Some(Enclosure { ends: Ends::Long(ends, exponent), approx, radius })
+    Some(Enclosure { ends: IntervalEnds::Long(ends, exponent), approx, radius })
 }
 
 /// Returns x · 10^-exponent as a whole number, rounded up or down.
-fn whole(x: &Long, exponent: i32, up: bool) -> IBig {
+fn whole(x: &BigFloat, exponent: i32, up: bool) -> IBig {
     let (mut over, mut under) = (x.repr().significand().clone(), IBig::ONE);
     let power = |n: i32| IBig::from(10).pow(n.unsigned_abs() as usize);
     if exponent < 0 {
@@ -155,8 +155,8 @@ impl Enclosure {
     pub fn rounded(&self, digits: usize) -> Option<String> {
         let digits = digits.max(1);
         let (a, b) = match &self.ends {
-            Ends::Double(a, b) => (format!("{:.*e}", digits - 1, a), format!("{:.*e}", digits - 1, b)),
-            Ends::Long(ends, exponent) => (scientific(&ends[0], *exponent, digits), scientific(&ends[1], *exponent, digits)),
+            IntervalEnds::Double(a, b) => (format!("{:.*e}", digits - 1, a), format!("{:.*e}", digits - 1, b)),
+            IntervalEnds::Long(ends, exponent) => (scientific(&ends[0], *exponent, digits), scientific(&ends[1], *exponent, digits)),
         };
         (a == b).then_some(a)
     }
@@ -164,8 +164,8 @@ impl Enclosure {
     /// Returns true if both ends round to the same `digits` significant digits.
     pub fn holds(&self, digits: usize) -> bool {
         let [a, b] = match self.ends {
-            Ends::Double(a, b) => [a, b],
-            Ends::Long(..) => [(self.approx - self.radius).next_down(), (self.approx + self.radius).next_up()],
+            IntervalEnds::Double(a, b) => [a, b],
+            IntervalEnds::Long(..) => [(self.approx - self.radius).next_down(), (self.approx + self.radius).next_up()],
         };
         plainly_alike(a, b, digits.max(1)) || self.rounded(digits).is_some()
     }
@@ -173,8 +173,8 @@ impl Enclosure {
     /// Returns true if the interval contains zero.
     pub fn contains_zero(&self) -> bool {
         match &self.ends {
-            Ends::Double(a, b) => *a <= 0.0 && *b >= 0.0,
-            Ends::Long(ends, _) => ends[0] <= IBig::ZERO && ends[1] >= IBig::ZERO,
+            IntervalEnds::Double(a, b) => *a <= 0.0 && *b >= 0.0,
+            IntervalEnds::Long(ends, _) => ends[0] <= IBig::ZERO && ends[1] >= IBig::ZERO,
         }
     }
 
@@ -187,16 +187,16 @@ impl Enclosure {
     pub fn meets(&self, other: &Enclosure) -> bool {
         // Both are scaled to one power of ten, below that of either.
         let exponent = |e: &Enclosure| match &e.ends {
-            Ends::Double(..) => -400,
-            Ends::Long(_, exponent) => *exponent,
+            IntervalEnds::Double(..) => -400,
+            IntervalEnds::Long(_, exponent) => *exponent,
         };
         let common = exponent(self).min(exponent(other));
         let ends = |e: &Enclosure| match &e.ends {
-            Ends::Double(a, b) => {
+            IntervalEnds::Double(a, b) => {
                 let end = |x: f64, up| exactly(x).map_or(IBig::ZERO, |x| whole(&x, common, up));
                 [end(*a, false), end(*b, true)]
             }
-            Ends::Long(ends, exponent) => {
+            IntervalEnds::Long(ends, exponent) => {
                 let up = IBig::from(10).pow((exponent - common).unsigned_abs() as usize);
                 [&ends[0] * &up, &ends[1] * &up]
             }
@@ -314,7 +314,7 @@ mod tests {
             let mid = if k % 2 == 0 { near * (1.0 + 1e-9 * (x - 0.5)) } else { -near };
             let e = Ball::new(mid, near * 10f64.powi(-(4 + (k % 12) as i32))).enclosure().unwrap();
             for digits in 1..14 {
-                let Ends::Double(a, b) = e.ends else { panic!() };
+                let IntervalEnds::Double(a, b) = e.ends else { panic!() };
                 let (quick, slow) = (plainly_alike(a, b, digits), e.rounded(digits).is_some());
                 assert!(slow || !quick, "{e:?} to {digits} digits");
                 (sure, alike) = (sure + u32::from(quick), alike + u32::from(slow));

@@ -18,7 +18,7 @@ pub mod jet;
 mod turns;
 
 pub use ball::Ball;
-pub use big::{Big, Kept, within};
+pub use big::{Big, RegionCopy, within};
 pub use dd::Dd;
 pub use jet::Jet;
 

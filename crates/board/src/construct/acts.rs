@@ -1,10 +1,10 @@
 //! Writes a plan as acts: the construction, and the points, terms and numbers of the scene behind
 //! its keys.
 
-use super::board::Board;
-use super::{Edge, Mark, edge_of, end_of};
+use super::board::ActWriter;
+use super::{Edge, PolygonMark, edge_of, end_of};
 use crate::construction::{Construction, DiagramId, Key, MarkId, Name, NumberId};
-use crate::plan::{Body, Plan, Term, VertexId};
+use crate::plan::{Plan, Term, TurningBody, VertexId};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{DiagramKind, RollingId, Scene};
 use std::sync::Arc;
@@ -24,16 +24,16 @@ pub struct Acts {
     /// The joints of the diagram.
     pub(super) joints: Vec<MarkId>,
     /// The angular velocities and accelerations of bodies.
-    pub(super) turnings: Vec<Turning>,
+    pub(super) turnings: Vec<BodyRate>,
     /// The terms behind the keys.
     pub(super) terms: Vec<Term>,
     /// The given numbers behind the keys.
-    pub(super) givens: Vec<Given>,
+    pub(super) givens: Vec<GivenNumber>,
 }
 
 /// A number that a scene gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Given {
+pub(super) enum GivenNumber {
     /// The rate of a driver.
     Rate(usize),
     /// The acceleration of a driver.
@@ -46,11 +46,11 @@ pub(super) enum Given {
 
 /// The angular velocity or acceleration of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Turning {
+pub(super) struct BodyRate {
     /// The polygon on which it is found.
     pub on: DiagramKind,
     /// The body.
-    pub body: Body,
+    pub body: TurningBody,
     /// The number.
     pub number: NumberId,
     /// The measured part square to an arm, the arm's length, and the line of the arm: its first
@@ -66,7 +66,7 @@ impl Acts {
     /// # Panics
     /// If `chosen` has fewer entries than the mechanism has groups.
     pub fn of(scene: &Scene, m: &Mechanism, plan: &Plan, chosen: &[usize]) -> Arc<Acts> {
-        let mut board = Board::new(scene, m, plan, chosen);
+        let mut board = ActWriter::new(scene, m, plan, chosen);
         board.set_out();
         for on in DiagramKind::POLYGONS.into_iter().filter(|on| on.level() <= plan.level) {
             board.draw(on);
@@ -81,7 +81,7 @@ impl Acts {
         self.construction.begin(kind)
     }
 
-    pub(super) fn given(&mut self, given: Given) -> Key {
+    pub(super) fn given(&mut self, given: GivenNumber) -> Key {
         let known = self.givens.iter().position(|g| *g == given);
         Key::of(known.unwrap_or_else(|| {
             self.givens.push(given);
@@ -103,12 +103,12 @@ impl Acts {
     }
 
     /// Returns the name of a mark in a polygon.
-    pub(super) fn mark(&self, id: MarkId) -> Mark {
+    pub(super) fn mark(&self, id: MarkId) -> PolygonMark {
         match self.construction.marks[id.index()].name {
-            Name::Pole | Name::Point(_) | Name::Vertex(_) => Mark::Pole,
-            Name::Image(v) => Mark::Image(VertexId(v.index())),
-            Name::End(t) => Mark::Part(self.terms[t.index()]),
-            Name::Again(t) => Mark::Again(self.terms[t.index()]),
+            Name::Pole | Name::Point(_) | Name::Vertex(_) => PolygonMark::Pole,
+            Name::Image(v) => PolygonMark::Image(VertexId(v.index())),
+            Name::End(t) => PolygonMark::Part(self.terms[t.index()]),
+            Name::Again(t) => PolygonMark::Again(self.terms[t.index()]),
         }
     }
 
@@ -125,7 +125,7 @@ impl Acts {
     }
 
     /// Returns the angular quantity of a body, if it is found.
-    pub(super) fn turning(&self, on: DiagramKind, body: Body) -> Option<&Turning> {
+    pub(super) fn turning(&self, on: DiagramKind, body: TurningBody) -> Option<&BodyRate> {
         // Usually the last one found is wanted.
         self.turnings.iter().rev().find(|t| t.on == on && t.body == body)
     }

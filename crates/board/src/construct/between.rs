@@ -1,16 +1,16 @@
 //! Writes the vectors between two images that a question or an angular velocity or acceleration
 //! reads, and decides the order in which images, vectors and rates become known.
 
-use super::board::Board;
+use super::board::ActWriter;
 use crate::construction::{DiagramId, Direction, Line, Op};
-use crate::plan::{Between, Body, By, Rate, Term, TermKind};
+use crate::plan::{Between, Rate, Term, TermConnection, TermKind, TurningBody};
 use hodograph_scene::DiagramKind;
 
-impl Board<'_> {
+impl ActWriter<'_> {
     /// Draws the vectors between existing images, and measures the angular quantities that follow
     /// from them. Rates that cannot be measured yet stay in `unread`: a block is measured on points
     /// that a later group may find.
-    pub(super) fn read_off(&mut self, on: DiagramId, unread: &mut Vec<(Body, Rate)>, open: &mut Vec<&Between>) {
+    pub(super) fn read_off(&mut self, on: DiagramId, unread: &mut Vec<(TurningBody, Rate)>, open: &mut Vec<&Between>) {
         loop {
             unread.retain(|(body, rate)| !self.turning(on, *body, *rate));
             let there = |b: &&Between| {
@@ -40,14 +40,14 @@ impl Board<'_> {
         let Between::LayOff { known, .. } = between else { return true };
         let by_omega = |t: &&Term| matches!(t.kind, TermKind::Normal | TermKind::Coriolis);
         let body = |t: &Term| match t.by {
-            By::Turning(body) => Some(body),
-            By::Guide { guide, .. } => Some(Body::Link(self.scene.guides[guide.0].on)),
-            By::Cylinder(d) => Some(Body::Cylinder(d)),
-            By::Frame { body, .. } => body,
-            By::Contact(_) | By::Apart => None,
+            TermConnection::Turning(body) => Some(body),
+            TermConnection::Guide { guide, .. } => Some(TurningBody::Link(self.scene.guides[guide.0].on)),
+            TermConnection::Cylinder(d) => Some(TurningBody::Cylinder(d)),
+            TermConnection::Frame { body, .. } => body,
+            TermConnection::Contact(_) | TermConnection::Apart => None,
         };
         known.iter().filter(by_omega).filter_map(body).all(|b| {
-            let still = matches!(b, Body::Link(l) if self.m.never_turns[l.0]);
+            let still = matches!(b, TurningBody::Link(l) if self.m.never_turns[l.0]);
             still || self.done.turning(DiagramKind::Velocity, b).is_some()
         })
     }

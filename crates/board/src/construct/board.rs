@@ -1,17 +1,17 @@
 //! Writes a plan as acts of ruler and set squares: diagram, velocity polygon, acceleration polygon.
 //! It uses no coordinates.
 
-use super::acts::{Acts, Given, Turning};
-use super::{Edge, Mark};
+use super::acts::{Acts, BodyRate, GivenNumber};
+use super::{Edge, PolygonMark};
 use crate::construction::{
     Base, Because, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
 };
-use crate::plan::{Between, Body, By, Chain, Plan, Rate, Spot, Step, Term, TermKind, VertexId};
+use crate::plan::{Between, Plan, PlanStep, Rate, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexPlace};
 use hodograph_base::budget::spend;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{DiagramKind, GuideId, PointId, Scene};
 
-pub(super) struct Board<'a> {
+pub(super) struct ActWriter<'a> {
     pub(super) scene: &'a Scene,
     pub(super) m: &'a Mechanism,
     pub(super) plan: &'a Plan,
@@ -32,10 +32,10 @@ pub(super) fn vertex_key(v: VertexId) -> Key {
     Key::of(v.0)
 }
 
-impl<'a> Board<'a> {
+impl<'a> ActWriter<'a> {
     pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, plan: &'a Plan, chosen: &'a [usize]) -> Self {
         let construction = Construction::with_room(scene.points.len() + plan.vertices.len());
-        Board { scene, m, plan, chosen, done: Acts { construction, ..Acts::default() } }
+        ActWriter { scene, m, plan, chosen, done: Acts { construction, ..Acts::default() } }
     }
 
     /// Draws joints and guides on the diagram.
@@ -57,8 +57,8 @@ impl<'a> Board<'a> {
         let plan = self.plan;
         for (i, v) in plan.vertices.iter().enumerate() {
             self.done.images[on.index()][i] = match v.spot {
-                Spot::Point(p) => Some(self.joint(p)),
-                Spot::Special(k) => {
+                VertexPlace::Point(p) => Some(self.joint(p)),
+                VertexPlace::Special(k) => {
                     let placed = plan.vertices[..i].iter().position(|own| own.spot == v.spot);
                     match placed {
                         Some(k) => self.done.images[on.index()][k],
@@ -80,7 +80,7 @@ impl<'a> Board<'a> {
         let plan = self.plan;
         // Vectors between images, and rates measured on such images, wait for the images of later
         // groups.
-        let (mut open, mut unread): (Vec<&Between>, Vec<(Body, Rate)>) = (Vec::new(), Vec::new());
+        let (mut open, mut unread): (Vec<&Between>, Vec<(TurningBody, Rate)>) = (Vec::new(), Vec::new());
         for steps in plan.steps(kind) {
             // Given rates serve the points of the group; measured rates follow from them.
             for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
@@ -118,7 +118,7 @@ impl<'a> Board<'a> {
         self.done.construction.number(number)
     }
 
-    pub(super) fn given(&mut self, given: Given) -> NumberId {
+    pub(super) fn given(&mut self, given: GivenNumber) -> NumberId {
         let key = self.done.given(given);
         self.number(Number::Given(key))
     }
@@ -144,15 +144,15 @@ impl<'a> Board<'a> {
 
     /// Returns the arm about which a body turns: its direction from the diagram, and its length
     /// from the body if both ends are joints of it.
-    pub(super) fn arm_of(&self, body: Body, of: VertexId, to: VertexId) -> Base {
+    pub(super) fn arm_of(&self, body: TurningBody, of: VertexId, to: VertexId) -> Base {
         Base::Arm { from: self.spot(to), to: self.spot(of), known: self.knows_length(body, of, to) }
     }
 
-    fn knows_length(&self, body: Body, of: VertexId, to: VertexId) -> bool {
-        let (Spot::Point(p), Spot::Point(q)) = (self.plan.vertex(of).spot, self.plan.vertex(to).spot) else { return false };
+    fn knows_length(&self, body: TurningBody, of: VertexId, to: VertexId) -> bool {
+        let (VertexPlace::Point(p), VertexPlace::Point(q)) = (self.plan.vertex(of).spot, self.plan.vertex(to).spot) else { return false };
         match body {
-            Body::Link(l) => [p, q].iter().all(|x| self.scene.links[l.0].points.contains(x)),
-            Body::Cylinder(d) => self.scene.drivers[d].kind.ends().is_some_and(|[a, b]| (a, b) == (p, q) || (b, a) == (p, q)),
+            TurningBody::Link(l) => [p, q].iter().all(|x| self.scene.links[l.0].points.contains(x)),
+            TurningBody::Cylinder(d) => self.scene.drivers[d].kind.ends().is_some_and(|[a, b]| (a, b) == (p, q) || (b, a) == (p, q)),
         }
     }
 
@@ -178,7 +178,7 @@ impl<'a> Board<'a> {
 
     /// Adds the mark at the end of a part.
     pub(super) fn part(&mut self, on: DiagramId, term: &Term) -> MarkId {
-        let taken = |e: &Edge<MarkId>| matches!(e.to.0, Mark::Part(t) if t.is_same(term) == Some(false));
+        let taken = |e: &Edge<MarkId>| matches!(e.to.0, PolygonMark::Part(t) if t.is_same(term) == Some(false));
         let taken = self.done.edges[on.index()].iter().any(taken);
         let key = self.done.term(*term);
         self.mark(on, if taken { Name::Again(key) } else { Name::End(key) })
@@ -192,26 +192,26 @@ impl<'a> Board<'a> {
         self.done.construction.vector(Vector { terms, from, to })
     }
 
-    fn step(&mut self, on: DiagramId, step: &Step) {
+    fn step(&mut self, on: DiagramId, step: &PlanStep) {
         spend();
         match step {
-            Step::Equation { target, chains, .. } => self.equation(on, *target, chains),
+            PlanStep::Equation { target, chains, .. } => self.equation(on, *target, chains),
             // If nothing moves there is no triangle to copy.
-            Step::Image { target, from: (a, _), .. } if self.stands(on) => {
+            PlanStep::Image { target, from: (a, _), .. } if self.stands(on) => {
                 let mark = self.image(on, *a);
                 self.falls_on(on, *target, mark, Because::Reached, None);
             }
-            Step::Image { target, from: (a, b), .. } => {
+            PlanStep::Image { target, from: (a, b), .. } => {
                 let of = [*a, *b, *target].map(|v| self.spot(v));
                 let onto = [*a, *b].map(|v| self.image(on, v));
                 let to = self.found(on, *target);
                 self.act_of(on, (*a, *b), [Op::Image { of, onto, to }]);
             }
-            Step::Trials { target, images: [e, _], .. } if self.stands(on) => {
+            PlanStep::Trials { target, images: [e, _], .. } if self.stands(on) => {
                 let mark = self.image(on, *e);
                 self.falls_on(on, *target, mark, Because::Reached, None);
             }
-            Step::Trials { target, images, mates } => {
+            PlanStep::Trials { target, images, mates } => {
                 let [a, b] = [images, mates].map(|pair| {
                     let [from, to] = pair.map(|v| self.image(on, v));
                     let along = Direction::of(Base::Marks(from, to));
@@ -220,7 +220,7 @@ impl<'a> Board<'a> {
                 let to = self.found(on, *target);
                 self.act(on, [Op::Rule(a), Op::Rule(b), Op::Meet { lines: [a, b], to }]);
             }
-            Step::Same { target, from, .. } => {
+            PlanStep::Same { target, from, .. } => {
                 let mark = self.image(on, *from);
                 self.falls_on(on, *target, mark, Because::Translates, Some((*from, *target)));
             }
@@ -233,8 +233,8 @@ impl<'a> Board<'a> {
         self.done.construction.step(on, ends, [Op::Same { mark, to, because }]);
     }
 
-    fn equation(&mut self, on: DiagramId, target: VertexId, chains: &[Chain]) {
-        let mut lines: Vec<(MarkId, LineId, &Chain)> = Vec::new();
+    fn equation(&mut self, on: DiagramId, target: VertexId, chains: &[TermChain]) {
+        let mut lines: Vec<(MarkId, LineId, &TermChain)> = Vec::new();
         let mut last = None;
         for chain in chains {
             let start = self.image(on, chain.start);
@@ -308,8 +308,8 @@ impl<'a> Board<'a> {
     /// Returns the direction of sliding along a guide, at the sliding pin.
     pub(super) fn guide_tangent(&self, guide: GuideId, of: VertexId) -> Base {
         let pin = match self.plan.vertex(of).spot {
-            Spot::Point(p) => Some(place_key(p)),
-            Spot::Special(_) => None,
+            VertexPlace::Point(p) => Some(place_key(p)),
+            VertexPlace::Special(_) => None,
         };
         Base::Tangent(path_key(guide), pin)
     }
@@ -317,29 +317,29 @@ impl<'a> Board<'a> {
     /// Returns the direction of an unknown term.
     fn direction(&self, term: &Term) -> Direction {
         match term.by {
-            By::Turning(_) if term.kind == TermKind::Gap => Direction::of(self.arm(term.of, term.to)),
-            By::Turning(_) | By::Cylinder(_) => Direction::across(self.arm(term.of, term.to)),
-            By::Guide { guide, .. } => Direction::of(self.guide_tangent(guide, term.of)),
-            By::Contact(pair) => self.contact_normal(pair),
-            By::Frame { .. } | By::Apart => unreachable!("no equation has an unknown term that no pair holds"),
+            TermConnection::Turning(_) if term.kind == TermKind::Gap => Direction::of(self.arm(term.of, term.to)),
+            TermConnection::Turning(_) | TermConnection::Cylinder(_) => Direction::across(self.arm(term.of, term.to)),
+            TermConnection::Guide { guide, .. } => Direction::of(self.guide_tangent(guide, term.of)),
+            TermConnection::Contact(pair) => self.contact_normal(pair),
+            TermConnection::Frame { .. } | TermConnection::Apart => unreachable!("no equation has an unknown term that no pair holds"),
         }
     }
 
     /// True if the first point of a sliding term belongs to the carrier of the guide: signs are
     /// then reversed.
     pub(super) fn reversed(&self, term: &Term) -> bool {
-        let By::Guide { guide, .. } = term.by else { return false };
+        let TermConnection::Guide { guide, .. } = term.by else { return false };
         let on = self.scene.guides[guide.0].on;
         let v = self.plan.vertex(term.of);
         match (v.on, v.spot) {
             (Some(l), _) => l == on,
-            (None, Spot::Point(p)) => self.scene.links[on.0].points.contains(&p),
-            (None, Spot::Special(_)) => false,
+            (None, VertexPlace::Point(p)) => self.scene.links[on.0].points.contains(&p),
+            (None, VertexPlace::Special(_)) => false,
         }
     }
 
     /// Records the angular quantity of a body.
-    pub(super) fn turns(&mut self, turning: Turning) {
+    pub(super) fn turns(&mut self, turning: BodyRate) {
         self.done.turnings.push(turning);
     }
 }

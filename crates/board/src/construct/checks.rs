@@ -2,7 +2,7 @@
 //! fixed distance, so that along their line the relative velocity is zero and the relative
 //! acceleration is aⁿ. No crossing uses it, so it checks the drawing.
 
-use super::{Drawing, Polygon};
+use super::{PlanDrawing, Polygon};
 use crate::plan::Plan;
 use hodograph_base::geom::Point;
 use hodograph_mechanism::mechanism::Mechanism;
@@ -23,7 +23,7 @@ pub struct Condition {
 }
 
 /// Returns the conditions of all opened links with both pins' images on the paper.
-pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Drawing) -> Vec<Condition> {
+pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &PlanDrawing) -> Vec<Condition> {
     let mut out = Vec::new();
     for (index, redundant) in m.redundant.iter().enumerate() {
         let hodograph_mechanism::mechanism::Opened::Link(l) = redundant.opened else { continue };
@@ -36,7 +36,7 @@ pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan,
     out
 }
 
-fn off_mm(scene: &Scene, at: &Configuration, plan: &Plan, paper: &Drawing, (a, b): (PointId, PointId), on: DiagramKind) -> Option<f64> {
+fn off_mm(scene: &Scene, at: &Configuration, plan: &Plan, paper: &PlanDrawing, (a, b): (PointId, PointId), on: DiagramKind) -> Option<f64> {
     let line = at.points[b.0]? - at.points[a.0]?;
     let along = line.unit()?;
     let apart = |polygon: &Polygon| {

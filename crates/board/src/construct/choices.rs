@@ -1,8 +1,8 @@
 //! Choices made before the drawing: the constraint lines of a triad that are crossed, and a scale
 //! for the trial.
 
-use super::board::Board;
-use super::givens::Posed;
+use super::board::ActWriter;
+use super::givens::PosedInputs;
 use super::layout::Layout;
 use super::pencil::Exact;
 use crate::construction::{self, LineId};
@@ -31,11 +31,11 @@ pub(super) fn alternatives(scene: &Scene, m: &Mechanism, at: &Configuration, pla
 
 fn best_alternative(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, mu: f64, group: usize) -> Result<usize, Faults> {
     let Core::Link { legs, link } = &m.groups[group].core else { return Ok(0) };
-    let mut board = Board::new(scene, m, plan, &[]);
+    let mut board = ActWriter::new(scene, m, plan, &[]);
     let on = board.set_out_joints();
     let lines: Vec<Option<LineId>> = legs.iter().map(|l| l.line().map(|line| board.constraint_line(on, line))).collect();
     let scales = Layout { mu, scales: ByKind::default() }.all();
-    let posed = Posed::new(scene, at, &board.done.givens);
+    let posed = PosedInputs::new(scene, at, &board.done.givens);
     let drawn = construction::draw(&board.done.construction, &posed, &scales, &mut Exact).ok();
     let line = |leg: usize| lines[leg].and_then(|id| drawn.as_ref()?.lines[id.index()]);
     let nears: Vec<Point> = (0..legs.len()).filter_map(line).map(|(p, _)| p).collect();

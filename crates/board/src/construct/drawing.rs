@@ -2,13 +2,13 @@
 
 use super::acts::Acts;
 use super::choices::SPECIAL_LEGS;
-use super::givens::{Posed, origin};
+use super::givens::{PosedInputs, origin};
 use super::layout::Layout;
 use super::pencil::Pencil;
 use super::refusal::{overflow, refusal};
 use super::scale;
-use super::{Action, Crossed, Diagram, Drawing, Edge, Mark, Polygon, RateMeasured, RateReading};
-use crate::construction::{self, Because, DiagramId, Drawn, Line, LineId, MarkId, Met, Name, Number, Op, Step, VectorId};
+use super::{Action, Crossed, Diagram, Edge, PlanDrawing, Polygon, PolygonMark, RateMeasured, RateReading};
+use crate::construction::{self, Because, DiagramId, DrawnPlaces, Line, LineId, MarkId, Met, Name, Number, Op, Step, VectorId};
 use crate::plan::{Plan, VertexId};
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
@@ -33,13 +33,13 @@ impl Acts {
         plan: &Plan,
         layout: &Layout,
         pencil: &mut P,
-    ) -> Result<Drawing<N>, Faults> {
+    ) -> Result<PlanDrawing<N>, Faults> {
         told(evaluate(self, scene, at, plan, layout, pencil)?.0)
     }
 }
 
 /// Returns the drawing if all its numbers are finite and decided.
-fn told<N: Real>(done: Drawing<N>) -> Result<Drawing<N>, Faults> {
+fn told<N: Real>(done: PlanDrawing<N>) -> Result<PlanDrawing<N>, Faults> {
     let finite = |p: &Polygon<N>| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
     if done.diagrams.iter().all(finite) && done.rates.iter().all(|r| r.value.is_decided()) {
         return Ok(done);
@@ -55,8 +55,8 @@ pub(super) fn fall<N: Real, P: Pencil<N>>(
     plan: &Plan,
     layout: &Layout,
     pencil: &mut P,
-) -> Result<Drawn<N>, Faults> {
-    let posed = Posed::new(scene, at, &acts.givens);
+) -> Result<DrawnPlaces<N>, Faults> {
+    let posed = PosedInputs::new(scene, at, &acts.givens);
     Ok(construction::draw(&acts.construction, &posed, &layout.all(), pencil).map_err(|stop| refusal(acts, scene, plan, &stop))?)
 }
 
@@ -69,26 +69,26 @@ fn evaluate<N: Real, P: Pencil<N>>(
     plan: &Plan,
     layout: &Layout,
     pencil: &mut P,
-) -> Result<(Drawing<N>, Drawn<N>), Faults> {
+) -> Result<(PlanDrawing<N>, DrawnPlaces<N>), Faults> {
     let drawn = fall(acts, scene, at, plan, layout, pencil)?;
-    let drawing = View { acts, plan, drawn: &drawn, scales: &layout.all() }.drawing(origin(scene, at));
+    let drawing = ActsView { acts, plan, drawn: &drawn, scales: &layout.all() }.drawing(origin(scene, at));
     Ok((drawing, drawn))
 }
 
-struct View<'a, N> {
+struct ActsView<'a, N> {
     acts: &'a Arc<Acts>,
     plan: &'a Plan,
-    drawn: &'a Drawn<N>,
+    drawn: &'a DrawnPlaces<N>,
     scales: &'a ByKind,
 }
 
-impl<N: Real> View<'_, N> {
-    fn drawing(&self, origin: Point<N>) -> Drawing<N> {
+impl<N: Real> ActsView<'_, N> {
+    fn drawing(&self, origin: Point<N>) -> PlanDrawing<N> {
         let (construction, plane) = (&self.acts.construction, DiagramKind::Plane);
         let place = |mark: &Option<MarkId>| mark.and_then(|m| self.drawn.marks[m.index()]);
         let spots = self.acts.images.first().map_or(Vec::new(), |spots| spots.iter().map(place).collect());
         let mu = self.scales.get(plane.kind()).unwrap_or(1.0);
-        let mut out = Drawing {
+        let mut out = PlanDrawing {
             diagram: Diagram { mu, origin, spots, crossed: self.crossed() },
             diagrams: Vec::new(),
             rates: Vec::new(),
@@ -104,7 +104,7 @@ impl<N: Real> View<'_, N> {
                 edges: Vec::new(),
                 actions: Vec::new(),
             };
-            let at = |(mark, id): (Mark, MarkId)| Some((mark, self.drawn.marks[id.index()]?));
+            let at = |(mark, id): (PolygonMark, MarkId)| Some((mark, self.drawn.marks[id.index()]?));
             let edge = |e: &Edge<MarkId>| {
                 Some(Edge { terms: e.terms.clone(), from: at(e.from)?, to: at(e.to)?, known: e.known, between: e.between })
             };
@@ -150,8 +150,8 @@ impl<N: Real> View<'_, N> {
     /// Returns the vertex of an image.
     fn vertex(&self, mark: MarkId) -> VertexId {
         match self.acts.mark(mark) {
-            Mark::Image(v) => v,
-            Mark::Pole | Mark::Part(_) | Mark::Again(_) => unreachable!("what is found is the image of a vertex"),
+            PolygonMark::Image(v) => v,
+            PolygonMark::Pole | PolygonMark::Part(_) | PolygonMark::Again(_) => unreachable!("what is found is the image of a vertex"),
         }
     }
 
@@ -234,7 +234,7 @@ pub fn by_hand<N: Real, P: Pencil<N>>(
     plan: &Plan,
     layout: &Layout,
     pencil: &mut P,
-) -> Result<(Drawing<N>, Configuration<N>), Faults> {
+) -> Result<(PlanDrawing<N>, Configuration<N>), Faults> {
     let (done, drawn) = evaluate(acts, scene, at, plan, layout, pencil)?;
     let mut shown = at.clone();
     if !P::EXACT {

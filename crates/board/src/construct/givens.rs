@@ -1,6 +1,6 @@
 //! The givens of a scene in a pose.
 
-use super::acts::Given;
+use super::acts::GivenNumber;
 use crate::construction::{Givens, Key, Track};
 use hodograph_base::geom::Point;
 use hodograph_base::number::Real;
@@ -9,16 +9,16 @@ use hodograph_scene::exact::Inputs;
 use hodograph_scene::{DiagramKind, Driver, Scene};
 
 /// A scene in a pose.
-pub(super) struct Posed<'a, N> {
+pub(super) struct PosedInputs<'a, N> {
     scene: &'a Scene,
     at: &'a Configuration<N>,
-    numbers: &'a [Given],
+    numbers: &'a [GivenNumber],
     inputs: Inputs<'a, N>,
     origin: Point<N>,
     extent: f64,
 }
 
-impl<'a, N: Real> Posed<'a, N> {
+impl<'a, N: Real> PosedInputs<'a, N> {
     /// Returns a rate (rad/s, or rad/s²) of the order of those of the drivers. Any value but 0
     /// gives the same polygon.
     fn handy(&self, on: DiagramKind) -> f64 {
@@ -32,8 +32,8 @@ impl<'a, N: Real> Posed<'a, N> {
         if value > 0.0 && value.is_finite() { value } else { 1.0 }
     }
 
-    pub(super) fn new(scene: &'a Scene, at: &'a Configuration<N>, numbers: &'a [Given]) -> Self {
-        Posed { scene, at, numbers, inputs: Inputs::of(scene), origin: origin(scene, at), extent: at.extent() }
+    pub(super) fn new(scene: &'a Scene, at: &'a Configuration<N>, numbers: &'a [GivenNumber]) -> Self {
+        PosedInputs { scene, at, numbers, inputs: Inputs::of(scene), origin: origin(scene, at), extent: at.extent() }
     }
 }
 
@@ -45,19 +45,19 @@ pub(super) fn origin<N: Real>(scene: &Scene, at: &Configuration<N>) -> Point<N> 
     first.unwrap_or(Point::origin())
 }
 
-impl<N: Real> Givens<N> for Posed<'_, N> {
+impl<N: Real> Givens<N> for PosedInputs<'_, N> {
     fn place(&self, key: Key) -> Option<Point<N>> {
         self.at.points[key.index()]
     }
 
     fn number(&self, key: Key) -> N {
         match self.numbers[key.index()] {
-            Given::Rate(driver) => self.inputs.number(&self.scene.drivers[driver].rate),
-            Given::Acceleration(driver) => {
+            GivenNumber::Rate(driver) => self.inputs.number(&self.scene.drivers[driver].rate),
+            GivenNumber::Acceleration(driver) => {
                 self.scene.drivers[driver].acceleration.as_ref().map_or(N::from_f64(0.0), |a| self.inputs.number(a))
             }
-            Given::Size(pair, which) => self.scene.rolling[pair.0].sizes(&self.inputs)[which],
-            Given::Trial(on) => N::from_f64(self.handy(on)),
+            GivenNumber::Size(pair, which) => self.scene.rolling[pair.0].sizes(&self.inputs)[which],
+            GivenNumber::Trial(on) => N::from_f64(self.handy(on)),
         }
     }
 

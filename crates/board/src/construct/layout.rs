@@ -3,7 +3,7 @@
 use super::acts::Acts;
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
-use super::{Drawing, choices, drawing};
+use super::{PlanDrawing, choices, drawing};
 use crate::plan::Plan;
 use hodograph_base::diag::Faults;
 use hodograph_mechanism::mechanism::Mechanism;
@@ -22,7 +22,7 @@ pub struct Layout {
 
 impl Layout {
     /// Returns the layout of a finished drawing.
-    pub fn of(done: &Drawing) -> Layout {
+    pub fn of(done: &PlanDrawing) -> Layout {
         Layout { mu: done.diagram.mu, scales: done.diagrams.iter().map(|p| (p.on.kind(), p.mu)).collect() }
     }
 
@@ -44,7 +44,7 @@ impl Layout {
 /// # Errors
 /// Two unknown directions that are parallel, at a dead centre (the diagnostic names the links and
 /// the joint); numbers too large to draw.
-pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Drawing, Faults> {
+pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<PlanDrawing, Faults> {
     let mu = scale::fitted(&scene.paper, Kind::Length, scale::size(scene, at), boxes.diagram);
     let chosen = choices::alternatives(scene, m, at, plan, mu)?;
     let acts = Acts::of(scene, m, plan, &chosen);

@@ -2,7 +2,7 @@
 //!
 //! A [`Plan`] is written as [`Acts`], the work of a draughtsman: take the pole, lay off known
 //! vectors, draw lines of known direction, cross them, copy triangles by similarity, measure. Their
-//! evaluation is a [`Drawing`]: marks in millimetres, which μ converts to answers. The loop
+//! evaluation is a [`PlanDrawing`]: marks in millimetres, which μ converts to answers. The loop
 //! equations are not used. Each mark is made by a [`pencil`]: an exact one, or a blunt one
 //! ([`by_hand`]), which shows the accuracy of the drawing.
 
@@ -26,9 +26,9 @@ pub use checks::{Condition, conditions};
 pub use drawing::by_hand;
 pub use layout::{Layout, construct};
 pub use readings::source;
-pub use readings::{Answer, Measured, Shown, ShownAs, read, read_by_hand};
+pub use readings::{DrawnVector, FindAnswer, MeasuredDistance, ShownAs, read, read_by_hand};
 
-use crate::plan::{Body, Plan, Term, VertexId};
+use crate::plan::{Plan, Term, TurningBody, VertexId};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::{ByKind, DiagramKind};
@@ -58,7 +58,7 @@ impl Diagram {
 
 /// The end of a vector on a polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Mark {
+pub enum PolygonMark {
     /// The pole.
     Pole,
     /// The image of a vertex.
@@ -75,9 +75,9 @@ pub struct Edge<P = Point> {
     /// The terms: one, or two along one line that are drawn as one.
     pub terms: Vec<Term>,
     /// The start of the vector.
-    pub from: (Mark, P),
+    pub from: (PolygonMark, P),
     /// The end of the vector.
-    pub to: (Mark, P),
+    pub to: (PolygonMark, P),
     /// True if its magnitude was known when it was drawn.
     pub known: bool,
     /// True if it belongs to no equation, but is read between two images.
@@ -112,7 +112,7 @@ pub enum Action<N = f64> {
         /// The unknown terms along it.
         terms: Vec<Term>,
         /// The mark through which it is drawn; two marks may have the same place.
-        mark: Mark,
+        mark: PolygonMark,
         /// The place of the mark on paper.
         through: Point<N>,
         /// The unit direction.
@@ -161,7 +161,7 @@ pub enum Action<N = f64> {
         /// The unit direction of the line.
         direction: Vec2<N>,
     },
-    /// An angular velocity or acceleration is found (index into [`Drawing::rates`]).
+    /// An angular velocity or acceleration is found (index into [`PlanDrawing::rates`]).
     Rate(usize),
 }
 
@@ -229,30 +229,30 @@ pub struct Polygon<N = f64> {
 
 /// The marks of a vector, from the first to the second, and true if the drawing shows the opposite
 /// vector.
-type Vector<P> = ([(Mark, P); 2], bool);
+type VectorMarks<P> = ([(PolygonMark, P); 2], bool);
 
 impl<N: Copy> Polygon<N> {
     /// Returns the mark of a vertex: its image, or the pole for a fixed one.
-    pub fn mark(&self, plan: &Plan, v: VertexId) -> Mark {
-        if plan.vertex(v).fixed { Mark::Pole } else { Mark::Image(v) }
+    pub fn mark(&self, plan: &Plan, v: VertexId) -> PolygonMark {
+        if plan.vertex(v).fixed { PolygonMark::Pole } else { PolygonMark::Image(v) }
     }
 
     /// Returns the two marks between which a vector of these terms is drawn, as one edge or
     /// consecutive ones, and true if the drawing shows the opposite vector: the marks are then
     /// exchanged.
-    pub fn edge_of(&self, terms: &[Term]) -> Option<Vector<Point<N>>> {
+    pub fn edge_of(&self, terms: &[Term]) -> Option<VectorMarks<Point<N>>> {
         edge_of(&self.edges, terms)
     }
 }
 
 /// Returns the mark, with its place, at the end of a term that is drawn from another mark.
-fn end_of<P: Copy>(edges: &[Edge<P>], from: &Mark, term: &Term) -> Option<(Mark, P)> {
+fn end_of<P: Copy>(edges: &[Edge<P>], from: &PolygonMark, term: &Term) -> Option<(PolygonMark, P)> {
     let drawn = |e: &&Edge<P>| e.from.0 == *from && matches!(&e.terms[..], [t] if t.is_same(term) == Some(false));
     edges.iter().find(drawn).map(|e| e.to)
 }
 
 /// The common part of [`Polygon::edge_of`] for all kinds of places.
-fn edge_of<P: Copy>(edges: &[Edge<P>], terms: &[Term]) -> Option<Vector<P>> {
+fn edge_of<P: Copy>(edges: &[Edge<P>], terms: &[Term]) -> Option<VectorMarks<P>> {
     let shows = |e: &Edge<P>, t: &Term| if let [u] = &e.terms[..] { u.is_same(t) } else { None };
     // Terms that vanish have no edge: only the others count.
     let drawn: Vec<&Term> = terms.iter().filter(|t| edges.iter().any(|e| shows(e, t).is_some())).collect();
@@ -319,7 +319,7 @@ pub struct RateReading<N = f64> {
     /// The polygon on which it is measured: velocities for ω, accelerations for α.
     pub on: DiagramKind,
     /// The body.
-    pub body: Body,
+    pub body: TurningBody,
     /// The value (rad/s or rad/s²).
     pub value: N,
     /// The measured vector; `None` for a given value.
@@ -336,12 +336,12 @@ pub struct RateMeasured<N = f64> {
     /// The line on which it is measured: its first vertex relative to the second.
     pub line: (VertexId, VertexId),
     /// The marks at its ends.
-    pub marks: [(Mark, Point<N>); 2],
+    pub marks: [(PolygonMark, Point<N>); 2],
 }
 
 /// A finished drawing.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Drawing<N = f64> {
+pub struct PlanDrawing<N = f64> {
     /// The mechanism to scale.
     pub diagram: Diagram<N>,
     /// The vector diagrams, each to its own scale, in the order in which they were drawn: the
@@ -356,7 +356,7 @@ pub struct Drawing<N = f64> {
     magnification: ByKind,
 }
 
-impl Drawing {
+impl PlanDrawing {
     /// Returns the scale of the mechanism or of a polygon (SI per mm); `None` if there is no such
     /// polygon.
     pub fn scale(&self, on: DiagramKind) -> Option<f64> {
@@ -370,7 +370,7 @@ impl Drawing {
     }
 }
 
-impl<N> Drawing<N> {
+impl<N> PlanDrawing<N> {
     /// Returns the factor by which the worst crossing that a diagram depends on magnifies rounding
     /// errors; 1 without crossings.
     pub fn magnified(&self, on: DiagramKind) -> f64 {
@@ -378,7 +378,7 @@ impl<N> Drawing<N> {
     }
 }
 
-impl<N: Real> Drawing<N> {
+impl<N: Real> PlanDrawing<N> {
     /// Returns the polygon of a kind, if it is drawn.
     pub fn polygon(&self, on: DiagramKind) -> Option<&Polygon<N>> {
         self.diagrams.iter().find(|p| p.on == on)
@@ -407,7 +407,7 @@ impl<N: Real> Drawing<N> {
     }
 
     /// Returns the angular velocity or acceleration of a body.
-    pub fn rate(&self, on: DiagramKind, body: Body) -> Option<N> {
+    pub fn rate(&self, on: DiagramKind, body: TurningBody) -> Option<N> {
         // Usually the last one read is wanted.
         self.rates.iter().rev().find(|r| r.on == on && r.body == body).map(|r| r.value)
     }

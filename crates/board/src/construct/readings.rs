@@ -6,33 +6,33 @@
 //! measured.
 
 use super::pencil::Pencil;
-use super::{Drawing, Mark, scale};
-use crate::plan::{Asking, Plan, Spot, Term, VertexId, asking, body_of};
+use super::{PlanDrawing, PolygonMark, scale};
+use crate::plan::{Asking, Plan, Term, VertexId, VertexPlace, asking, body_of};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_mechanism::answer::{Source, Value, place};
+use hodograph_mechanism::answer::{AnswerValue, MotionSource, place};
 use hodograph_mechanism::mechanism::{Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::combined::combine;
-use hodograph_scene::quantity::composite::Part;
-use hodograph_scene::quantity::{Composite, Frame, Meaning, Of, Seen};
+use hodograph_scene::quantity::composite::CompositePart;
+use hodograph_scene::quantity::{Composite, Frame, Meaning, ObservedPart, Of};
 use hodograph_scene::{Asked, DiagramKind, Find, Kind, LinkId, OnLink, PointId, Scene};
 
 /// The answer to one question.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Answer {
+pub struct FindAnswer {
     /// Index into the scene's `find` list.
     pub find: usize,
     /// The value.
-    pub value: Value,
+    pub value: AnswerValue,
     /// The measurement; `None` for given values, for positions, and if the drawing shows nothing
     /// because the quantity vanishes for topological reasons or because a driver is at rest.
-    pub measured: Option<Measured>,
+    pub measured: Option<MeasuredDistance>,
 }
 
 /// The distance of two marks measured on paper, with its factors.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measured {
+pub struct MeasuredDistance {
     /// The length (mm).
     pub length_mm: f64,
     /// The scale (SI per mm).
@@ -43,21 +43,21 @@ pub struct Measured {
     pub arm_of: Option<(PointId, PointId)>,
     /// The marks at the ends of the length, with their places in the polygon (mm from its pole); a
     /// vector points from the first to the second.
-    pub marks: [(Mark, Point); 2],
+    pub marks: [(PolygonMark, Point); 2],
     /// The vector in the names of the drawing; `None` for an angular quantity.
-    pub shown: Option<Shown>,
+    pub shown: Option<DrawnVector>,
 }
 
 /// The vector of the drawing that a question reads.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
+pub struct DrawnVector {
     /// The image of a vertex from the pole, or the terms of consecutive edges.
     pub vector: ShownAs,
     /// True if the question asks for the opposite vector.
     pub reversed: bool,
 }
 
-/// The form of a vector in [`Shown`].
+/// The form of a vector in [`DrawnVector`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShownAs {
     /// The vector from the pole to an image.
@@ -67,9 +67,9 @@ pub enum ShownAs {
 }
 
 /// A vector found on paper: its marks and its name.
-struct Found<N> {
-    marks: [(Mark, Point<N>); 2],
-    shown: Shown,
+struct FoundVector<N> {
+    marks: [(PolygonMark, Point<N>); 2],
+    shown: DrawnVector,
 }
 
 /// A relative velocity below this fraction of the transport velocity shows no direction on paper,
@@ -80,7 +80,7 @@ struct OnPaper<'a, N> {
     scene: &'a Scene,
     m: &'a Mechanism,
     plan: &'a Plan,
-    paper: &'a Drawing<N>,
+    paper: &'a PlanDrawing<N>,
 }
 
 impl<N: Real> OnPaper<'_, N> {
@@ -99,18 +99,18 @@ impl<N: Real> OnPaper<'_, N> {
     }
 
     /// Returns the place of a question on paper; `None` if no edge shows it.
-    fn find(&self, what: &Asked) -> Option<Found<N>> {
+    fn find(&self, what: &Asked) -> Option<FoundVector<N>> {
         let polygon = self.paper.polygon(what.diagram())?;
         match asking(self.scene, self.m, self.plan, what)? {
             Asking::Vector { of, reversed } => {
-                let (pole, tip) = ((Mark::Pole, Point::origin()), (polygon.mark(self.plan, of), polygon.images[of.0]?));
+                let (pole, tip) = ((PolygonMark::Pole, Point::origin()), (polygon.mark(self.plan, of), polygon.images[of.0]?));
                 let marks = if reversed { [tip, pole] } else { [pole, tip] };
-                Some(Found { marks, shown: Shown { vector: ShownAs::Image(of), reversed } })
+                Some(FoundVector { marks, shown: DrawnVector { vector: ShownAs::Image(of), reversed } })
             }
             Asking::Terms(terms) => {
                 let (marks, reversed) = polygon.edge_of(&terms)?;
                 let drawn = |t: &Term| if reversed { Term { of: t.to, to: t.of, ..*t } } else { *t };
-                Some(Found { marks, shown: Shown { vector: ShownAs::Edges(terms.iter().map(drawn).collect()), reversed } })
+                Some(FoundVector { marks, shown: DrawnVector { vector: ShownAs::Edges(terms.iter().map(drawn).collect()), reversed } })
             }
         }
     }
@@ -126,11 +126,11 @@ impl<N: Real> OnPaper<'_, N> {
 
 /// Returns the vectors and rates of a drawing as a source for formulas: accelerations for inertia,
 /// velocities for resistances.
-pub fn source<'a, N: Real>(scene: &'a Scene, m: &'a Mechanism, plan: &'a Plan, paper: &'a Drawing<N>) -> impl Source<N> + 'a {
+pub fn source<'a, N: Real>(scene: &'a Scene, m: &'a Mechanism, plan: &'a Plan, paper: &'a PlanDrawing<N>) -> impl MotionSource<N> + 'a {
     OnPaper { scene, m, plan, paper }
 }
 
-impl<N: Real> Source<N> for OnPaper<'_, N> {
+impl<N: Real> MotionSource<N> for OnPaper<'_, N> {
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2<N>> {
         let diagram = DiagramKind::of(level);
         let own = on.filter(|l| !self.scene.links[l.0].points.contains(&p));
@@ -150,7 +150,7 @@ impl<N: Real> Source<N> for OnPaper<'_, N> {
 /// Returns the points at the ends of a line, if the arm is their distance (a special point is not a
 /// point of the scene, and some arms begin in a centre of curvature).
 fn points_of(at: &Configuration, plan: &Plan, (of, to): (VertexId, VertexId), arm: f64) -> Option<(PointId, PointId)> {
-    let (Spot::Point(a), Spot::Point(b)) = (plan.vertex(of).spot, plan.vertex(to).spot) else { return None };
+    let (VertexPlace::Point(a), VertexPlace::Point(b)) = (plan.vertex(of).spot, plan.vertex(to).spot) else { return None };
     let off = at.points[a.0]?.distance(at.points[b.0]?) - arm;
     // The two distances agree to rounding, or are different altogether.
     (off.abs() < 1e-9 * arm).then_some((a, b))
@@ -159,30 +159,30 @@ fn points_of(at: &Configuration, plan: &Plan, (of, to): (VertexId, VertexId), ar
 /// True if a Coriolis part vanishes because its frame never turns.
 fn vanishes(m: &Mechanism, what: &Asked, scene: &Scene) -> bool {
     match what.meaning(scene) {
-        Some(Meaning::Seen(Seen::Coriolis, _, Frame::Link(l), _)) => m.never_turns[l.0],
-        Some(Meaning::Seen(Seen::Coriolis, _, Frame::Point(_), _)) => true,
+        Some(Meaning::Seen(ObservedPart::Coriolis, _, Frame::Link(l), _)) => m.never_turns[l.0],
+        Some(Meaning::Seen(ObservedPart::Coriolis, _, Frame::Point(_), _)) => true,
         _ => false,
     }
 }
 
 /// Returns the answers from the drawing board; `None` for vectors that are not drawn
 /// ([`Plan::undrawable`]).
-pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Drawing) -> Vec<Option<Answer>> {
+pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &PlanDrawing) -> Vec<Option<FindAnswer>> {
     let source = OnPaper { scene, m, plan, paper };
     scene.find.iter().enumerate().map(|(find, f)| source.answer(at, find, &f.what)).collect()
 }
 
 impl OnPaper<'_, f64> {
     /// Returns the answer to a question.
-    fn answer(&self, at: &Configuration, find: usize, what: &Asked) -> Option<Answer> {
+    fn answer(&self, at: &Configuration, find: usize, what: &Asked) -> Option<FindAnswer> {
         let on = what.diagram();
         // A combination of two quantities is drawn if both are.
         if let Asked::Combined(c) = what {
             let [a, b] = c.operands.map(|q| self.answer(at, find, &q.asked()));
-            return Some(Answer { find, value: combine(c.operation, a?.value, b?.value)?, measured: None });
+            return Some(FindAnswer { find, value: combine(c.operation, a?.value, b?.value)?, measured: None });
         }
         if on == DiagramKind::Plane {
-            return Some(Answer { find, value: place(self.scene, at, what)?, measured: None });
+            return Some(FindAnswer { find, value: place(self.scene, at, what)?, measured: None });
         }
         match what.meaning(self.scene) {
             Some(Meaning::Turning(l, None)) => {
@@ -190,19 +190,19 @@ impl OnPaper<'_, f64> {
                 let measured = reading.zip(self.paper.polygon(on)).and_then(|(r, p)| {
                     let m = r.measured?;
                     let arm_of = points_of(at, self.plan, m.line, m.arm);
-                    Some(Measured { length_mm: m.length, mu: p.mu, arm_m: Some(m.arm), arm_of, marks: m.marks, shown: None })
+                    Some(MeasuredDistance { length_mm: m.length, mu: p.mu, arm_m: Some(m.arm), arm_of, marks: m.marks, shown: None })
                 });
-                return Some(Answer { find, value: Value::Scalar(self.turning(on, l)?), measured });
+                return Some(FindAnswer { find, value: AnswerValue::Scalar(self.turning(on, l)?), measured });
             }
             Some(Meaning::Turning(l, Some(against))) => {
                 let value = self.turning(on, l)? - self.turning(on, against)?;
-                return Some(Answer { find, value: Value::Scalar(value), measured: None });
+                return Some(FindAnswer { find, value: AnswerValue::Scalar(value), measured: None });
             }
             Some(Meaning::Ratio(links, arm)) => {
                 let of = |l| self.turning(on, l);
                 let arm = arm.map_or(Some(0.0), of)?;
                 let value = (of(links[0])? - arm) / (of(links[1])? - arm);
-                return value.is_finite().then_some(Answer { find, value: Value::Scalar(value), measured: None });
+                return value.is_finite().then_some(FindAnswer { find, value: AnswerValue::Scalar(value), measured: None });
             }
             Some(Meaning::Vector(_) | Meaning::Relative(..)) => {}
             Some(Meaning::Seen(..)) if asking(self.scene, self.m, self.plan, what).is_none() && !vanishes(self.m, what, self.scene) => {
@@ -216,32 +216,32 @@ impl OnPaper<'_, f64> {
             return None;
         }
         Some(match (self.find(what), self.paper.polygon(on)) {
-            (Some(Found { marks, shown }), Some(p)) => {
+            (Some(FoundVector { marks, shown }), Some(p)) => {
                 let drawn = marks[1].1 - marks[0].1;
-                let measured = Measured { length_mm: drawn.norm(), mu: p.mu, arm_m: None, arm_of: None, marks, shown: Some(shown) };
-                Answer { find, value: Value::Vector(drawn * p.mu), measured: Some(measured) }
+                let measured = MeasuredDistance { length_mm: drawn.norm(), mu: p.mu, arm_m: None, arm_of: None, marks, shown: Some(shown) };
+                FindAnswer { find, value: AnswerValue::Vector(drawn * p.mu), measured: Some(measured) }
             }
             // Both images exist, without an edge between them: this part vanishes.
-            _ => Answer { find, value: Value::Vector(Vec2::ZERO), measured: None },
+            _ => FindAnswer { find, value: AnswerValue::Vector(Vec2::ZERO), measured: None },
         })
     }
 
     /// Returns a_rⁿ and a_rᵗ if no pair gives the relative path: by the perpendicular from the tip
     /// of a_r to the line of v_r, both of which are drawn.
-    fn dropped(&self, at: &Configuration, find: usize, what: &Asked) -> Option<Answer> {
+    fn dropped(&self, at: &Configuration, find: usize, what: &Asked) -> Option<FindAnswer> {
         let Asked::Composite(c) = what else { return None };
         let of = |part| match self.answer(at, find, &Composite { part, ..*c }.into())?.value {
-            Value::Vector(v) => Some(v),
-            Value::Scalar(_) | Value::Point(_) => None,
+            AnswerValue::Vector(v) => Some(v),
+            AnswerValue::Scalar(_) | AnswerValue::Point(_) => None,
         };
-        if !matches!(c.part, Part::RelativeNormal | Part::RelativeTangential) {
+        if !matches!(c.part, CompositePart::RelativeNormal | CompositePart::RelativeTangential) {
             return None;
         }
-        let [whole, v_r, v_e] = [of(Part::Relative)?, of(Part::RelativeVelocity)?, of(Part::TransportVelocity)?];
+        let [whole, v_r, v_e] = [of(CompositePart::Relative)?, of(CompositePart::RelativeVelocity)?, of(CompositePart::TransportVelocity)?];
         let way = v_r.unit().filter(|_| v_r.norm() > SHORT * v_e.norm())?;
         let along = way * way.dot(whole);
-        let value = if c.part == Part::RelativeTangential { along } else { whole - along };
-        Some(Answer { find, value: Value::Vector(value), measured: None })
+        let value = if c.part == CompositePart::RelativeTangential { along } else { whole - along };
+        Some(FindAnswer { find, value: AnswerValue::Vector(value), measured: None })
     }
 }
 
@@ -253,24 +253,24 @@ pub fn read_by_hand<P: Pencil>(
     m: &Mechanism,
     shown: &Configuration,
     plan: &Plan,
-    paper: &Drawing,
+    paper: &PlanDrawing,
     pencil: &mut P,
-) -> Vec<Option<Value>> {
+) -> Vec<Option<AnswerValue>> {
     let mu = paper.diagram.mu;
     let drawn = read(scene, m, shown, plan, paper);
-    let mut measure = |find: &Find, answer: Option<Answer>| -> Option<Value> {
+    let mut measure = |find: &Find, answer: Option<FindAnswer>| -> Option<AnswerValue> {
         // Combinations of two quantities are calculated.
         if matches!(find.what, Asked::Combined(_)) {
             return Some(answer?.value);
         }
         let on = find.what.diagram();
         Some(match (answer?.value, paper.polygon(on)) {
-            (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(on, v * (1.0 / p.mu)) * p.mu),
+            (AnswerValue::Vector(v), Some(p)) => AnswerValue::Vector(pencil.read(on, v * (1.0 / p.mu)) * p.mu),
             // Rates were read when they were first needed; the difference of two rates is
             // calculated.
-            (value @ (Value::Scalar(_) | Value::Point(_)), Some(_)) | (value @ Value::Vector(_), None) => value,
-            (Value::Point(p), None) => Value::Point((pencil.read(on, p.to_vec2() * (1.0 / mu)) * mu).to_point()),
-            (Value::Scalar(s), None) => Value::Scalar(match find.what.of() {
+            (value @ (AnswerValue::Scalar(_) | AnswerValue::Point(_)), Some(_)) | (value @ AnswerValue::Vector(_), None) => value,
+            (AnswerValue::Point(p), None) => AnswerValue::Point((pencil.read(on, p.to_vec2() * (1.0 / mu)) * mu).to_point()),
+            (AnswerValue::Scalar(s), None) => AnswerValue::Scalar(match find.what.of() {
                 Of::Link(l) if find.what.kind() == Kind::Angle => {
                     let apart = shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu;
                     pencil.ruler(on, Vec2::from_angle(s), apart).angle()

@@ -1,10 +1,10 @@
 //! Diagnostics for drawings that cannot be made.
 
-use super::Mark;
+use super::PolygonMark;
 use super::acts::Acts;
 use crate::construction::{MarkId, Stop, Why};
 use crate::plan::text::{held_by, vertex_name};
-use crate::plan::{By, Plan, Spot, Term, VertexId};
+use crate::plan::{Plan, Term, TermConnection, VertexId, VertexPlace};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_scene::{DiagramKind, Scene};
 
@@ -17,7 +17,7 @@ pub(super) fn overflow() -> Diagnostic {
 pub(super) fn refusal(acts: &Acts, scene: &Scene, plan: &Plan, stop: &Stop) -> Diagnostic {
     let construction = &acts.construction;
     let step = &construction.steps[stop.step];
-    let found = |mark: MarkId| if let Mark::Image(v) = acts.mark(mark) { Some(v) } else { None };
+    let found = |mark: MarkId| if let PolygonMark::Image(v) = acts.mark(mark) { Some(v) } else { None };
     let missing = if let Why::Missing(mark) = stop.why { found(mark) } else { None };
     match (stop.why, missing, step.ends) {
         (Why::Parallel(lines, to), ..) => {
@@ -48,7 +48,7 @@ pub(super) fn refusal(acts: &Acts, scene: &Scene, plan: &Plan, stop: &Stop) -> D
 fn dead_centre(scene: &Scene, plan: &Plan, on: DiagramKind, target: VertexId, open: &[Vec<Term>; 2]) -> Diagnostic {
     let words: Vec<Both> = open.iter().filter_map(|terms| terms.first()).map(|t| held_by(scene, plan, t)).collect();
     let at = vertex_name(scene, plan, target);
-    let lie = if open.iter().flatten().all(|t| matches!(t.by, By::Turning(_) | By::Cylinder(_))) {
+    let lie = if open.iter().flatten().all(|t| matches!(t.by, TermConnection::Turning(_) | TermConnection::Cylinder(_))) {
         both!("lie in line", "共线")
     } else {
         both!("leave the same direction open", "所余方向相同")
@@ -65,7 +65,7 @@ fn dead_centre(scene: &Scene, plan: &Plan, on: DiagramKind, target: VertexId, op
     )
     .help(both!("choose another pose, or drive another link", "请改变位置或换原动件"));
     match plan.vertex(target).spot {
-        Spot::Point(p) => d.at(scene.points[p.0].span),
-        Spot::Special(_) => d,
+        VertexPlace::Point(p) => d.at(scene.points[p.0].span),
+        VertexPlace::Special(_) => d,
     }
 }

@@ -3,7 +3,7 @@
 
 pub use crate::construction::scale::number;
 
-use crate::plan::{Plan, Step};
+use crate::plan::{Plan, PlanStep};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{Cam, DiagramKind, Kind, Paper, Rolling, Scene};
@@ -46,8 +46,8 @@ impl Boxes {
         let usual = Boxes::default();
         let last = DiagramKind::of(plan.level).max(DiagramKind::Velocity);
         let vectors = plan.steps(last).iter().flat_map(|g| g.steps(0)).map(|s| match s {
-            Step::Equation { chains, .. } => chains.iter().map(|c| c.known.len() + c.unknown.len()).sum(),
-            Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => 1_usize,
+            PlanStep::Equation { chains, .. } => chains.iter().map(|c| c.known.len() + c.unknown.len()).sum(),
+            PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => 1_usize,
         });
         // Names need area, which grows with the square of the side.
         let larger = (vectors.sum::<usize>() as f64 / USUAL_VECTORS).sqrt().clamp(1.0, LARGEST);

@@ -1,12 +1,12 @@
 //! Lines on the diagram that guide links, and the special points at which two of them cross.
 
-use super::board::{Board, path_key, vertex_key};
+use super::board::{ActWriter, path_key, vertex_key};
 use crate::construction::{Base, DiagramId, Direction, Line, LineId, MarkId, Name, Op};
 use crate::plan::{Special, SpecialLine, VertexId};
 use hodograph_mechanism::mechanism::ConstraintLine;
 use hodograph_scene::{Normal, RollingId, Touch};
 
-impl Board<'_> {
+impl ActWriter<'_> {
     pub(super) fn special_point(&mut self, on: DiagramId, v: VertexId, special: &Special) -> Option<MarkId> {
         let lines = [self.special_line(on, &special.lines[0])?, self.special_line(on, &special.lines[1])?];
         let to = self.mark(on, Name::Image(vertex_key(v)));

@@ -68,7 +68,7 @@ pub struct Met<N = f64> {
 
 /// The result of a drawing: the places of marks and lines.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Drawn<N = f64> {
+pub struct DrawnPlaces<N = f64> {
     /// The marks (mm from the origin of their diagram); `None` for those that are not drawn.
     pub marks: Vec<Option<Point<N>>>,
     /// The lines: a point, and the direction.
@@ -112,11 +112,11 @@ pub fn draw<N: Real, P: Pencil<N>>(
     givens: &impl Givens<N>,
     scales: &Scales,
     pencil: &mut P,
-) -> Result<Drawn<N>, Stop> {
+) -> Result<DrawnPlaces<N>, Stop> {
     let scale = |kind: &DiagramKind| scales.get(kind.kind());
     let mu: Vec<Option<N>> = construction.diagrams.iter().map(|k| scale(k).map(scale::number)).collect();
     let plane = construction.diagram(DiagramKind::Plane).and_then(|d| mu[d.index()]);
-    let drawn = Drawn {
+    let drawn = DrawnPlaces {
         marks: vec![None; construction.marks.len()],
         lines: vec![None; construction.lines.len()],
         met: Vec::new(),
@@ -135,7 +135,7 @@ pub fn draw<N: Real, P: Pencil<N>>(
     Ok(board.drawn)
 }
 
-impl<N: Real> Drawn<N> {
+impl<N: Real> DrawnPlaces<N> {
     /// A measured vector, in SI; `None` for what is not measured, or is no vector.
     pub fn vector(&self, id: NumberId) -> Option<Vec2<N>> {
         match self.numbers[id.index()]? {
@@ -157,7 +157,7 @@ pub(super) struct Board<'a, N, G, P> {
     pub(super) construction: &'a Construction,
     pub(super) givens: &'a G,
     pub(super) pencil: &'a mut P,
-    pub(super) drawn: Drawn<N>,
+    pub(super) drawn: DrawnPlaces<N>,
     /// μ by diagram.
     pub(super) mu: Vec<Option<N>>,
     /// μ of the mechanism, its reciprocal, and the scale as it is printed.

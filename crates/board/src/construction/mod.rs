@@ -2,7 +2,7 @@
 //!
 //! A [`Construction`] is the list of all acts, as plain data: no coordinates, no scales, no digits,
 //! no words. [`draw()`] evaluates it for given places and numbers ([`Givens`]), scales and a
-//! [`pencil`], and returns the places of all marks and lines ([`Drawn`]). Choosing scales, proving
+//! [`pencil`], and returns the places of all marks and lines ([`DrawnPlaces`]). Choosing scales, proving
 //! digits and simulating a blunt pencil are evaluations of one construction, in poses, kinds of
 //! number and pencils of their own.
 //!
@@ -48,7 +48,7 @@ mod measure;
 pub mod pencil;
 pub(crate) mod scale;
 
-pub use draw::{Drawn, Givens, Met, Scales, Stop, Track, Why, draw};
+pub use draw::{DrawnPlaces, Givens, Met, Scales, Stop, Track, Why, draw};
 
 use hodograph_base::diagram::DiagramKind;
 use serde::{Deserialize, Serialize};

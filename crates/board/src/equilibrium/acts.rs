@@ -1,6 +1,6 @@
 //! The steps in which the equilibrium of a group is drawn.
 
-use super::{Equilibrium, Gives, GroupForces, Side};
+use super::{Equilibrium, ForceEdge, GroupForces, MomentResult};
 use crate::construction::{MarkId, Op};
 use hodograph_mechanism::force::Cause;
 
@@ -14,11 +14,11 @@ pub enum Act {
     /// An equation of moments: its index in [`GroupForces::moments`].
     Moments(usize),
     /// A known force is laid off.
-    Lay(Side),
+    Lay(ForceEdge),
     /// Two lines of known direction cross in a vertex.
     Cross(MarkId),
     /// An unknown force, a side or a diagonal, is measured.
-    Read(Side),
+    Read(ForceEdge),
 }
 
 impl Equilibrium {
@@ -29,7 +29,7 @@ impl Equilibrium {
         let rubs = |cause: Cause| matches!(cause, Cause::Friction(_));
         out.extend(self.loads.iter().any(|l| rubs(l.cause) && group.links.contains(&l.link)).then_some(Act::Friction));
         let moments = |after: bool| {
-            let wanted = move |k: &usize| matches!(group.moments[*k].gives, Gives::Offset(_)) == after;
+            let wanted = move |k: &usize| matches!(group.moments[*k].gives, MomentResult::Offset(_)) == after;
             (0..group.moments.len()).filter(wanted).map(Act::Moments)
         };
         out.extend(moments(false));
@@ -54,9 +54,9 @@ impl Equilibrium {
 
     /// Returns the unknown sides and diagonals of a group's polygon; of two opposite reactions only
     /// the first.
-    pub fn measured(&self, group: &GroupForces) -> Vec<Side> {
-        let unknown: Vec<Side> = group.sides.iter().filter(|s| !s.known).chain(&group.diagonals).copied().collect();
-        let ends = |s: &Side| {
+    pub fn measured(&self, group: &GroupForces) -> Vec<ForceEdge> {
+        let unknown: Vec<ForceEdge> = group.sides.iter().filter(|s| !s.known).chain(&group.diagonals).copied().collect();
+        let ends = |s: &ForceEdge| {
             let v = &self.construction.vectors[s.vector.index()];
             (v.from, v.to)
         };

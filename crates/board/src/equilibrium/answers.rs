@@ -1,8 +1,8 @@
 //! The answers that a polygon gives, and the loads that a group puts on the links that hold it.
 
-use super::joints::{Hinge, HingeKind, Outer, party, sides};
-use super::scribe::{Acting, OnPin, Polygon, Scribe, square_to};
-use super::{Part, Party, Term};
+use super::joints::{Hinge, HingeKind, OuterJoint, party, sides};
+use super::scribe::{ActingForce, OnPin, Polygon, Scribe, square_to};
+use super::{ForceTerm, Party, ReactionComponent};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
 use hodograph_scene::quantity::parties;
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
@@ -48,8 +48,8 @@ impl Scribe<'_> {
             }
         };
         if let Some(by) = by.filter(|by| *by != self.scene.ground) {
-            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
-            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+            let term = ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
+            self.acting[by.0].push(ActingForce { term, force: Some((Base::Measured(back), at)), couple: None });
         }
     }
 
@@ -61,8 +61,12 @@ impl Scribe<'_> {
         let lines = [self.line(p, from, Direction::of(along)), self.line(p, to, square_to(along))];
         let corner = self.meet(p, lines);
         let slot = self.scene.guides[guide.0].on;
-        self.diagonal(p, (Term::Reaction { of: Party::Driver(driver), on: runner, part: Part::Whole }, at), [from, corner]);
-        self.diagonal(p, (Term::Reaction { of: Party::Link(slot), on: runner, part: Part::Whole }, at), [corner, to]);
+        self.diagonal(
+            p,
+            (ForceTerm::Reaction { of: Party::Driver(driver), on: runner, part: ReactionComponent::Whole }, at),
+            [from, corner],
+        );
+        self.diagonal(p, (ForceTerm::Reaction { of: Party::Link(slot), on: runner, part: ReactionComponent::Whole }, at), [corner, to]);
         let pressed = self.measured(p, corner, to);
         self.answers.guides.push((guide, pressed, None));
         let size = self.number(&mut p.ops, Number::Along(from, corner, Direction::of(along)));
@@ -110,20 +114,20 @@ impl Scribe<'_> {
                 Party::Pin(at)
             }
         };
-        self.diagonal(p, (Term::Reaction { of, on: link, part: Part::Whole }, at), ends);
+        self.diagonal(p, (ForceTerm::Reaction { of, on: link, part: ReactionComponent::Whole }, at), ends);
     }
 
     /// Adds the force and couple of a guide on a link of the group to the answers, and to the loads
     /// of the other link.
-    pub fn guided(&mut self, p: &mut Polygon, slide: Outer, ends: [MarkId; 2], couple: NumberId) {
-        let Outer::Slide { guide, on, by, at } = slide else { return };
+    pub fn guided(&mut self, p: &mut Polygon, slide: OuterJoint, ends: [MarkId; 2], couple: NumberId) {
+        let OuterJoint::Slide { guide, on, by, at } = slide else { return };
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
         let opposite = self.number(&mut p.ops, Number::Negative(couple));
         let of_slider = self.scene.guides[guide.0].slider == Some(on);
         self.answers.guides.push(if of_slider { (guide, own, Some(couple)) } else { (guide, back, Some(opposite)) });
         if by != self.scene.ground {
-            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
-            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: Some(opposite) });
+            let term = ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
+            self.acting[by.0].push(ActingForce { term, force: Some((Base::Measured(back), at)), couple: Some(opposite) });
         }
     }
 
@@ -134,8 +138,8 @@ impl Scribe<'_> {
         self.answers.guides.push((guide, runner, None));
         match by {
             Party::Link(by) if by != self.scene.ground => {
-                let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
-                self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+                let term = ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
+                self.acting[by.0].push(ActingForce { term, force: Some((Base::Measured(back), at)), couple: None });
             }
             Party::Pin(at) => self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back }),
             Party::Link(_) | Party::Cylinder(_) | Party::Driver(_) => {}
@@ -162,8 +166,8 @@ impl Scribe<'_> {
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
         self.answers.rolling.push((rolling, if self.scene.rolling[rolling.0].links[1] == on { own } else { back }));
         if by != self.scene.ground {
-            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
-            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+            let term = ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
+            self.acting[by.0].push(ActingForce { term, force: Some((Base::Measured(back), at)), couple: None });
         }
     }
 
@@ -200,8 +204,8 @@ impl Scribe<'_> {
         p.drivers.push((driver, size));
         if by != self.scene.ground {
             let back = self.measured(p, ends[1], ends[0]);
-            let term = Term::Reaction { of: Party::Driver(driver), on: by, part: Part::Whole };
-            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+            let term = ForceTerm::Reaction { of: Party::Driver(driver), on: by, part: ReactionComponent::Whole };
+            self.acting[by.0].push(ActingForce { term, force: Some((Base::Measured(back), at)), couple: None });
         }
     }
 
@@ -210,38 +214,38 @@ impl Scribe<'_> {
     pub fn turned(&mut self, p: &mut Polygon, against: LinkId, of: LinkId, moment: NumberId) {
         if against != self.scene.ground {
             let opposite = self.number(&mut p.ops, Number::Negative(moment));
-            let term = Term::Reaction { of: Party::Link(of), on: against, part: Part::Whole };
-            self.acting[against.0].push(Acting { term, force: None, couple: Some(opposite) });
+            let term = ForceTerm::Reaction { of: Party::Link(of), on: against, part: ReactionComponent::Whole };
+            self.acting[against.0].push(ActingForce { term, force: None, couple: Some(opposite) });
         }
     }
 
     /// Returns the force of a joint that presses along one line. For a wheel on its track, the
     /// friction and the force of the guiding path are parts of one force.
-    pub fn pressing(&self, outer: &Outer) -> Option<Term> {
-        if let Outer::Mesh { rolling, on, by, .. } = *outer
+    pub fn pressing(&self, outer: &OuterJoint) -> Option<ForceTerm> {
+        if let OuterJoint::Mesh { rolling, on, by, .. } = *outer
             && self.m.path_of(self.scene, rolling).is_some()
         {
-            return Some(Term::Reaction { of: Party::Link(by), on, part: Part::Tangential });
+            return Some(ForceTerm::Reaction { of: Party::Link(by), on, part: ReactionComponent::Tangential });
         }
-        if let Outer::Slot { guide, on, .. } = *outer
+        if let OuterJoint::Slot { guide, on, .. } = *outer
             && let Some(rolling) = self.scene.guides[guide.0].rolling
         {
             let [track, wheel] = self.scene.rolling[rolling.0].links;
             let (of, on) = if on == track { (wheel, track) } else { (track, wheel) };
-            return Some(Term::Reaction { of: Party::Link(of), on, part: Part::Normal });
+            return Some(ForceTerm::Reaction { of: Party::Link(of), on, part: ReactionComponent::Normal });
         }
-        reaction(outer, Part::Whole)
+        reaction(outer, ReactionComponent::Whole)
     }
 }
 
 /// Returns the part of a reaction that an outer joint puts on its link.
-pub(super) fn reaction(outer: &Outer, part: Part) -> Option<Term> {
+pub(super) fn reaction(outer: &OuterJoint, part: ReactionComponent) -> Option<ForceTerm> {
     let (of, on) = match *outer {
-        Outer::Pin { on, by, .. } | Outer::Slot { on, by, .. } => (by, on),
-        Outer::Slide { on, by, .. } | Outer::Mesh { on, by, .. } => (Party::Link(by), on),
-        Outer::Cylinder { driver, on, .. } => (Party::Cylinder(driver), on),
-        Outer::Balance { driver, on, .. } | Outer::Push { driver, on, .. } => (Party::Driver(driver), on),
-        Outer::Turn { .. } => return None,
+        OuterJoint::Pin { on, by, .. } | OuterJoint::Slot { on, by, .. } => (by, on),
+        OuterJoint::Slide { on, by, .. } | OuterJoint::Mesh { on, by, .. } => (Party::Link(by), on),
+        OuterJoint::Cylinder { driver, on, .. } => (Party::Cylinder(driver), on),
+        OuterJoint::Balance { driver, on, .. } | OuterJoint::Push { driver, on, .. } => (Party::Driver(driver), on),
+        OuterJoint::Turn { .. } => return None,
     };
-    Some(Term::Reaction { of, on, part })
+    Some(ForceTerm::Reaction { of, on, part })
 }

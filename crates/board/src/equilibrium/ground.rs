@@ -8,16 +8,16 @@ use hodograph_scene::{GuideId, PointId, Scene};
 
 /// Forces on all links together (N).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Whole {
+pub struct ForceTotals {
     /// The sum of all loads, including inertia and the balancing force.
     pub loads: Vec2,
     /// The sum of the forces of the ground, and of the drivers on it, on the links.
     pub ground: Vec2,
 }
 
-impl Whole {
+impl ForceTotals {
     /// Returns the sums of a drawing; `None` if a reaction of the ground is not drawn.
-    pub fn of(scene: &Scene, at: &Configuration, of: &Equilibrium) -> Option<Whole> {
+    pub fn of(scene: &Scene, at: &Configuration, of: &Equilibrium) -> Option<ForceTotals> {
         let forces = &of.forces;
         let balance = unit_balance(scene, at).map_or(Some(Vec2::ZERO), |unit| Some(unit.wrench.force * forces.balance?))?;
         // Friction is a part of a reaction.
@@ -63,7 +63,7 @@ impl Whole {
                 }
             }
         }
-        Some(Whole { loads, ground })
+        Some(ForceTotals { loads, ground })
     }
 }
 

@@ -56,7 +56,7 @@ impl From<PointId> for Hinge {
 
 /// A joint by which other links hold a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outer {
+pub enum OuterJoint {
     /// A hinge: two unknowns.
     Pin {
         /// The place.
@@ -145,7 +145,7 @@ pub enum Outer {
 
 /// The joint between the two links of a dyad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pair {
+pub enum DyadJoint {
     /// A hinge.
     Pin(Hinge),
     /// A straight guide with its slider and the link that carries it.
@@ -177,8 +177,8 @@ pub(super) fn sides(scene: &Scene, g: GuideId) -> Option<[LinkId; 2]> {
 
 /// The joints of a group's links.
 pub(super) struct Joints {
-    pub outer: Vec<Outer>,
-    pub inner: Vec<Pair>,
+    pub outer: Vec<OuterJoint>,
+    pub inner: Vec<DyadJoint>,
 }
 
 impl Joints {
@@ -191,17 +191,17 @@ impl Joints {
         };
         let hinged = |hinge: Hinge| hinge.arc().map_or_else(|| both!("pin {}", "销 {}", point(hinge.at)), slider);
         let outer = self.outer.iter().map(|o| match *o {
-            Outer::Pin { hinge, .. } => hinged(hinge),
-            Outer::Slide { guide, .. } => slider(guide),
-            Outer::Slot { at, .. } => both!("pin {} in a slot", "槽中的销 {}", point(at)),
-            Outer::Mesh { at, .. } => both!("contact {}", "接触点 {}", point(at)),
-            Outer::Cylinder { at, .. } => both!("cylinder at {}", "销 {} 处的液压缸", point(at)),
-            Outer::Balance { at, .. } => both!("balancing force at {}", "作用于 {} 的平衡力", point(at)),
-            Outer::Turn { driver, .. } | Outer::Push { driver, .. } => both!("driver {}", "驱动 {}", driver + 1),
+            OuterJoint::Pin { hinge, .. } => hinged(hinge),
+            OuterJoint::Slide { guide, .. } => slider(guide),
+            OuterJoint::Slot { at, .. } => both!("pin {} in a slot", "槽中的销 {}", point(at)),
+            OuterJoint::Mesh { at, .. } => both!("contact {}", "接触点 {}", point(at)),
+            OuterJoint::Cylinder { at, .. } => both!("cylinder at {}", "销 {} 处的液压缸", point(at)),
+            OuterJoint::Balance { at, .. } => both!("balancing force at {}", "作用于 {} 的平衡力", point(at)),
+            OuterJoint::Turn { driver, .. } | OuterJoint::Push { driver, .. } => both!("driver {}", "驱动 {}", driver + 1),
         });
         let inner = self.inner.iter().map(|pair| match *pair {
-            Pair::Pin(hinge) => hinged(hinge),
-            Pair::Slide { guide, .. } => slider(guide),
+            DyadJoint::Pin(hinge) => hinged(hinge),
+            DyadJoint::Slide { guide, .. } => slider(guide),
         });
         let all = Both::listed(&outer.chain(inner).collect::<Vec<_>>());
         both!("there is no method for {} links with {}", "没有适用于 {} 个构件、{}的作图方法", links.len(), all)
@@ -266,25 +266,25 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             // A cylinder on the pin of a link that still holds the group belongs to the group of
             // that link.
             ([], _, [..]) if !held.is_empty() => {
-                outer.extend(here.iter().map(|on| Outer::Pin { hinge: pin, on: *on, by: party(scene, pin, *on) }));
+                outer.extend(here.iter().map(|on| OuterJoint::Pin { hinge: pin, on: *on, by: party(scene, pin, *on) }));
             }
             ([], [], [_]) => {}
-            ([], [], [_, _]) => inner.push(Pair::Pin(pin)),
+            ([], [], [_, _]) => inner.push(DyadJoint::Pin(pin)),
             // A cylinder belongs to the group that it moves.
             ([], [d], [on]) if held.is_empty() => {
                 let [a, b] = scene.drivers[*d].kind.ends().unwrap_or([p, p]);
-                outer.push(Outer::Cylinder { driver: *d, at: p, far: if a == p { b } else { a }, on: *on });
+                outer.push(OuterJoint::Cylinder { driver: *d, at: p, far: if a == p { b } else { a }, on: *on });
             }
             // The slot holds the pin together with the last of its links.
             ([g], [], [on]) if !held.is_empty() && !mine(scene.guides[*g].on) => {
-                outer.push(Outer::Pin { hinge: pin, on: *on, by: Party::Pin(p) });
+                outer.push(OuterJoint::Pin { hinge: pin, on: *on, by: Party::Pin(p) });
             }
             ([g], [], [on]) if held.is_empty() => {
                 let (guide, by) = (GuideId(*g), scene.guides[*g].on);
                 match driven(scene, guide) {
-                    Some(hinge) if upstream(by) => outer.push(Outer::Pin { hinge, on: *on, by: Party::Pin(p) }),
-                    Some(hinge) if mine(by) => inner.push(Pair::Pin(hinge)),
-                    None if upstream(by) => outer.push(Outer::Slot { guide, at: p, on: *on, by: Party::Link(by) }),
+                    Some(hinge) if upstream(by) => outer.push(OuterJoint::Pin { hinge, on: *on, by: Party::Pin(p) }),
+                    Some(hinge) if mine(by) => inner.push(DyadJoint::Pin(hinge)),
+                    None if upstream(by) => outer.push(OuterJoint::Slot { guide, at: p, on: *on, by: Party::Link(by) }),
                     None if mine(by) => {
                         let (pin, slot) = (scene.point_name(p), scene.link_name(by));
                         return Err(both!(
@@ -310,15 +310,15 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                     GuidePath::Line { .. } => None,
                 };
                 match (mine(slider), mine(guide.on)) {
-                    (true, true) => inner.push(arc.map_or(Pair::Slide { guide: id, slider, on: guide.on }, Pair::Pin)),
+                    (true, true) => inner.push(arc.map_or(DyadJoint::Slide { guide: id, slider, on: guide.on }, DyadJoint::Pin)),
                     (true, false) | (false, true) => {
                         let (on, by) = if mine(slider) { (slider, guide.on) } else { (guide.on, slider) };
                         if upstream(by) {
                             let at = reference(scene, id, |p| at.points[p.0].is_some()).ok_or_else(|| {
                                 both!("the slider {} meets nothing at a point", "滑块 {} 上没有任何连接点", scene.link_name(slider))
                             })?;
-                            let slide = Outer::Slide { guide: id, on, by, at };
-                            outer.push(arc.map_or(slide, |hinge| Outer::Pin { hinge, on, by: Party::Link(by) }));
+                            let slide = OuterJoint::Slide { guide: id, on, by, at };
+                            outer.push(arc.map_or(slide, |hinge| OuterJoint::Pin { hinge, on, by: Party::Link(by) }));
                         }
                     }
                     (false, false) => {}
@@ -329,7 +329,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                 let Some(p) = guide.pin.filter(|_| mine(guide.on)) else { continue };
                 let hinge = driven(scene, id);
                 if scene.carriers(p).any(mine) {
-                    if hinge.is_some_and(|hinge| inner.contains(&Pair::Pin(hinge))) {
+                    if hinge.is_some_and(|hinge| inner.contains(&DyadJoint::Pin(hinge))) {
                         continue;
                     }
                     return Err(too_many(scene, p));
@@ -342,7 +342,11 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                 if let Some(by) = scene.carriers(p).find(|l| upstream(*l)) {
                     let by = if parties(scene, p) == 2 { Party::Link(by) } else { Party::Pin(p) };
                     let on = guide.on;
-                    outer.push(hinge.map_or(Outer::Slot { guide: id, at: p, on, by }, |hinge| Outer::Pin { hinge, on, by: Party::Pin(p) }));
+                    outer.push(hinge.map_or(OuterJoint::Slot { guide: id, at: p, on, by }, |hinge| OuterJoint::Pin {
+                        hinge,
+                        on,
+                        by: Party::Pin(p),
+                    }));
                 }
             }
         }
@@ -363,12 +367,12 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         if !matches!(pair.touch(), Touch::Point(_)) || at.points[place.0].is_none() {
             return Err(both!("the pull of belts, chains and ropes is not drawn", "带、链、绳的拉力不作图"));
         }
-        outer.push(Outer::Mesh { rolling, at: place, on, by });
+        outer.push(OuterJoint::Mesh { rolling, at: place, on, by });
     }
     for (d, driver) in scene.drivers.iter().enumerate() {
         if let Some((link, against)) = driver.kind.turned() {
             if mine(link) {
-                outer.push(balance(scene, d, link)?.unwrap_or(Outer::Turn { driver: d, on: link, against }));
+                outer.push(balance(scene, d, link)?.unwrap_or(OuterJoint::Turn { driver: d, on: link, against }));
             } else if mine(against) && open[link.0] {
                 let [of, on] = [against, link].map(|l| scene.link_name(l));
                 return Err(both!("a driver on its link {of} turns link {on}", "其构件 {of} 上的驱动使构件 {on} 转动"));
@@ -379,7 +383,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             let runner = g.slider.or_else(|| scene.carriers(g.pin?).next());
             for (on, by) in runner.into_iter().flat_map(|runner| [(runner, g.on), (g.on, runner)]) {
                 if mine(on) && upstream(by) {
-                    outer.push(balance(scene, d, on)?.unwrap_or(Outer::Push { driver: d, guide, on, by }));
+                    outer.push(balance(scene, d, on)?.unwrap_or(OuterJoint::Push { driver: d, guide, on, by }));
                 }
             }
         }
@@ -404,10 +408,10 @@ fn driven(scene: &Scene, guide: GuideId) -> Option<Hinge> {
 ///
 /// # Errors
 /// A balance on another link.
-fn balance(scene: &Scene, driver: usize, on: LinkId) -> Result<Option<Outer>, Both> {
+fn balance(scene: &Scene, driver: usize, on: LinkId) -> Result<Option<OuterJoint>, Both> {
     let Some(balance) = &scene.loads.balance else { return Ok(None) };
     if balance.link != on {
         return Err(both!("the balance does not act on the link of the driver", "平衡力（力矩）不作用在原动件上"));
     }
-    Ok(balance.force.as_ref().map(|(at, _)| Outer::Balance { driver, at: *at, on }))
+    Ok(balance.force.as_ref().map(|(at, _)| OuterJoint::Balance { driver, at: *at, on }))
 }

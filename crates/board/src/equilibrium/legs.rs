@@ -5,10 +5,10 @@
 //! along the third line; the polygon crosses the other two.
 
 use super::answers::reaction;
-use super::joints::{Hinge, Joints, Outer, Pair, too_many, turns_on};
+use super::joints::{DyadJoint, Hinge, Joints, OuterJoint, too_many, turns_on};
 use super::methods::carries;
-use super::scribe::{Acting, Polygon, Scribe, square_to};
-use super::{About, Gives, Part, Party, Term};
+use super::scribe::{ActingForce, Polygon, Scribe, square_to};
+use super::{About, ForceTerm, MomentResult, Party, ReactionComponent};
 use crate::construction::{Base, Direction, Key, Line, MarkId, Name, Number, NumberId, Op};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
@@ -19,9 +19,9 @@ use hodograph_scene::{GuideId, LinkId, PointId};
 /// A leg of the link.
 #[derive(Clone, Copy)]
 struct Leg {
-    kind: Kind,
+    kind: LegSupport,
     /// The joint at its far end, or the joint between leg and link.
-    outer: Outer,
+    outer: OuterJoint,
     /// A point on its line of action.
     at: PointId,
     /// The direction of the line of action.
@@ -31,7 +31,7 @@ struct Leg {
 }
 
 #[derive(Clone, Copy)]
-enum Kind {
+enum LegSupport {
     /// A bar, pinned to the link or sliding on it along an arc.
     Bar { link: LinkId, near: Hinge },
     /// A slider in a guide outside the group, pinned to the link.
@@ -43,18 +43,18 @@ enum Kind {
 }
 
 /// A leg with its loads.
-struct Loaded {
+struct LoadedLeg {
     leg: Leg,
-    loads: Vec<Acting>,
+    loads: Vec<ActingForce>,
     /// The force of the far pin square to the bar: its term, its magnitude, and the bar.
-    across: Option<(Term, NumberId, Base)>,
+    across: Option<(ForceTerm, NumberId, Base)>,
     /// The loads of the pin between leg and link.
-    on_pin: Vec<Acting>,
+    on_pin: Vec<ActingForce>,
 }
 
 /// The ends of a leg's forces in the polygon.
 #[derive(Clone, Copy)]
-struct Ends {
+struct LegEnds {
     /// The reaction of its far joint.
     whole: [MarkId; 2],
     /// The reaction of the link on the leg.
@@ -66,29 +66,29 @@ struct Ends {
 impl Leg {
     fn link(&self) -> Option<LinkId> {
         match self.kind {
-            Kind::Bar { link, .. } | Kind::Block { link, .. } | Kind::Sleeve { link, .. } => Some(link),
-            Kind::Touch => None,
+            LegSupport::Bar { link, .. } | LegSupport::Block { link, .. } | LegSupport::Sleeve { link, .. } => Some(link),
+            LegSupport::Touch => None,
         }
     }
 
     /// Returns the hinge between leg and link.
     fn near(&self) -> Option<Hinge> {
         match self.kind {
-            Kind::Bar { near, .. } | Kind::Block { near, .. } => Some(near),
-            Kind::Sleeve { .. } | Kind::Touch => None,
+            LegSupport::Bar { near, .. } | LegSupport::Block { near, .. } => Some(near),
+            LegSupport::Sleeve { .. } | LegSupport::Touch => None,
         }
     }
 
     /// Returns the place at the far end.
     fn far(&self) -> Hinge {
-        if let Outer::Pin { hinge, .. } = self.outer { hinge } else { self.at.into() }
+        if let OuterJoint::Pin { hinge, .. } = self.outer { hinge } else { self.at.into() }
     }
 }
 
-impl Loaded {
+impl LoadedLeg {
     /// Returns the force along the line of action.
-    fn axial(&self, scribe: &Scribe) -> Option<Term> {
-        if self.across.is_some() { reaction(&self.leg.outer, Part::Normal) } else { scribe.pressing(&self.leg.outer) }
+    fn axial(&self, scribe: &Scribe) -> Option<ForceTerm> {
+        if self.across.is_some() { reaction(&self.leg.outer, ReactionComponent::Normal) } else { scribe.pressing(&self.leg.outer) }
     }
 }
 
@@ -100,10 +100,10 @@ impl Scribe<'_> {
     pub(super) fn on_three_legs(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
         let (core, legs) = self.legs(links, joints, at).ok_or_else(|| joints.no_method(self.scene, links))?;
         for leg in &legs {
-            if matches!(leg.outer, Outer::Slot { .. } | Outer::Cylinder { .. }) && parties(self.scene, leg.at) > 2 {
+            if matches!(leg.outer, OuterJoint::Slot { .. } | OuterJoint::Cylinder { .. }) && parties(self.scene, leg.at) > 2 {
                 return Err(too_many(self.scene, leg.at));
             }
-            if let Kind::Sleeve { link, .. } = leg.kind
+            if let LegSupport::Sleeve { link, .. } = leg.kind
                 && self.all_on(link, &[leg.far()]).iter().any(|a| a.force.is_some())
             {
                 let name = self.scene.link_name(link);
@@ -122,13 +122,13 @@ impl Scribe<'_> {
 
     /// Returns the link that three legs hold, and the legs.
     fn legs(&self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Option<(LinkId, [Leg; 3])> {
-        let has = |pair: &Pair, l: LinkId| match *pair {
-            Pair::Pin(hinge) => turns_on(self.scene, l, hinge),
-            Pair::Slide { slider, on, .. } => slider == l || on == l,
+        let has = |pair: &DyadJoint, l: LinkId| match *pair {
+            DyadJoint::Pin(hinge) => turns_on(self.scene, l, hinge),
+            DyadJoint::Slide { slider, on, .. } => slider == l || on == l,
         };
         let inner = |l: LinkId| joints.inner.iter().filter(move |p| has(p, l));
         let outer = |l: LinkId| joints.outer.iter().filter(move |o| carries(o) == Some(l));
-        let touches = |o: &Outer| matches!(o, Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. });
+        let touches = |o: &OuterJoint| matches!(o, OuterJoint::Slot { .. } | OuterJoint::Mesh { .. } | OuterJoint::Cylinder { .. });
         let core = links.iter().copied().find(|l| inner(*l).count() + outer(*l).count() == 3 && outer(*l).all(touches))?;
         let place = |p: PointId| at.points[p.0];
         let square = |guide: GuideId, p: PointId| {
@@ -149,25 +149,33 @@ impl Scribe<'_> {
             let (mut held, mut joined) = (outer(link), inner(link));
             let (Some(held), None, Some(_), None) = (held.next(), held.next(), joined.next(), joined.next()) else { return None };
             let (kind, at, (line, along)) = match (*pair, *held) {
-                (Pair::Pin(near), Outer::Pin { hinge, .. }) => (Kind::Bar { link, near }, hinge.at, between(near.at, hinge.at)),
-                (Pair::Pin(near), Outer::Slide { at, guide, .. }) if Some(at) == near.pin() => {
-                    (Kind::Block { link, near }, at, square(guide, at))
+                (DyadJoint::Pin(near), OuterJoint::Pin { hinge, .. }) => {
+                    (LegSupport::Bar { link, near }, hinge.at, between(near.at, hinge.at))
                 }
-                (Pair::Slide { guide, .. }, Outer::Pin { hinge, .. }) => (Kind::Sleeve { link, guide }, hinge.at, square(guide, hinge.at)),
+                (DyadJoint::Pin(near), OuterJoint::Slide { at, guide, .. }) if Some(at) == near.pin() => {
+                    (LegSupport::Block { link, near }, at, square(guide, at))
+                }
+                (DyadJoint::Slide { guide, .. }, OuterJoint::Pin { hinge, .. }) => {
+                    (LegSupport::Sleeve { link, guide }, hinge.at, square(guide, hinge.at))
+                }
                 _ => return None,
             };
             legs.push(Leg { kind, outer: *held, at, line, along });
         }
         for touch in outer(core) {
             let (at, (line, along)) = match *touch {
-                Outer::Slot { guide, at, .. } => (at, square(guide, at)),
-                Outer::Mesh { rolling, at: place, .. } => {
+                OuterJoint::Slot { guide, at, .. } => (at, square(guide, at)),
+                OuterJoint::Mesh { rolling, at: place, .. } => {
                     (place, (self.line_of_action(rolling), at.normal(self.scene, rolling).map(Vec2::perp)))
                 }
-                Outer::Cylinder { at, far, .. } => (at, between(far, at)),
-                Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } | Outer::Balance { .. } | Outer::Push { .. } => return None,
+                OuterJoint::Cylinder { at, far, .. } => (at, between(far, at)),
+                OuterJoint::Pin { .. }
+                | OuterJoint::Slide { .. }
+                | OuterJoint::Turn { .. }
+                | OuterJoint::Balance { .. }
+                | OuterJoint::Push { .. } => return None,
             };
-            legs.push(Leg { kind: Kind::Touch, outer: *touch, at, line, along });
+            legs.push(Leg { kind: LegSupport::Touch, outer: *touch, at, line, along });
         }
         (legs.len() == links.len() - 1 + outer(core).count()).then_some(())?;
         Some((core, legs.try_into().ok()?))
@@ -215,9 +223,9 @@ impl Scribe<'_> {
             }
         }
         let ends = [
-            (one, Ends { whole: [x, first], inner: [inner_one, x], opposite: [x, third] }),
-            (two, Ends { whole: [second, x], inner: [x, inner_two], opposite: [before_two, x] }),
-            (three, Ends { whole: [third, reacted], inner: [inner_three, third], opposite: [third, after_three] }),
+            (one, LegEnds { whole: [x, first], inner: [inner_one, x], opposite: [x, third] }),
+            (two, LegEnds { whole: [second, x], inner: [x, inner_two], opposite: [before_two, x] }),
+            (three, LegEnds { whole: [third, reacted], inner: [inner_three, third], opposite: [third, after_three] }),
         ];
         for (leg, ends) in ends {
             self.leg_answers(&mut p, core, leg, ends);
@@ -226,18 +234,18 @@ impl Scribe<'_> {
     }
 
     /// Returns a leg with its loads, and the force square to its bar.
-    fn loaded(&mut self, ops: &mut Vec<Op>, found: &mut Vec<super::Moments>, leg: Leg, core: LinkId) -> Loaded {
+    fn loaded(&mut self, ops: &mut Vec<Op>, found: &mut Vec<super::Moments>, leg: Leg, core: LinkId) -> LoadedLeg {
         let held: Vec<Hinge> = leg.near().into_iter().chain([leg.far()]).collect();
         let loads = leg.link().map_or_else(Vec::new, |link| self.all_on(link, &held));
         let on_pin = leg.near().and_then(Hinge::pin).map_or_else(Vec::new, |near| self.pin_loads(near, core));
-        let across = match (leg.kind, reaction(&leg.outer, Part::Tangential)) {
-            (Kind::Bar { link, near }, Some(term)) if !loads.is_empty() => {
-                let of = self.moments(ops, &[link], &loads, About::Point(near.at), Gives::Force(term, leg.at));
+        let across = match (leg.kind, reaction(&leg.outer, ReactionComponent::Tangential)) {
+            (LegSupport::Bar { link, near }, Some(term)) if !loads.is_empty() => {
+                let of = self.moments(ops, &[link], &loads, About::Point(near.at), MomentResult::Force(term, leg.at));
                 self.across(ops, found, of, leg.line).map(|value| (term, value, leg.line))
             }
             _ => None,
         };
-        Loaded { leg, loads, across, on_pin }
+        LoadedLeg { leg, loads, across, on_pin }
     }
 
     /// Returns the force along the third leg's line, by moments about the crossing of the other two
@@ -246,8 +254,8 @@ impl Scribe<'_> {
         &mut self,
         ops: &mut Vec<Op>,
         found: &mut Vec<super::Moments>,
-        (links, own): (&[LinkId], &[Acting]),
-        legs: &[Loaded; 3],
+        (links, own): (&[LinkId], &[ActingForce]),
+        legs: &[LoadedLeg; 3],
     ) -> NumberId {
         let [one, two, three] = legs;
         let lines = [one, two].map(|l| {
@@ -264,9 +272,9 @@ impl Scribe<'_> {
         // The loads of a block act on its pin; its guide takes their couple.
         let mut all = own.to_vec();
         for l in legs {
-            let at_pin = |a: &Acting| match l.leg.kind {
-                Kind::Block { near, .. } => Acting { force: a.force.map(|(force, _)| (force, near.at)), couple: None, ..*a },
-                Kind::Bar { .. } | Kind::Sleeve { .. } | Kind::Touch => *a,
+            let at_pin = |a: &ActingForce| match l.leg.kind {
+                LegSupport::Block { near, .. } => ActingForce { force: a.force.map(|(force, _)| (force, near.at)), couple: None, ..*a },
+                LegSupport::Bar { .. } | LegSupport::Sleeve { .. } | LegSupport::Touch => *a,
             };
             all.extend(l.loads.iter().map(at_pin));
             all.extend(&l.on_pin);
@@ -275,7 +283,7 @@ impl Scribe<'_> {
             return self.one;
         };
         let about = About::Crossing { at: crossing, of: [a, b] };
-        let mut moments = self.moments(ops, links, &all, about, Gives::Force(given, three.leg.at));
+        let mut moments = self.moments(ops, links, &all, about, MomentResult::Force(given, three.leg.at));
         for l in legs {
             if let Some((term, value, bar)) = l.across {
                 // The arm of a unit force square to the bar is the component of the connecting
@@ -292,16 +300,16 @@ impl Scribe<'_> {
     }
 
     /// Lays off the force square to a leg's bar.
-    fn square(&mut self, p: &mut Polygon, leg: &Loaded) {
+    fn square(&mut self, p: &mut Polygon, leg: &LoadedLeg) {
         if let Some((term, value, bar)) = leg.across {
             self.laid(p, (term, leg.leg.at), square_to(bar), value);
         }
     }
 
     /// Adds the reactions of a leg to the answers, and to the loads of the parts on its other side.
-    fn leg_answers(&mut self, p: &mut Polygon, core: LinkId, l: &Loaded, ends: Ends) {
+    fn leg_answers(&mut self, p: &mut Polygon, core: LinkId, l: &LoadedLeg, ends: LegEnds) {
         let leg = &l.leg;
-        if let (true, Some(term)) = (l.across.is_some(), reaction(&leg.outer, Part::Whole)) {
+        if let (true, Some(term)) = (l.across.is_some(), reaction(&leg.outer, ReactionComponent::Whole)) {
             self.diagonal(p, (term, leg.at), ends.whole);
         }
         if let (Some(near), Some(link)) = (leg.near(), leg.link()) {
@@ -309,24 +317,24 @@ impl Scribe<'_> {
             self.inner_side(p, near, [core, link], ends.opposite);
         }
         match leg.kind {
-            Kind::Bar { link, .. } => self.pinned(p, leg.far(), link, ends.whole),
-            Kind::Block { link, near } => {
+            LegSupport::Bar { link, .. } => self.pinned(p, leg.far(), link, ends.whole),
+            LegSupport::Block { link, near } => {
                 let force = self.measured(p, ends.inner[0], ends.inner[1]);
-                let term = Term::Reaction { of: Party::Link(core), on: link, part: Part::Whole };
-                let inside = Acting { term, force: Some((Base::Measured(force), near.at)), couple: None };
-                let all: Vec<Acting> = l.loads.iter().copied().chain([inside]).collect();
+                let term = ForceTerm::Reaction { of: Party::Link(core), on: link, part: ReactionComponent::Whole };
+                let inside = ActingForce { term, force: Some((Base::Measured(force), near.at)), couple: None };
+                let all: Vec<ActingForce> = l.loads.iter().copied().chain([inside]).collect();
                 self.offset(p, leg.outer, &all, ends.whole);
             }
-            Kind::Sleeve { link, guide } => {
+            LegSupport::Sleeve { link, guide } => {
                 let place = self.reference(guide).unwrap_or(leg.at);
                 let [from, to] = ends.whole;
                 for (on, other, ends) in [(link, core, [to, from]), (core, link, [from, to])] {
-                    self.diagonal(p, (Term::Reaction { of: Party::Link(other), on, part: Part::Whole }, place), ends);
+                    self.diagonal(p, (ForceTerm::Reaction { of: Party::Link(other), on, part: ReactionComponent::Whole }, place), ends);
                 }
                 self.pinned(p, leg.far(), link, ends.whole);
                 self.inner_guide(p, guide, link, (leg.at, place), &l.loads, [to, from]);
             }
-            Kind::Touch => self.touched(p, &leg.outer, ends.whole),
+            LegSupport::Touch => self.touched(p, &leg.outer, ends.whole),
         }
     }
 }

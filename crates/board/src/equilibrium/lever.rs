@@ -11,7 +11,7 @@
 use super::Equilibrium;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::Level;
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{LinkId, PointId, Scene};
 
@@ -48,7 +48,7 @@ impl Lever {
     /// `mu`. Further points of a link follow by images.
     ///
     /// `None` if the polygon does not give the velocity of a load.
-    pub fn of(scene: &Scene, at: &Configuration, of: &Equilibrium, motion: &impl Source<f64>, mu: f64) -> Option<Lever> {
+    pub fn of(scene: &Scene, at: &Configuration, of: &Equilibrium, motion: &impl MotionSource<f64>, mu: f64) -> Option<Lever> {
         let (mut forces, mut couples) = (Vec::new(), Vec::new());
         for (k, load) in of.loads.iter().enumerate() {
             if load.wrench.couple != 0.0 {
@@ -75,7 +75,7 @@ impl Lever {
 }
 
 /// Returns the velocity of a point of a link: as read, or by the image of two other points.
-fn velocity(scene: &Scene, at: &Configuration, motion: &impl Source<f64>, p: PointId, link: LinkId) -> Option<Vec2> {
+fn velocity(scene: &Scene, at: &Configuration, motion: &impl MotionSource<f64>, p: PointId, link: LinkId) -> Option<Vec2> {
     let read = |p: PointId| motion.vector(Level::Velocity, p, Some(link));
     if let Some(v) = read(p) {
         return Some(v);

@@ -1,9 +1,9 @@
 //! The methods: moments and polygon for each kind of group.
 
 use super::answers::reaction;
-use super::joints::{Hinge, Joints, Outer, Pair};
-use super::scribe::{Acting, Polygon, Scribe, square_to};
-use super::{About, Gives, Part, Party, Term};
+use super::joints::{DyadJoint, Hinge, Joints, OuterJoint};
+use super::scribe::{ActingForce, Polygon, Scribe, square_to};
+use super::{About, ForceTerm, MomentResult, Party, ReactionComponent};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
 use hodograph_base::diag::Both;
 use hodograph_mechanism::position::Configuration;
@@ -26,37 +26,39 @@ impl Scribe<'_> {
     /// A kind without a method.
     pub(super) fn group(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
         match (links, &joints.inner[..], &joints.outer[..]) {
-            ([a, b], [Pair::Pin(c)], [x, y]) => {
+            ([a, b], [DyadJoint::Pin(c)], [x, y]) => {
                 let on = |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
                 let (Some(first), Some(second)) = (on(*a), on(*b)) else { return Err(joints.no_method(self.scene, links)) };
-                let bears = |o: &Outer| matches!(o, Outer::Pin { .. } | Outer::Slide { .. });
+                let bears = |o: &OuterJoint| matches!(o, OuterJoint::Pin { .. } | OuterJoint::Slide { .. });
                 if !bears(&first) || !bears(&second) {
                     return Err(joints.no_method(self.scene, links));
                 }
                 self.on_a_pin([&[*a], &[*b]], *c, [first, second]);
                 Ok(())
             }
-            ([_, _, _], [Pair::Pin(c), Pair::Slide { guide, slider, on }] | [Pair::Slide { guide, slider, on }, Pair::Pin(c)], [x, y]) => {
-                match self.ram(links, *c, (*guide, *slider, *on), [*x, *y]) {
-                    Some((ram, moved, outer)) => {
-                        self.on_a_ram(&ram, moved, *c, outer);
-                        Ok(())
-                    }
-                    None => self.on_three_legs(links, joints, at),
+            (
+                [_, _, _],
+                [DyadJoint::Pin(c), DyadJoint::Slide { guide, slider, on }] | [DyadJoint::Slide { guide, slider, on }, DyadJoint::Pin(c)],
+                [x, y],
+            ) => match self.ram(links, *c, (*guide, *slider, *on), [*x, *y]) {
+                Some((ram, moved, outer)) => {
+                    self.on_a_ram(&ram, moved, *c, outer);
+                    Ok(())
                 }
-            }
-            ([_, _], [Pair::Slide { guide, slider, on }], [x, y]) => {
+                None => self.on_three_legs(links, joints, at),
+            },
+            ([_, _], [DyadJoint::Slide { guide, slider, on }], [x, y]) => {
                 let of = |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
                 match (of(*slider), of(*on)) {
-                    (Some(Outer::Pin { hinge, .. }), Some(Outer::Pin { hinge: pivot, .. })) => {
+                    (Some(OuterJoint::Pin { hinge, .. }), Some(OuterJoint::Pin { hinge: pivot, .. })) => {
                         self.sliding([*slider, *on], *guide, [hinge, pivot]);
                         Ok(())
                     }
-                    (Some(pin @ Outer::Pin { .. }), Some(slide @ Outer::Slide { .. })) => {
+                    (Some(pin @ OuterJoint::Pin { .. }), Some(slide @ OuterJoint::Slide { .. })) => {
                         self.twice_sliding([*slider, *on], *guide, [pin, slide]);
                         Ok(())
                     }
-                    (Some(slide @ Outer::Slide { .. }), Some(pin @ Outer::Pin { .. })) => {
+                    (Some(slide @ OuterJoint::Slide { .. }), Some(pin @ OuterJoint::Pin { .. })) => {
                         self.twice_sliding([*on, *slider], *guide, [pin, slide]);
                         Ok(())
                     }
@@ -64,23 +66,37 @@ impl Scribe<'_> {
                 }
             }
             ([link], [], [x, y]) => match (*x, *y) {
-                (Outer::Pin { hinge, .. }, Outer::Turn { driver, against, .. }) => {
+                (OuterJoint::Pin { hinge, .. }, OuterJoint::Turn { driver, against, .. }) => {
                     self.driven(*link, hinge, driver, against);
                     Ok(())
                 }
                 (
-                    pin @ Outer::Pin { .. },
-                    touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. } | Outer::Balance { .. } | Outer::Push { .. }),
+                    pin @ OuterJoint::Pin { .. },
+                    touch @ (OuterJoint::Slot { .. }
+                    | OuterJoint::Mesh { .. }
+                    | OuterJoint::Cylinder { .. }
+                    | OuterJoint::Balance { .. }
+                    | OuterJoint::Push { .. }),
                 )
-                | (touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. }), pin @ Outer::Pin { .. }) => {
+                | (
+                    touch @ (OuterJoint::Slot { .. } | OuterJoint::Mesh { .. } | OuterJoint::Cylinder { .. }),
+                    pin @ OuterJoint::Pin { .. },
+                ) => {
                     self.on_a_pivot(*link, pin, touch);
                     Ok(())
                 }
                 (
-                    slide @ Outer::Slide { .. },
-                    touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. } | Outer::Balance { .. } | Outer::Push { .. }),
+                    slide @ OuterJoint::Slide { .. },
+                    touch @ (OuterJoint::Slot { .. }
+                    | OuterJoint::Mesh { .. }
+                    | OuterJoint::Cylinder { .. }
+                    | OuterJoint::Balance { .. }
+                    | OuterJoint::Push { .. }),
                 )
-                | (touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. }), slide @ Outer::Slide { .. }) => {
+                | (
+                    touch @ (OuterJoint::Slot { .. } | OuterJoint::Mesh { .. } | OuterJoint::Cylinder { .. }),
+                    slide @ OuterJoint::Slide { .. },
+                ) => {
                     self.in_a_guide(*link, slide, touch);
                     Ok(())
                 }
@@ -94,8 +110,8 @@ impl Scribe<'_> {
 
     /// Writes RRR, RRP, PRP: two links on an inner pin. Either may consist of two links that a
     /// driver holds together; the last of them has the pin.
-    fn on_a_pin(&mut self, bodies: [&[LinkId]; 2], inner: Hinge, outer: [Outer; 2]) {
-        let kind = match outer.map(|o| matches!(o, Outer::Pin { .. })) {
+    fn on_a_pin(&mut self, bodies: [&[LinkId]; 2], inner: Hinge, outer: [OuterJoint; 2]) {
+        let kind = match outer.map(|o| matches!(o, OuterJoint::Pin { .. })) {
             [true, true] => "RRR",
             [false, false] => "PRP",
             _ => "RRP",
@@ -106,27 +122,32 @@ impl Scribe<'_> {
 
     /// Returns the polygon of two bodies on an inner pin, the loads of the last link of the first
     /// body, and the vertices around this link and around the force of the pin.
-    pub(super) fn around_a_pin(&mut self, bodies: [&[LinkId]; 2], inner: Hinge, outer: [Outer; 2]) -> (Polygon, Vec<Acting>, [MarkId; 3]) {
-        let held = |o: &Outer| if let Outer::Pin { hinge, .. } = *o { vec![hinge, inner] } else { vec![inner] };
+    pub(super) fn around_a_pin(
+        &mut self,
+        bodies: [&[LinkId]; 2],
+        inner: Hinge,
+        outer: [OuterJoint; 2],
+    ) -> (Polygon, Vec<ActingForce>, [MarkId; 3]) {
+        let held = |o: &OuterJoint| if let OuterJoint::Pin { hinge, .. } = *o { vec![hinge, inner] } else { vec![inner] };
         let links = bodies.map(|body| body[body.len() - 1]);
         // In the polygon, the forces on the link with the inner pin are adjacent to the pin's
         // force.
         let pinned = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));
         let others = [0, 1].map(|k| {
             let others = &bodies[k][..bodies[k].len() - 1];
-            others.iter().flat_map(|l| self.all_on(*l, &held(&outer[k]))).collect::<Vec<Acting>>()
+            others.iter().flat_map(|l| self.all_on(*l, &held(&outer[k]))).collect::<Vec<ActingForce>>()
         });
         let acting = [[&others[0][..], &pinned[0]].concat(), [&pinned[1][..], &others[1]].concat()];
         let mut ops = Vec::new();
         let mut moments = Vec::new();
         // The part square to the bar, if a load has a moment about the inner pin.
         let parts = [0, 1].map(|k| {
-            let Outer::Pin { hinge: Hinge { at, .. }, .. } = outer[k] else { return None };
+            let OuterJoint::Pin { hinge: Hinge { at, .. }, .. } = outer[k] else { return None };
             if acting[k].is_empty() {
                 return None;
             }
-            let term = reaction(&outer[k], Part::Tangential)?;
-            let of = self.moments(&mut ops, bodies[k], &acting[k], About::Point(inner.at), Gives::Force(term, at));
+            let term = reaction(&outer[k], ReactionComponent::Tangential)?;
+            let of = self.moments(&mut ops, bodies[k], &acting[k], About::Point(inner.at), MomentResult::Force(term, at));
             let bar = Base::Arm { from: self.mark(inner.at), to: self.mark(at), known: false };
             Some(((term, at), self.across(&mut ops, &mut moments, of, bar)?, bar))
         });
@@ -151,52 +172,52 @@ impl Scribe<'_> {
             self.laid(&mut p, term, square_to(bar), value);
         }
         let end = p.last;
-        let along = |s: &Self, o: &Outer| match *o {
-            Outer::Pin { hinge, .. } => Direction::of(Base::Arm { from: s.mark(inner.at), to: s.mark(hinge.at), known: false }),
-            Outer::Slide { guide, .. } => normal(guide),
-            Outer::Slot { .. }
-            | Outer::Mesh { .. }
-            | Outer::Cylinder { .. }
-            | Outer::Turn { .. }
-            | Outer::Balance { .. }
-            | Outer::Push { .. } => Direction::of(Base::Given(Key(0))),
+        let along = |s: &Self, o: &OuterJoint| match *o {
+            OuterJoint::Pin { hinge, .. } => Direction::of(Base::Arm { from: s.mark(inner.at), to: s.mark(hinge.at), known: false }),
+            OuterJoint::Slide { guide, .. } => normal(guide),
+            OuterJoint::Slot { .. }
+            | OuterJoint::Mesh { .. }
+            | OuterJoint::Cylinder { .. }
+            | OuterJoint::Turn { .. }
+            | OuterJoint::Balance { .. }
+            | OuterJoint::Push { .. } => Direction::of(Base::Given(Key(0))),
         };
         let directions = [along(self, &outer[0]), along(self, &outer[1])];
         let lines = [self.line(&mut p, start, directions[0]), self.line(&mut p, end, directions[1])];
         let x = self.meet(&mut p, lines);
         for (k, ends, whole) in [(0, [x, start], [x, first]), (1, [end, x], [second, x])] {
             let split = parts[k].is_some();
-            let part = if split { Part::Normal } else { Part::Whole };
+            let part = if split { ReactionComponent::Normal } else { ReactionComponent::Whole };
             let at = place(&outer[k]).unwrap_or(inner.at);
             if let Some(term) = reaction(&outer[k], part) {
                 self.side(&mut p, (term, at), ends, k == 0);
             }
-            if let (true, Some(term)) = (split, reaction(&outer[k], Part::Whole)) {
+            if let (true, Some(term)) = (split, reaction(&outer[k], ReactionComponent::Whole)) {
                 self.diagonal(&mut p, (term, at), whole);
             }
         }
         self.inner_pin(&mut p, inner, links, [before, x, after]);
         for (k, whole) in [(0, [x, first]), (1, [second, x])] {
             match outer[k] {
-                Outer::Pin { hinge, on, .. } => self.pinned(&mut p, hinge, on, whole),
-                Outer::Slide { on, .. } => {
+                OuterJoint::Pin { hinge, on, .. } => self.pinned(&mut p, hinge, on, whole),
+                OuterJoint::Slide { on, .. } => {
                     let inner_ends = if k == 0 { [before, x] } else { [x, after] };
                     let force = self.measured(&mut p, inner_ends[0], inner_ends[1]);
                     let of = Party::Link(links[1 - k]);
-                    let inside = Acting {
-                        term: Term::Reaction { of, on, part: Part::Whole },
+                    let inside = ActingForce {
+                        term: ForceTerm::Reaction { of, on, part: ReactionComponent::Whole },
                         force: Some((Base::Measured(force), inner.at)),
                         couple: None,
                     };
-                    let all: Vec<Acting> = acting[k].iter().copied().chain([inside]).collect();
+                    let all: Vec<ActingForce> = acting[k].iter().copied().chain([inside]).collect();
                     self.offset(&mut p, outer[k], &all, whole);
                 }
-                Outer::Slot { .. }
-                | Outer::Mesh { .. }
-                | Outer::Cylinder { .. }
-                | Outer::Turn { .. }
-                | Outer::Balance { .. }
-                | Outer::Push { .. } => {}
+                OuterJoint::Slot { .. }
+                | OuterJoint::Mesh { .. }
+                | OuterJoint::Cylinder { .. }
+                | OuterJoint::Turn { .. }
+                | OuterJoint::Balance { .. }
+                | OuterJoint::Push { .. } => {}
             }
         }
         let [loads, _] = pinned;
@@ -205,9 +226,9 @@ impl Scribe<'_> {
 
     /// Finds the couple of an outer guide about its point from all other forces on its link, and
     /// adds it to the answers and to the loads of the other link.
-    pub(super) fn offset(&mut self, p: &mut Polygon, slide: Outer, acting: &[Acting], ends: [MarkId; 2]) {
-        let Outer::Slide { guide, on, at, .. } = slide else { return };
-        let mut moments = self.moments(&mut p.ops, &[on], acting, About::Point(at), Gives::Offset(guide));
+    pub(super) fn offset(&mut self, p: &mut Polygon, slide: OuterJoint, acting: &[ActingForce], ends: [MarkId; 2]) {
+        let OuterJoint::Slide { guide, on, at, .. } = slide else { return };
+        let mut moments = self.moments(&mut p.ops, &[on], acting, About::Point(at), MomentResult::Offset(guide));
         let couple = self.balancing(&mut p.ops, &moments);
         moments.value = couple;
         p.moments.push(moments);
@@ -225,20 +246,20 @@ impl Scribe<'_> {
         self.lay_all(&mut p, &acting[0]);
         let loaded = p.last;
         let of = super::joints::party(self.scene, hinges[0], slider);
-        let part = |part| Term::Reaction { of, on: slider, part };
-        let mut all: Vec<Acting> = acting.concat();
+        let part = |part| ForceTerm::Reaction { of, on: slider, part };
+        let mut all: Vec<ActingForce> = acting.concat();
         if loaded != start {
             // No other force acts on the slider along the guide.
             let loads = self.number(&mut p.ops, Number::Along(start, loaded, Direction::of(tangent(guide))));
             let along = self.number(&mut p.ops, Number::Negative(loads));
-            self.laid(&mut p, (part(Part::Tangential), at), Direction::of(tangent(guide)).unit(), along);
+            self.laid(&mut p, (part(ReactionComponent::Tangential), at), Direction::of(tangent(guide)).unit(), along);
             let last = p.last;
             let force = self.measured(&mut p, loaded, last);
-            all.push(Acting { term: part(Part::Tangential), force: Some((Base::Measured(force), at)), couple: None });
+            all.push(ActingForce { term: part(ReactionComponent::Tangential), force: Some((Base::Measured(force), at)), couple: None });
         }
         let whole = loaded != start;
-        let term = part(if whole { Part::Normal } else { Part::Whole });
-        let mut moments = self.moments(&mut p.ops, &links, &all, About::Point(pivot), Gives::Force(term, at));
+        let term = part(if whole { ReactionComponent::Normal } else { ReactionComponent::Whole });
+        let mut moments = self.moments(&mut p.ops, &links, &all, About::Point(pivot), MomentResult::Force(term, at));
         let turning = self.balancing(&mut p.ops, &moments);
         let arm = self.number(&mut p.ops, Number::Along(self.mark(pivot), self.mark(at), Direction::of(tangent(guide))));
         let across = self.number(&mut p.ops, Number::Quotient(turning, arm));
@@ -249,12 +270,12 @@ impl Scribe<'_> {
         self.lay_all(&mut p, &acting[1]);
         let end = p.last;
         let by = super::joints::party(self.scene, hinges[1], lever);
-        self.side(&mut p, (Term::Reaction { of: by, on: lever, part: Part::Whole }, pivot), [end, start], false);
+        self.side(&mut p, (ForceTerm::Reaction { of: by, on: lever, part: ReactionComponent::Whole }, pivot), [end, start], false);
         if whole {
-            self.diagonal(&mut p, (part(Part::Whole), at), [loaded, held]);
+            self.diagonal(&mut p, (part(ReactionComponent::Whole), at), [loaded, held]);
         }
         for (on, other, ends) in [(slider, lever, [held, start]), (lever, slider, [start, held])] {
-            self.diagonal(&mut p, (Term::Reaction { of: Party::Link(other), on, part: Part::Whole }, place), ends);
+            self.diagonal(&mut p, (ForceTerm::Reaction { of: Party::Link(other), on, part: ReactionComponent::Whole }, place), ends);
         }
         self.pinned(&mut p, hinges[0], slider, [loaded, held]);
         self.pinned(&mut p, hinges[1], lever, [end, start]);
@@ -270,7 +291,7 @@ impl Scribe<'_> {
         guide: GuideId,
         on: LinkId,
         (pin, place): (PointId, PointId),
-        acting: &[Acting],
+        acting: &[ActingForce],
         ends: [MarkId; 2],
     ) -> NumberId {
         let force = self.measured(p, ends[0], ends[1]);
@@ -279,9 +300,13 @@ impl Scribe<'_> {
         } else {
             self.scene.guides[guide.0].slider.unwrap_or(on)
         });
-        let own = Acting { term: Term::Reaction { of, on, part: Part::Whole }, force: Some((Base::Measured(force), place)), couple: None };
-        let all: Vec<Acting> = acting.iter().copied().chain([own]).collect();
-        let mut moments = self.moments(&mut p.ops, &[on], &all, About::Point(pin), Gives::Offset(guide));
+        let own = ActingForce {
+            term: ForceTerm::Reaction { of, on, part: ReactionComponent::Whole },
+            force: Some((Base::Measured(force), place)),
+            couple: None,
+        };
+        let all: Vec<ActingForce> = acting.iter().copied().chain([own]).collect();
+        let mut moments = self.moments(&mut p.ops, &[on], &all, About::Point(pin), MomentResult::Offset(guide));
         let couple = self.balancing(&mut p.ops, &moments);
         moments.value = couple;
         p.moments.push(moments);
@@ -299,8 +324,8 @@ impl Scribe<'_> {
 
     /// Writes RPP: the first link is pinned and slides on the second, which slides in an outer
     /// guide.
-    fn twice_sliding(&mut self, links: [LinkId; 2], guide: GuideId, outer: [Outer; 2]) {
-        let (Outer::Pin { hinge, .. }, Outer::Slide { guide: outside, at: counted, .. }) = (outer[0], outer[1]) else { return };
+    fn twice_sliding(&mut self, links: [LinkId; 2], guide: GuideId, outer: [OuterJoint; 2]) {
+        let (OuterJoint::Pin { hinge, .. }, OuterJoint::Slide { guide: outside, at: counted, .. }) = (outer[0], outer[1]) else { return };
         let ([pinned, sliding], at) = (links, hinge.at);
         let place = self.reference(guide).unwrap_or(at);
         let acting = [self.all_on(pinned, &[hinge]), self.all_on(sliding, &[])];
@@ -310,57 +335,62 @@ impl Scribe<'_> {
         let end = p.last;
         let lines = [self.line(&mut p, start, normal(guide)), self.line(&mut p, end, normal(outside))];
         let x = self.meet(&mut p, lines);
-        self.side(&mut p, (Term::Reaction { of: Party::Link(pinned), on: sliding, part: Part::Whole }, place), [x, start], true);
-        if let Some(term) = reaction(&outer[1], Part::Whole) {
+        self.side(
+            &mut p,
+            (ForceTerm::Reaction { of: Party::Link(pinned), on: sliding, part: ReactionComponent::Whole }, place),
+            [x, start],
+            true,
+        );
+        if let Some(term) = reaction(&outer[1], ReactionComponent::Whole) {
             self.side(&mut p, (term, counted), [end, x], false);
         }
         // The pinned link: its loads from the crossing on, then the closing side.
         p.last = x;
-        let inner = Term::Reaction { of: Party::Link(sliding), on: pinned, part: Part::Whole };
+        let inner = ForceTerm::Reaction { of: Party::Link(sliding), on: pinned, part: ReactionComponent::Whole };
         self.diagonal(&mut p, (inner, place), [start, x]);
         self.lay_all(&mut p, &acting[0]);
         let close = p.last;
-        if let Some(term) = reaction(&outer[0], Part::Whole) {
+        if let Some(term) = reaction(&outer[0], ReactionComponent::Whole) {
             self.side(&mut p, (term, at), [close, start], false);
         }
         self.pinned(&mut p, hinge, pinned, [close, start]);
         let couple = self.inner_guide(&mut p, guide, pinned, (at, place), &acting[0], [start, x]);
         let back = self.number(&mut p.ops, Number::Negative(couple));
         let force = self.measured(&mut p, x, start);
-        let inside = Acting {
-            term: Term::Reaction { of: Party::Link(pinned), on: sliding, part: Part::Whole },
+        let inside = ActingForce {
+            term: ForceTerm::Reaction { of: Party::Link(pinned), on: sliding, part: ReactionComponent::Whole },
             force: Some((Base::Measured(force), place)),
             couple: Some(back),
         };
-        let all: Vec<Acting> = acting[1].iter().copied().chain([inside]).collect();
+        let all: Vec<ActingForce> = acting[1].iter().copied().chain([inside]).collect();
         self.offset(&mut p, outer[1], &all, [end, x]);
         self.finish(p, &links, "RPP");
     }
 }
 
 /// Returns the link of the group that an outer joint holds.
-pub(super) fn carries(outer: &Outer) -> Option<LinkId> {
+pub(super) fn carries(outer: &OuterJoint) -> Option<LinkId> {
     match *outer {
-        Outer::Pin { on, .. }
-        | Outer::Slide { on, .. }
-        | Outer::Slot { on, .. }
-        | Outer::Mesh { on, .. }
-        | Outer::Cylinder { on, .. }
-        | Outer::Balance { on, .. }
-        | Outer::Turn { on, .. } => Some(on),
-        Outer::Push { .. } => None,
+        OuterJoint::Pin { on, .. }
+        | OuterJoint::Slide { on, .. }
+        | OuterJoint::Slot { on, .. }
+        | OuterJoint::Mesh { on, .. }
+        | OuterJoint::Cylinder { on, .. }
+        | OuterJoint::Balance { on, .. }
+        | OuterJoint::Turn { on, .. } => Some(on),
+        OuterJoint::Push { .. } => None,
     }
 }
 
 /// Returns a point on the line of action of an outer joint's force.
-fn place(outer: &Outer) -> Option<PointId> {
+fn place(outer: &OuterJoint) -> Option<PointId> {
     match *outer {
-        Outer::Pin { hinge: Hinge { at, .. }, .. }
-        | Outer::Slide { at, .. }
-        | Outer::Slot { at, .. }
-        | Outer::Mesh { at, .. }
-        | Outer::Balance { at, .. }
-        | Outer::Cylinder { at, .. } => Some(at),
-        Outer::Turn { .. } | Outer::Push { .. } => None,
+        OuterJoint::Pin { hinge: Hinge { at, .. }, .. }
+        | OuterJoint::Slide { at, .. }
+        | OuterJoint::Slot { at, .. }
+        | OuterJoint::Mesh { at, .. }
+        | OuterJoint::Balance { at, .. }
+        | OuterJoint::Cylinder { at, .. } => Some(at),
+        OuterJoint::Turn { .. } | OuterJoint::Push { .. } => None,
     }
 }

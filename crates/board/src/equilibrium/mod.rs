@@ -28,19 +28,19 @@ mod ring;
 mod scribe;
 mod two_bars;
 
-use posed::Posed;
+use posed::LoadedPose;
 
 pub use acts::Act;
-pub use ground::Whole;
+pub use ground::ForceTotals;
 pub use lever::{Lever, LeverForce};
 
 use crate::construct::scale::fitted;
 use crate::construction::pencil::{Exact, Pencil};
-use crate::construction::{Construction, DiagramId, Drawn, MarkId, NumberId, VectorId, draw};
+use crate::construction::{Construction, DiagramId, DrawnPlaces, MarkId, NumberId, VectorId, draw};
 use hodograph_base::diag::Both;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::force::{Cause, Load, Rubbing, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
@@ -49,7 +49,7 @@ use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// A force in an equation of equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Term {
+pub enum ForceTerm {
     /// A load: its index in [`Equilibrium::loads`].
     Load(usize),
     /// A reaction, or a part of it.
@@ -59,7 +59,7 @@ pub enum Term {
         /// The link on which it presses.
         on: LinkId,
         /// The part of the reaction.
-        part: Part,
+        part: ReactionComponent,
     },
 }
 
@@ -78,7 +78,7 @@ pub enum Party {
 
 /// A part of a reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum ReactionComponent {
     /// The whole reaction.
     Whole,
     /// Along the bar; for a slide, square to the guide.
@@ -89,9 +89,9 @@ pub enum Part {
 
 /// A force drawn from vertex to vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Side {
+pub struct ForceEdge {
     /// The force.
-    pub term: Term,
+    pub term: ForceTerm,
     /// A point on its line of action; for a guide, the reference point of its force.
     pub at: PointId,
     /// The vector.
@@ -110,7 +110,7 @@ pub enum About {
         /// The mark on the mechanism.
         at: MarkId,
         /// The forces.
-        of: [Term; 2],
+        of: [ForceTerm; 2],
     },
 }
 
@@ -122,20 +122,20 @@ pub struct Moments {
     /// The point about which moments are taken.
     pub about: About,
     /// The forces with a moment, each with its point of application and its moment (N·m).
-    pub of: Vec<(Term, PointId, NumberId)>,
+    pub of: Vec<(ForceTerm, PointId, NumberId)>,
     /// The couples (N·m).
-    pub couples: Vec<(Term, NumberId)>,
+    pub couples: Vec<(ForceTerm, NumberId)>,
     /// The result.
-    pub gives: Gives,
+    pub gives: MomentResult,
     /// The value of the result: a force (N), a couple or moment (N·m).
     pub value: NumberId,
 }
 
 /// The result of an equation of moments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Gives {
+pub enum MomentResult {
     /// A force on a link, at a point.
-    Force(Term, PointId),
+    Force(ForceTerm, PointId),
     /// The couple of a guide on its slider, which gives the line of action of its force.
     Offset(GuideId),
     /// The balancing moment of a driver.
@@ -143,7 +143,7 @@ pub enum Gives {
     /// A force that is assumed twice; the remaining moment is linear in it.
     Trial {
         /// The force.
-        force: Term,
+        force: ForceTerm,
         /// The assumed magnitudes (N).
         tried: [NumberId; 2],
         /// The remaining moments (N·m).
@@ -163,9 +163,9 @@ pub struct GroupForces {
     /// The vertices in the order of the equation; each occurs once.
     pub vertices: Vec<MarkId>,
     /// The sides in the order of the equation.
-    pub sides: Vec<Side>,
+    pub sides: Vec<ForceEdge>,
     /// Reactions that are diagonals of the polygon, and whole reactions of which parts are drawn.
-    pub diagonals: Vec<Side>,
+    pub diagonals: Vec<ForceEdge>,
     /// The moments, in the order of drawing: those before the polygon, then those after it.
     pub moments: Vec<Moments>,
     /// The force along a driver's guide or cylinder: the driver and the number (N).
@@ -195,7 +195,7 @@ pub struct Equilibrium {
     /// The scales of the plane and of the polygons.
     pub scales: ByKind,
     /// The places of marks and lines.
-    pub drawn: Drawn,
+    pub drawn: DrawnPlaces,
     /// Reactions and balancing moments that the drawing gives.
     pub forces: Forces,
     /// The marks of the points on the plane.
@@ -228,7 +228,7 @@ impl Equilibrium {
         scene: &Scene,
         m: &Mechanism,
         at: &Configuration,
-        motion: &impl Source<f64>,
+        motion: &impl MotionSource<f64>,
         mu_l: f64,
         room: [f64; 2],
     ) -> Option<Equilibrium> {
@@ -244,12 +244,12 @@ impl Equilibrium {
             // Teeth press on one flank or the other; the load that a group puts on its teeth does
             // not depend on the previous groups.
             for _ in 0..=scene.rolling.len() {
-                let givens = Posed { scene, at, loads: &loads, senses: &senses, extent: at.extent() };
+                let givens = LoadedPose { scene, at, loads: &loads, senses: &senses, extent: at.extent() };
                 let drawn = draw(&written.construction, &givens, &trial_scales, &mut Exact).ok()?;
                 let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
                 let pressed = senses_of(scene, at, &forces);
                 if pressed == senses {
-                    return Some(Tried { loads, written, senses, drawn, forces });
+                    return Some(ForceTrial { loads, written, senses, drawn, forces });
                 }
                 senses = pressed;
             }
@@ -260,16 +260,16 @@ impl Equilibrium {
         }
         let smooth = tried(given.clone())?;
         let (rubbing, _) = rubbing(scene, at, motion)?;
-        let (power, Tried { loads, written, senses, drawn: trial, .. }) = if rubbing.is_empty() {
+        let (power, ForceTrial { loads, written, senses, drawn: trial, .. }) = if rubbing.is_empty() {
             ((!scene.loads.friction.is_empty()).then_some(smooth.forces.power), smooth)
         } else {
             // Iteration: friction from the reactions of one polygon, then the next polygon with
             // this friction, until both agree.
             let under = |friction: &[Load]| tried(given.iter().chain(friction).copied().collect()).ok_or(());
-            let read = |t: &Tried| (t.forces.pins.clone(), t.forces.guides.clone());
+            let read = |t: &ForceTrial| (t.forces.pins.clone(), t.forces.guides.clone());
             (Some(smooth.forces.power), settled(scene, &rubbing, under, read).ok()??)
         };
-        let givens = Posed { scene, at, loads: &loads, senses: &senses, extent: at.extent() };
+        let givens = LoadedPose { scene, at, loads: &loads, senses: &senses, extent: at.extent() };
         let extent = largest(&written.groups, &trial);
         let mu = fitted(&scene.paper, Kind::Force, extent, room);
         let scales: ByKind = [(Kind::Length, mu_l), (Kind::Force, mu)].into_iter().collect();
@@ -280,7 +280,7 @@ impl Equilibrium {
         }
         let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
         let forces = Forces { guides: with_friction(forces.guides.clone(), &rubbing), smooth: power, ..forces };
-        let scribe::Written { construction, groups, undrawn, places, answers } = written;
+        let scribe::ForceConstruction { construction, groups, undrawn, places, answers } = written;
         Some(Equilibrium { loads, construction, groups, undrawn, scales, drawn, forces, places, answers, senses, rubbing })
     }
 
@@ -293,7 +293,7 @@ impl Equilibrium {
         scene: &Scene,
         m: &Mechanism,
         at: &Configuration,
-        motion: &impl Source<f64>,
+        motion: &impl MotionSource<f64>,
         pencil: &mut P,
     ) -> Option<Forces> {
         let mut given = loads(scene, at, motion)?.into_iter();
@@ -302,7 +302,7 @@ impl Equilibrium {
             .iter()
             .map(|l| if matches!(l.cause, Cause::Friction(_)) { Some(*l) } else { given.next() })
             .collect::<Option<_>>()?;
-        let givens = Posed { scene, at, loads: &loads, senses: &self.senses, extent: at.extent() };
+        let givens = LoadedPose { scene, at, loads: &loads, senses: &self.senses, extent: at.extent() };
         let drawn = draw(&self.construction, &givens, &self.scales, pencil).ok()?;
         let forces = read(scene, m, at, &loads, &self.answers, &drawn)?;
         Some(Forces { guides: with_friction(forces.guides.clone(), &self.rubbing), smooth: self.forces.smooth, ..forces })
@@ -368,7 +368,7 @@ impl Equilibrium {
     }
 }
 
-impl Source<f64> for Equilibrium {
+impl MotionSource<f64> for Equilibrium {
     fn vector(&self, _: hodograph_mechanism::mechanism::Level, _: PointId, _: Option<LinkId>) -> Option<Vec2> {
         None
     }
@@ -383,26 +383,26 @@ impl Source<f64> for Equilibrium {
 }
 
 /// The polygons at 1 N/mm under some loads.
-struct Tried {
+struct ForceTrial {
     loads: Vec<Load>,
-    written: scribe::Written,
+    written: scribe::ForceConstruction,
     senses: Vec<f64>,
-    drawn: Drawn,
+    drawn: DrawnPlaces,
     forces: Forces,
 }
 
 /// Returns width and height of the largest polygon.
-fn largest(groups: &[GroupForces], drawn: &Drawn) -> [f64; 2] {
+fn largest(groups: &[GroupForces], drawn: &DrawnPlaces) -> [f64; 2] {
     groups.iter().map(|g| extent_of(g, drawn)).fold([0.0, 0.0], |[w, h], [x, y]| [f64::max(w, x), f64::max(h, y)])
 }
 
 /// Returns width and height of a polygon.
-fn extent_of(group: &GroupForces, drawn: &Drawn) -> [f64; 2] {
+fn extent_of(group: &GroupForces, drawn: &DrawnPlaces) -> [f64; 2] {
     crate::construct::scale::extent(group.vertices.iter().filter_map(|v| drawn.marks[v.index()]))
 }
 
 /// Returns the forces that the drawing gives. Reactions of groups that are not drawn are missing.
-fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answers: &Answers, drawn: &Drawn) -> Option<Forces> {
+fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answers: &Answers, drawn: &DrawnPlaces) -> Option<Forces> {
     let vector = |n: &NumberId| drawn.vector(*n);
     let mut pins: Vec<(PointId, LinkId, Vec2)> = answers.pins.iter().filter_map(|(p, l, n)| Some((*p, *l, vector(n)?))).collect();
     // The last link on a pin of several links bears the forces of the others on the pin.

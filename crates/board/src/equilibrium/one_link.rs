@@ -2,10 +2,10 @@
 //! action.
 
 use super::answers::reaction;
-use super::joints::{Hinge, Outer};
+use super::joints::{Hinge, OuterJoint};
 use super::methods::{normal, tangent};
-use super::scribe::{Acting, Polygon, Scribe};
-use super::{About, Gives, Part, Term};
+use super::scribe::{ActingForce, Polygon, Scribe};
+use super::{About, ForceTerm, MomentResult, ReactionComponent};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId, Op};
 use hodograph_scene::{GuideId, LinkId, PointId};
 
@@ -15,7 +15,7 @@ impl Scribe<'_> {
         let pivot = hinge.at;
         let acting = self.all_on(link, &[hinge]);
         let mut ops = Vec::new();
-        let mut moments = self.moments(&mut ops, &[link], &acting, About::Point(pivot), Gives::Driver(driver));
+        let mut moments = self.moments(&mut ops, &[link], &acting, About::Point(pivot), MomentResult::Driver(driver));
         let balance = self.balancing(&mut ops, &moments);
         moments.value = balance;
         self.on_plane(ops);
@@ -25,7 +25,7 @@ impl Scribe<'_> {
         self.lay_all(&mut p, &acting);
         let end = p.last;
         let of = super::joints::party(self.scene, hinge, link);
-        self.side(&mut p, (Term::Reaction { of, on: link, part: Part::Whole }, pivot), [end, start], false);
+        self.side(&mut p, (ForceTerm::Reaction { of, on: link, part: ReactionComponent::Whole }, pivot), [end, start], false);
         self.pinned(&mut p, hinge, link, [end, start]);
         self.answers.drivers.push((driver, balance));
         self.answers.balance = self.scene.loads.balance.as_ref().map(|_| balance);
@@ -41,20 +41,20 @@ impl Scribe<'_> {
     }
 
     /// Returns the line of action of a joint that presses along one line, and a point on it.
-    fn line_of(&self, touch: &Outer) -> Option<(Base, PointId)> {
+    fn line_of(&self, touch: &OuterJoint) -> Option<(Base, PointId)> {
         match *touch {
-            Outer::Slot { guide, at, .. } => Some((Base::Normal(Key::of(guide.0), self.mark(at)), at)),
-            Outer::Cylinder { at, far, .. } => Some((Base::Arm { from: self.mark(far), to: self.mark(at), known: false }, at)),
-            Outer::Mesh { rolling, at, .. } => Some((self.line_of_action(rolling), at)),
-            Outer::Balance { at, .. } => Some((Base::Given(self.balance), at)),
-            Outer::Push { guide, .. } => self.push_along(guide),
-            Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } => None,
+            OuterJoint::Slot { guide, at, .. } => Some((Base::Normal(Key::of(guide.0), self.mark(at)), at)),
+            OuterJoint::Cylinder { at, far, .. } => Some((Base::Arm { from: self.mark(far), to: self.mark(at), known: false }, at)),
+            OuterJoint::Mesh { rolling, at, .. } => Some((self.line_of_action(rolling), at)),
+            OuterJoint::Balance { at, .. } => Some((Base::Given(self.balance), at)),
+            OuterJoint::Push { guide, .. } => self.push_along(guide),
+            OuterJoint::Pin { .. } | OuterJoint::Slide { .. } | OuterJoint::Turn { .. } => None,
         }
     }
 
     /// Writes a link on a pivot with one line of action.
-    pub(super) fn on_a_pivot(&mut self, link: LinkId, pin: Outer, touch: Outer) {
-        let (Outer::Pin { hinge, .. }, Some((line, at)), Some(term)) = (pin, self.line_of(&touch), self.pressing(&touch)) else {
+    pub(super) fn on_a_pivot(&mut self, link: LinkId, pin: OuterJoint, touch: OuterJoint) {
+        let (OuterJoint::Pin { hinge, .. }, Some((line, at)), Some(term)) = (pin, self.line_of(&touch), self.pressing(&touch)) else {
             return;
         };
         let pivot = hinge.at;
@@ -62,11 +62,11 @@ impl Scribe<'_> {
         let own = acting.len();
         acting.extend(self.pin_loads_beside(&touch, at, link));
         let mut ops = Vec::new();
-        let mut moments = self.moments(&mut ops, &[link], &acting, About::Point(pivot), Gives::Force(term, at));
+        let mut moments = self.moments(&mut ops, &[link], &acting, About::Point(pivot), MomentResult::Force(term, at));
         let turning = self.balancing(&mut ops, &moments);
         let size = self.by_arm(&mut ops, turning, line, self.mark(at), self.mark(pivot));
         moments.value = size;
-        if let Outer::Balance { driver, .. } = touch {
+        if let OuterJoint::Balance { driver, .. } = touch {
             // The moment of the force about the pivot gives the power.
             let pushed = hinge.arc().and_then(|guide| self.push_along(guide));
             let of_driver = pushed.map_or(turning, |(line, at)| self.by_arm(&mut ops, turning, line, self.mark(at), self.mark(pivot)));
@@ -83,22 +83,23 @@ impl Scribe<'_> {
         let loaded = p.last;
         self.laid(&mut p, (term, at), Direction::of(line).unit(), size);
         let end = p.last;
-        if matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. }) && self.scene.links[link.0].points.contains(&at) {
+        if matches!(touch, OuterJoint::Slot { .. } | OuterJoint::Cylinder { .. }) && self.scene.links[link.0].points.contains(&at) {
             self.held_at(&mut p, at, link, [before, end]);
         }
-        if let Some(term) = reaction(&pin, Part::Whole) {
+        if let Some(term) = reaction(&pin, ReactionComponent::Whole) {
             self.side(&mut p, (term, pivot), [end, start], false);
         }
         self.pinned(&mut p, hinge, link, [end, start]);
         self.touched(&mut p, &touch, [loaded, end]);
-        self.finish(p, &[link], if matches!(touch, Outer::Balance { .. } | Outer::Push { .. }) { "driver" } else { "RH" });
+        self.finish(p, &[link], if matches!(touch, OuterJoint::Balance { .. } | OuterJoint::Push { .. }) { "driver" } else { "RH" });
     }
 
     /// Returns the forces of other links on a pin at which a slot, a cylinder or a balancing force
     /// acts on the link.
-    fn pin_loads_beside(&mut self, touch: &Outer, at: PointId, link: LinkId) -> Vec<Acting> {
+    fn pin_loads_beside(&mut self, touch: &OuterJoint, at: PointId, link: LinkId) -> Vec<ActingForce> {
         let pinned = self.scene.links[link.0].points.contains(&at);
-        let counts = matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Balance { .. } | Outer::Push { .. });
+        let counts =
+            matches!(touch, OuterJoint::Slot { .. } | OuterJoint::Cylinder { .. } | OuterJoint::Balance { .. } | OuterJoint::Push { .. });
         if pinned && counts { self.pin_loads(at, link) } else { Vec::new() }
     }
 
@@ -112,24 +113,24 @@ impl Scribe<'_> {
 
     /// Adds the force of a joint that presses along one line to the answers, and to the loads of
     /// the part on its other side.
-    pub(super) fn touched(&mut self, p: &mut Polygon, touch: &Outer, ends: [MarkId; 2]) {
+    pub(super) fn touched(&mut self, p: &mut Polygon, touch: &OuterJoint, ends: [MarkId; 2]) {
         match *touch {
-            Outer::Slot { guide, at, on, by } => self.slotted(p, guide, on, by, at, ends),
-            Outer::Mesh { rolling, at, on, by } => self.meshed(p, rolling, [on, by], at, ends),
-            Outer::Cylinder { driver, at, far, on } => self.pushed(p, driver, on, [at, far], ends),
-            Outer::Push { driver, guide, on, by } => self.pushed_along(p, (driver, guide), [on, by], ends),
-            Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } | Outer::Balance { .. } => {}
+            OuterJoint::Slot { guide, at, on, by } => self.slotted(p, guide, on, by, at, ends),
+            OuterJoint::Mesh { rolling, at, on, by } => self.meshed(p, rolling, [on, by], at, ends),
+            OuterJoint::Cylinder { driver, at, far, on } => self.pushed(p, driver, on, [at, far], ends),
+            OuterJoint::Push { driver, guide, on, by } => self.pushed_along(p, (driver, guide), [on, by], ends),
+            OuterJoint::Pin { .. } | OuterJoint::Slide { .. } | OuterJoint::Turn { .. } | OuterJoint::Balance { .. } => {}
         }
     }
 
     /// Writes a link in a guide with one more line of action.
-    pub(super) fn in_a_guide(&mut self, link: LinkId, slide: Outer, touch: Outer) {
-        let (Outer::Slide { guide, at: counted, .. }, Some((line, at))) = (slide, self.line_of(&touch)) else { return };
-        let moved = matches!(touch, Outer::Push { .. } | Outer::Balance { .. });
+    pub(super) fn in_a_guide(&mut self, link: LinkId, slide: OuterJoint, touch: OuterJoint) {
+        let (OuterJoint::Slide { guide, at: counted, .. }, Some((line, at))) = (slide, self.line_of(&touch)) else { return };
+        let moved = matches!(touch, OuterJoint::Push { .. } | OuterJoint::Balance { .. });
         let held = if moved { vec![] } else { vec![at.into()] };
         let mut acting = self.all_on(link, &held);
         let own = acting.len();
-        if matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. }) {
+        if matches!(touch, OuterJoint::Slot { .. } | OuterJoint::Cylinder { .. }) {
             acting.extend(self.pin_loads_beside(&touch, at, link));
         }
         let mut p = self.polygon();
@@ -140,19 +141,19 @@ impl Scribe<'_> {
         let end = p.last;
         let lines = [self.line(&mut p, start, normal(guide)), self.line(&mut p, end, Direction::of(line))];
         let x = self.meet(&mut p, lines);
-        if let Some(term) = reaction(&slide, Part::Whole) {
+        if let Some(term) = reaction(&slide, ReactionComponent::Whole) {
             self.side(&mut p, (term, counted), [x, start], true);
         }
         let mut all = acting.clone();
         if let Some(term) = self.pressing(&touch) {
             self.side(&mut p, (term, at), [end, x], false);
             let force = self.measured(&mut p, end, x);
-            all.push(Acting { term, force: Some((Base::Measured(force), at)), couple: None });
+            all.push(ActingForce { term, force: Some((Base::Measured(force), at)), couple: None });
         }
-        if matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. }) && self.scene.links[link.0].points.contains(&at) {
+        if matches!(touch, OuterJoint::Slot { .. } | OuterJoint::Cylinder { .. }) && self.scene.links[link.0].points.contains(&at) {
             self.held_at(&mut p, at, link, [before, x]);
         }
-        if let Outer::Balance { driver, .. } = touch {
+        if let OuterJoint::Balance { driver, .. } = touch {
             self.answers.balance = Some(self.number(&mut p.ops, Number::Along(end, x, Direction::of(line))));
             let along = self.number(&mut p.ops, Number::Along(end, x, Direction::of(tangent(guide))));
             self.answers.drivers.push((driver, along));

@@ -7,7 +7,7 @@ use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::{RollingId, Scene};
 
 /// The places, loads, guides and lines of action.
-pub(super) struct Posed<'a> {
+pub(super) struct LoadedPose<'a> {
     pub scene: &'a Scene,
     pub at: &'a Configuration,
     pub loads: &'a [Load],
@@ -16,7 +16,7 @@ pub(super) struct Posed<'a> {
     pub extent: f64,
 }
 
-impl Givens<f64> for Posed<'_> {
+impl Givens<f64> for LoadedPose<'_> {
     fn place(&self, key: Key) -> Option<Point> {
         self.at.points[key.index()]
     }

@@ -7,9 +7,9 @@
 //! first force. Then the polygon of each link with its bar closes with the reaction of its pivot.
 
 use super::answers::reaction;
-use super::joints::{Hinge, Joints, Outer, Pair, too_many, turns_on};
-use super::scribe::{Acting, Scribe, square_to};
-use super::{About, Gives, Moments, Part, Party, Term};
+use super::joints::{DyadJoint, Hinge, Joints, OuterJoint, too_many, turns_on};
+use super::scribe::{ActingForce, Scribe, square_to};
+use super::{About, ForceTerm, MomentResult, Moments, Party, ReactionComponent};
 use crate::construction::{Base, Direction, Key, Number, NumberId, Op};
 use hodograph_base::diag::Both;
 use hodograph_scene::{GuideId, LinkId, PointId};
@@ -18,18 +18,18 @@ use hodograph_scene::{GuideId, LinkId, PointId};
 #[derive(Clone, Copy)]
 struct RingLink {
     link: LinkId,
-    outer: Outer,
+    outer: OuterJoint,
     pivot: Hinge,
     bar: LinkId,
     /// The hinge between bar and link.
     near: Hinge,
-    far: Far,
+    far: FarJoint,
     next: LinkId,
 }
 
 /// The joint of a bar or block with the next link.
 #[derive(Clone, Copy)]
-enum Far {
+enum FarJoint {
     /// The pin of a bar.
     Pin(PointId),
     /// The guide of a block.
@@ -38,7 +38,7 @@ enum Far {
 
 /// A bar with its loads.
 struct RingBar {
-    loads: Vec<Acting>,
+    loads: Vec<ActingForce>,
     /// The force of the next link square to the bar.
     across: Option<NumberId>,
     /// The couple of the guide on the block.
@@ -48,7 +48,7 @@ struct RingBar {
 
 /// A link with its bar, before the forces along the bars are known.
 struct RingMoments {
-    loads: Vec<Acting>,
+    loads: Vec<ActingForce>,
     /// The moments about the pivot without the forces along the bars, and their sum with the sign
     /// reversed.
     moments: Moments,
@@ -60,22 +60,22 @@ struct RingMoments {
 impl RingLink {
     /// Returns a point on the line of the bar at which the next link presses on it.
     fn touch(&self) -> PointId {
-        if let Far::Pin(p) = self.far { p } else { self.near.at }
+        if let FarJoint::Pin(p) = self.far { p } else { self.near.at }
     }
 
     /// Returns the force of the next link on the bar.
-    fn on_bar(&self, part: Part) -> Term {
-        Term::Reaction { of: Party::Link(self.next), on: self.bar, part }
+    fn on_bar(&self, part: ReactionComponent) -> ForceTerm {
+        ForceTerm::Reaction { of: Party::Link(self.next), on: self.bar, part }
     }
 
     /// Returns the force of the bar on the next link.
-    fn on_next(&self, part: Part) -> Term {
-        Term::Reaction { of: Party::Link(self.bar), on: self.next, part }
+    fn on_next(&self, part: ReactionComponent) -> ForceTerm {
+        ForceTerm::Reaction { of: Party::Link(self.bar), on: self.next, part }
     }
 
     /// Returns the part of these forces along the line: the whole force if a guide presses.
-    fn axial(&self) -> Part {
-        if matches!(self.far, Far::Pin(_)) { Part::Normal } else { Part::Whole }
+    fn axial(&self) -> ReactionComponent {
+        if matches!(self.far, FarJoint::Pin(_)) { ReactionComponent::Normal } else { ReactionComponent::Whole }
     }
 }
 
@@ -105,7 +105,7 @@ impl Scribe<'_> {
         let change = self.number(&mut ops, Number::Sum(left[0], back));
         let share = self.number(&mut ops, Number::Quotient(left[0], change));
         let first = self.number(&mut ops, Number::Product(tried[1], share));
-        let gives = Gives::Trial { force: ring[0].on_next(ring[0].axial()), tried, left };
+        let gives = MomentResult::Trial { force: ring[0].on_next(ring[0].axial()), tried, left };
         let about = About::Point(ring[0].pivot.at);
         let all: Vec<LinkId> = ring.iter().map(|core| core.link).collect();
         let trial = Moments { links: all, about, of: Vec::new(), couples: Vec::new(), gives, value: first };
@@ -132,30 +132,30 @@ impl Scribe<'_> {
 
     /// Returns the ring, with the first bars in the order of the links that close it.
     fn ring(&self, links: &[LinkId], joints: &Joints) -> Option<Vec<RingLink>> {
-        let pivots: Vec<(LinkId, Outer, Hinge)> = joints
+        let pivots: Vec<(LinkId, OuterJoint, Hinge)> = joints
             .outer
             .iter()
-            .map(|o| if let Outer::Pin { on, hinge, .. } = *o { Some((on, *o, hinge)) } else { None })
+            .map(|o| if let OuterJoint::Pin { on, hinge, .. } = *o { Some((on, *o, hinge)) } else { None })
             .collect::<Option<_>>()?;
         let count = pivots.len();
         (count > 1 && links.len() == 2 * count && joints.inner.len() == 2 * count).then_some(())?;
         let is_core = |l: LinkId| pivots.iter().any(|(on, ..)| *on == l);
         let mut bars: Vec<LinkId> = links.iter().copied().filter(|l| !is_core(*l)).collect();
-        let joins = |pair: &Pair, a: LinkId, b: LinkId| match *pair {
-            Pair::Pin(hinge) => hinge == hinge.at.into() && turns_on(self.scene, a, hinge) && turns_on(self.scene, b, hinge),
-            Pair::Slide { slider, on, .. } => (slider, on) == (a, b),
+        let joins = |pair: &DyadJoint, a: LinkId, b: LinkId| match *pair {
+            DyadJoint::Pin(hinge) => hinge == hinge.at.into() && turns_on(self.scene, a, hinge) && turns_on(self.scene, b, hinge),
+            DyadJoint::Slide { slider, on, .. } => (slider, on) == (a, b),
         };
         let mut out: Vec<RingLink> = Vec::new();
         let mut at = pivots[0];
         for _ in 0..count {
-            let near = |bar: LinkId| joints.inner.iter().find(|pair| matches!(pair, Pair::Pin(_)) && joins(pair, bar, at.0));
+            let near = |bar: LinkId| joints.inner.iter().find(|pair| matches!(pair, DyadJoint::Pin(_)) && joins(pair, bar, at.0));
             let bar = bars.remove(bars.iter().position(|bar| near(*bar).is_some())?);
-            let Some(Pair::Pin(hinge)) = near(bar) else { return None };
-            let far = |(on, ..): &&(LinkId, Outer, Hinge)| *on != at.0 && joints.inner.iter().any(|pair| joins(pair, bar, *on));
+            let Some(DyadJoint::Pin(hinge)) = near(bar) else { return None };
+            let far = |(on, ..): &&(LinkId, OuterJoint, Hinge)| *on != at.0 && joints.inner.iter().any(|pair| joins(pair, bar, *on));
             let next = *pivots.iter().find(far)?;
             let far = match joints.inner.iter().find(|pair| joins(pair, bar, next.0))? {
-                Pair::Pin(hinge) => Far::Pin(hinge.at),
-                Pair::Slide { guide, .. } => Far::Slide(*guide),
+                DyadJoint::Pin(hinge) => FarJoint::Pin(hinge.at),
+                DyadJoint::Slide { guide, .. } => FarJoint::Slide(*guide),
             };
             out.push(RingLink { link: at.0, outer: at.1, pivot: at.2, bar, near: *hinge, far, next: next.0 });
             at = next;
@@ -166,8 +166,8 @@ impl Scribe<'_> {
     /// Returns the line of a bar, from the link to the next one; for a block, square to its guide.
     fn line_of_bar(&self, core: &RingLink) -> Base {
         match core.far {
-            Far::Pin(p) => Base::Arm { from: self.mark(core.near.at), to: self.mark(p), known: false },
-            Far::Slide(guide) => Base::Normal(Key::of(guide.0), self.mark(core.near.at)),
+            FarJoint::Pin(p) => Base::Arm { from: self.mark(core.near.at), to: self.mark(p), known: false },
+            FarJoint::Slide(guide) => Base::Normal(Key::of(guide.0), self.mark(core.near.at)),
         }
     }
 
@@ -175,13 +175,13 @@ impl Scribe<'_> {
         let held: Vec<Hinge> = [core.near, core.touch().into()].into();
         let loads = self.all_on(core.bar, &held);
         let mut moments = Vec::new();
-        let gives = Gives::Force(core.on_bar(Part::Tangential), core.touch());
+        let gives = MomentResult::Force(core.on_bar(ReactionComponent::Tangential), core.touch());
         let of = self.moments(ops, &[core.bar], &loads, About::Point(core.near.at), gives);
         let (mut across, mut couple) = (None, None);
         match core.far {
-            Far::Pin(_) => across = self.across(ops, &mut moments, of, self.line_of_bar(core)),
-            Far::Slide(_) if of.of.is_empty() && of.couples.is_empty() => {}
-            Far::Slide(_) => couple = Some(self.balancing(ops, &of)),
+            FarJoint::Pin(_) => across = self.across(ops, &mut moments, of, self.line_of_bar(core)),
+            FarJoint::Slide(_) if of.of.is_empty() && of.couples.is_empty() => {}
+            FarJoint::Slide(_) => couple = Some(self.balancing(ops, &of)),
         }
         RingBar { loads, across, couple, moments }
     }
@@ -189,7 +189,7 @@ impl Scribe<'_> {
     fn known(&mut self, ops: &mut Vec<Op>, [before, core]: [&RingLink; 2], bars: [&RingBar; 2]) -> RingMoments {
         let (pivot, about) = (self.mark(core.pivot.at), About::Point(core.pivot.at));
         let loads = self.all_on(core.link, &[core.pivot, core.near, before.touch().into()]);
-        let gives = Gives::Force(core.on_bar(core.axial()), core.touch());
+        let gives = MomentResult::Force(core.on_bar(core.axial()), core.touch());
         let all = [&loads[..], &bars[1].loads].concat();
         let mut moments = self.moments(ops, &[core.link, core.bar], &all, about, gives);
         // The previous bar presses on the link, opposite to the force on the bar.
@@ -197,14 +197,14 @@ impl Scribe<'_> {
             let mut signed = |s: &mut Self, value| if reversed { s.number(ops, Number::Negative(value)) } else { value };
             let term = |part| if reversed { on.on_next(part) } else { on.on_bar(part) };
             if let Some(couple) = bar.couple {
-                moments.couples.push((term(Part::Whole), signed(self, couple)));
+                moments.couples.push((term(ReactionComponent::Whole), signed(self, couple)));
             }
             if let Some(value) = bar.across {
                 // The arm of a unit force square to the bar is the component of the connecting
                 // vector along the bar.
                 let value = signed(self, value);
                 let arm = self.number(ops, Number::Along(pivot, self.mark(on.touch()), Direction::of(self.line_of_bar(on))));
-                moments.of.push((term(Part::Tangential), on.touch(), self.number(ops, Number::Product(value, arm))));
+                moments.of.push((term(ReactionComponent::Tangential), on.touch(), self.number(ops, Number::Product(value, arm))));
             }
         }
         let turning = self.balancing(ops, &moments);
@@ -248,7 +248,7 @@ impl Scribe<'_> {
     fn link_and_bar(
         &mut self,
         [(before, bar_before, push), (core, bar, own_push)]: [(&RingLink, &RingBar, NumberId); 2],
-        loads: &[Acting],
+        loads: &[ActingForce],
         moments: Vec<Moments>,
         kind: &'static str,
     ) {
@@ -261,7 +261,7 @@ impl Scribe<'_> {
         self.laid(&mut p, (before.on_next(before.axial()), before.touch()), line, push);
         if let Some(value) = bar_before.across {
             let back = self.number(&mut p.ops, Number::Negative(value));
-            self.laid(&mut p, (before.on_next(Part::Tangential), before.touch()), square_to(self.line_of_bar(before)), back);
+            self.laid(&mut p, (before.on_next(ReactionComponent::Tangential), before.touch()), square_to(self.line_of_bar(before)), back);
         }
         let middle = p.last;
         self.lay_all(&mut p, &bar.loads);
@@ -270,20 +270,20 @@ impl Scribe<'_> {
         let line = Direction::of(self.line_of_bar(core)).unit();
         self.laid(&mut p, (core.on_bar(core.axial()), core.touch()), line, along);
         if let Some(value) = bar.across {
-            self.laid(&mut p, (core.on_bar(Part::Tangential), core.touch()), square_to(self.line_of_bar(core)), value);
+            self.laid(&mut p, (core.on_bar(ReactionComponent::Tangential), core.touch()), square_to(self.line_of_bar(core)), value);
         }
         let end = p.last;
-        if let Some(term) = reaction(&core.outer, Part::Whole) {
+        if let Some(term) = reaction(&core.outer, ReactionComponent::Whole) {
             self.side(&mut p, (term, core.pivot.at), [end, start], false);
         }
         self.pinned(&mut p, core.pivot, core.link, [end, start]);
-        if matches!(before.far, Far::Pin(_)) {
-            self.diagonal(&mut p, (before.on_next(Part::Whole), before.touch()), [pushed, middle]);
+        if matches!(before.far, FarJoint::Pin(_)) {
+            self.diagonal(&mut p, (before.on_next(ReactionComponent::Whole), before.touch()), [pushed, middle]);
         }
         self.inner_pin(&mut p, core.near, [core.bar, core.link], [end, middle, end]);
         match core.far {
-            Far::Pin(pin) => self.inner_pin(&mut p, pin.into(), [core.bar, core.next], [held, end, held]),
-            Far::Slide(guide) => {
+            FarJoint::Pin(pin) => self.inner_pin(&mut p, pin.into(), [core.bar, core.next], [held, end, held]),
+            FarJoint::Slide(guide) => {
                 let place = self.reference(guide).unwrap_or(core.near.at);
                 self.inner_guide(&mut p, guide, core.bar, (core.near.at, place), &bar.loads, [held, end]);
             }

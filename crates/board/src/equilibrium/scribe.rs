@@ -1,7 +1,7 @@
 //! Writes the construction: the forces on each link, and the acts of polygons and moments.
 
 use super::joints::{Hinge, joints, reference};
-use super::{About, Answers, Gives, GroupForces, Moments, Part, Party, Side, Term, Undrawn};
+use super::{About, Answers, ForceEdge, ForceTerm, GroupForces, MomentResult, Moments, Party, ReactionComponent, Undrawn};
 use crate::construction::{
     Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
 };
@@ -14,7 +14,7 @@ use hodograph_scene::quantity::ROUNDING;
 use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
 /// A construction with the meaning of its numbers.
-pub(super) struct Written {
+pub(super) struct ForceConstruction {
     pub construction: Construction,
     pub groups: Vec<GroupForces>,
     pub undrawn: Vec<Undrawn>,
@@ -24,8 +24,8 @@ pub(super) struct Written {
 
 /// A load or reaction on a link: a force at a point, a couple, or both.
 #[derive(Clone, Copy)]
-pub(super) struct Acting {
-    pub term: Term,
+pub(super) struct ActingForce {
+    pub term: ForceTerm,
     pub force: Option<(Base, PointId)>,
     pub couple: Option<NumberId>,
 }
@@ -42,7 +42,7 @@ pub(super) struct Scribe<'a> {
     pub m: &'a Mechanism,
     pub c: Construction,
     pub places: Vec<Option<MarkId>>,
-    pub acting: Vec<Vec<Acting>>,
+    pub acting: Vec<Vec<ActingForce>>,
     pub at_pin: Vec<Vec<OnPin>>,
     pub answers: Answers,
     groups: Vec<GroupForces>,
@@ -58,14 +58,14 @@ pub(super) struct Scribe<'a> {
 }
 
 /// Writes the forces of all groups.
-pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load]) -> Written {
+pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load]) -> ForceConstruction {
     let mut c = Construction::default();
     let plane = c.begin(DiagramKind::Plane);
     let mark = |p: usize, c: &mut Construction| at.points[p].map(|_| c.mark(plane, Name::Point(Key::of(p))));
     let places: Vec<Option<MarkId>> = (0..scene.points.len()).map(|p| mark(p, &mut c)).collect();
     c.step(plane, None, places.iter().flatten().map(|mark| Op::Set(*mark)));
     let one = c.number(Number::Plain(1));
-    let mut acting: Vec<Vec<Acting>> = vec![Vec::new(); scene.links.len()];
+    let mut acting: Vec<Vec<ActingForce>> = vec![Vec::new(); scene.links.len()];
     let largest = loads.iter().map(|l| l.wrench.force.norm()).fold(0.0, f64::max);
     let couples = loads.iter().map(|l| l.wrench.couple.abs()).fold(0.0, f64::max);
     for (k, load) in loads.iter().enumerate() {
@@ -74,7 +74,7 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
         let turns = load.wrench.couple.abs() > ROUNDING * couples.max(largest * at.extent());
         let couple = turns.then(|| c.number(Number::Given(Key::of(k))));
         if force.is_some() || couple.is_some() {
-            acting[load.link.0].push(Acting { term: Term::Load(k), force, couple });
+            acting[load.link.0].push(ActingForce { term: ForceTerm::Load(k), force, couple });
         }
     }
     let answers = Answers::default();
@@ -110,7 +110,7 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
         }
     }
     let Scribe { c: construction, groups, answers, places, .. } = scribe;
-    Written { construction, groups, undrawn, answers, places }
+    ForceConstruction { construction, groups, undrawn, answers, places }
 }
 
 /// True if two links press on each other at any joint.
@@ -138,8 +138,8 @@ pub(super) struct Polygon {
     pub last: MarkId,
     /// The vertices in the order of laying off.
     pub vertices: Vec<MarkId>,
-    pub sides: Vec<Side>,
-    pub diagonals: Vec<Side>,
+    pub sides: Vec<ForceEdge>,
+    pub diagonals: Vec<ForceEdge>,
     pub moments: Vec<Moments>,
     pub drivers: Vec<(usize, NumberId)>,
     pub ops: Vec<Op>,
@@ -179,21 +179,21 @@ impl Scribe<'_> {
     }
 
     /// Lays off a known force from the last vertex.
-    fn lay(&mut self, p: &mut Polygon, (term, at): (Term, PointId), force: Base) {
+    fn lay(&mut self, p: &mut Polygon, (term, at): (ForceTerm, PointId), force: Base) {
         self.laid(p, (term, at), Direction::of(force), self.one);
     }
 
     /// Lays off a part of a force: its direction, a unit vector, times its magnitude.
-    pub fn laid(&mut self, p: &mut Polygon, (term, at): (Term, PointId), along: Direction, times: NumberId) {
+    pub fn laid(&mut self, p: &mut Polygon, (term, at): (ForceTerm, PointId), along: Direction, times: NumberId) {
         let to = self.vertex(p);
         let vector = self.c.vector(Vector { terms: Vec::new(), from: p.last, to });
         p.ops.push(Op::Lay { vector, along, times });
-        p.sides.push(Side { term, at, vector, known: true });
+        p.sides.push(ForceEdge { term, at, vector, known: true });
         p.last = to;
     }
 
     /// Lays off all forces on a link.
-    pub fn lay_all(&mut self, p: &mut Polygon, acting: &[Acting]) {
+    pub fn lay_all(&mut self, p: &mut Polygon, acting: &[ActingForce]) {
         for a in acting {
             if let Some((force, at)) = a.force {
                 self.lay(p, (a.term, at), force);
@@ -223,9 +223,9 @@ impl Scribe<'_> {
     }
 
     /// Adds an unknown side of the polygon, at its place in the equation: first or last.
-    pub fn side(&mut self, p: &mut Polygon, (term, at): (Term, PointId), [from, to]: [MarkId; 2], first: bool) {
+    pub fn side(&mut self, p: &mut Polygon, (term, at): (ForceTerm, PointId), [from, to]: [MarkId; 2], first: bool) {
         let vector = self.show(p, from, to);
-        let side = Side { term, at, vector, known: false };
+        let side = ForceEdge { term, at, vector, known: false };
         if first {
             p.sides.insert(0, side);
         } else {
@@ -234,9 +234,9 @@ impl Scribe<'_> {
     }
 
     /// Adds a reaction that is a diagonal.
-    pub fn diagonal(&mut self, p: &mut Polygon, (term, at): (Term, PointId), [from, to]: [MarkId; 2]) {
+    pub fn diagonal(&mut self, p: &mut Polygon, (term, at): (ForceTerm, PointId), [from, to]: [MarkId; 2]) {
         let vector = self.show(p, from, to);
-        p.diagonals.push(Side { term, at, vector, known: false });
+        p.diagonals.push(ForceEdge { term, at, vector, known: false });
     }
 
     /// Measures a vector of a polygon.
@@ -254,7 +254,7 @@ impl Scribe<'_> {
     }
 
     /// Returns the moments of the forces on links about a point.
-    pub fn moments(&mut self, ops: &mut Vec<Op>, links: &[LinkId], acting: &[Acting], about: About, gives: Gives) -> Moments {
+    pub fn moments(&mut self, ops: &mut Vec<Op>, links: &[LinkId], acting: &[ActingForce], about: About, gives: MomentResult) -> Moments {
         let mut out = Moments { links: links.to_vec(), about, of: Vec::new(), couples: Vec::new(), gives, value: self.one };
         for a in acting {
             if let Some((force, at)) = a.force.filter(|(_, at)| About::Point(*at) != about) {
@@ -293,9 +293,9 @@ impl Scribe<'_> {
     }
 
     /// Returns the forces that links in equilibrium put on a pin, as loads of one link.
-    pub fn pin_loads(&mut self, at: PointId, on: LinkId) -> Vec<Acting> {
-        let of = |load: &OnPin| Acting {
-            term: Term::Reaction { of: load.of, on, part: Part::Whole },
+    pub fn pin_loads(&mut self, at: PointId, on: LinkId) -> Vec<ActingForce> {
+        let of = |load: &OnPin| ActingForce {
+            term: ForceTerm::Reaction { of: load.of, on, part: ReactionComponent::Whole },
             force: Some((Base::Measured(load.force), at)),
             couple: None,
         };
@@ -304,7 +304,7 @@ impl Scribe<'_> {
 
     /// Returns all forces on a link: its loads, and the forces on its pins other than those at
     /// which it is held.
-    pub fn all_on(&mut self, link: LinkId, held: &[Hinge]) -> Vec<Acting> {
+    pub fn all_on(&mut self, link: LinkId, held: &[Hinge]) -> Vec<ActingForce> {
         let mut acting = self.acting[link.0].clone();
         for p in self.scene.links[link.0].points.clone() {
             if !held.iter().any(|hinge| hinge.pin() == Some(p)) {

@@ -8,9 +8,9 @@
 //! along their lines.
 
 use super::answers::reaction;
-use super::joints::{Hinge, Joints, Outer, Pair, turns_on};
-use super::scribe::{Acting, Polygon, Scribe, square_to};
-use super::{About, Gives, Moments, Part, Party, Term};
+use super::joints::{DyadJoint, Hinge, Joints, OuterJoint, turns_on};
+use super::scribe::{ActingForce, Polygon, Scribe, square_to};
+use super::{About, ForceTerm, MomentResult, Moments, Party, ReactionComponent};
 use crate::construction::{Base, Direction, Key, Line, MarkId, Name, Number, NumberId, Op};
 use hodograph_base::diag::{Both, both};
 use hodograph_mechanism::position::Configuration;
@@ -18,24 +18,24 @@ use hodograph_scene::LinkId;
 
 /// A bar with its pins on the first and on the second link.
 #[derive(Clone, Copy)]
-struct Bar {
+struct PinnedBar {
     link: LinkId,
     pins: [Hinge; 2],
 }
 
 /// A bar with its loads and the forces of the links on it square to the bar; `None` without loads.
-struct Loaded {
-    bar: Bar,
-    loads: Vec<Acting>,
+struct LoadedBar {
+    bar: PinnedBar,
+    loads: Vec<ActingForce>,
     across: [Option<NumberId>; 2],
 }
 
 /// The group: its links with their outer pins, and the bars.
-struct Joined {
+struct TwoBarGroup {
     links: [LinkId; 2],
-    outer: [Outer; 2],
+    outer: [OuterJoint; 2],
     pivots: [Hinge; 2],
-    bars: [Bar; 2],
+    bars: [PinnedBar; 2],
 }
 
 /// The smallest sine of the angle at which two lines cross; below it they count as parallel.
@@ -67,26 +67,26 @@ impl Scribe<'_> {
         }
     }
 
-    fn joined(&self, links: &[LinkId], joints: &Joints) -> Option<Joined> {
-        let [first @ Outer::Pin { on: a, hinge: p, .. }, second @ Outer::Pin { on: b, hinge: q, .. }] = joints.outer[..] else {
+    fn joined(&self, links: &[LinkId], joints: &Joints) -> Option<TwoBarGroup> {
+        let [first @ OuterJoint::Pin { on: a, hinge: p, .. }, second @ OuterJoint::Pin { on: b, hinge: q, .. }] = joints.outer[..] else {
             return None;
         };
         let has = |l: LinkId, hinge: &Hinge| turns_on(self.scene, l, *hinge);
         let inner: Vec<Hinge> =
-            joints.inner.iter().map(|pair| if let Pair::Pin(p) = pair { Some(*p) } else { None }).collect::<Option<_>>()?;
-        let bars: Vec<Bar> = links
+            joints.inner.iter().map(|pair| if let DyadJoint::Pin(p) = pair { Some(*p) } else { None }).collect::<Option<_>>()?;
+        let bars: Vec<PinnedBar> = links
             .iter()
             .filter(|l| **l != a && **l != b)
             .map(|&link| {
                 let on = |core: LinkId| inner.iter().copied().find(|p| has(link, p) && has(core, p));
-                Some(Bar { link, pins: [on(a)?, on(b)?] })
+                Some(PinnedBar { link, pins: [on(a)?, on(b)?] })
             })
             .collect::<Option<_>>()?;
         (a != b && inner.len() == 4).then_some(())?;
-        Some(Joined { links: [a, b], outer: [first, second], pivots: [p, q], bars: bars.try_into().ok()? })
+        Some(TwoBarGroup { links: [a, b], outer: [first, second], pivots: [p, q], bars: bars.try_into().ok()? })
     }
 
-    fn two_bars(&mut self, links: &[LinkId], group: &Joined) {
+    fn two_bars(&mut self, links: &[LinkId], group: &TwoBarGroup) {
         let (mut ops, mut found) = (Vec::new(), Vec::new());
         let [one, two] = group.bars.map(|bar| self.loaded_bar(&mut ops, &mut found, bar, group.links));
         let lines = [&one, &two].map(|l| {
@@ -121,11 +121,11 @@ impl Scribe<'_> {
         let x = self.meet(&mut p, lines);
         for (k, ends, whole) in [(0, [x, start], [x, first]), (1, [end, x], [second, x])] {
             let (outer, pivot) = (&group.outer[k], group.pivots[k]);
-            let part = if square[k].is_some() { Part::Normal } else { Part::Whole };
+            let part = if square[k].is_some() { ReactionComponent::Normal } else { ReactionComponent::Whole };
             if let Some(term) = reaction(outer, part) {
                 self.side(&mut p, (term, pivot.at), ends, k == 0);
             }
-            if let (true, Some(term)) = (square[k].is_some(), reaction(outer, Part::Whole)) {
+            if let (true, Some(term)) = (square[k].is_some(), reaction(outer, ReactionComponent::Whole)) {
                 self.diagonal(&mut p, (term, pivot.at), whole);
             }
             self.pinned(&mut p, pivot, group.links[k], whole);
@@ -149,23 +149,23 @@ impl Scribe<'_> {
     }
 
     /// Returns the arm to one pin of the bar from the other.
-    fn along(&self, l: &Loaded, k: usize) -> Base {
+    fn along(&self, l: &LoadedBar, k: usize) -> Base {
         Base::Arm { from: self.mark(l.bar.pins[1 - k].at), to: self.mark(l.bar.pins[k].at), known: false }
     }
 
     /// Returns the force of a link on a bar, or of the bar on the link, square to the bar.
-    fn square_term(l: &Loaded, link: LinkId, on_bar: bool) -> Term {
+    fn square_term(l: &LoadedBar, link: LinkId, on_bar: bool) -> ForceTerm {
         let (of, on) = if on_bar { (link, l.bar.link) } else { (l.bar.link, link) };
-        Term::Reaction { of: Party::Link(of), on, part: Part::Tangential }
+        ForceTerm::Reaction { of: Party::Link(of), on, part: ReactionComponent::Tangential }
     }
 
     /// Returns a bar with its loads; the forces square to it follow by moments about its pins.
-    fn loaded_bar(&mut self, ops: &mut Vec<Op>, found: &mut Vec<Moments>, bar: Bar, links: [LinkId; 2]) -> Loaded {
+    fn loaded_bar(&mut self, ops: &mut Vec<Op>, found: &mut Vec<Moments>, bar: PinnedBar, links: [LinkId; 2]) -> LoadedBar {
         let loads = self.all_on(bar.link, &bar.pins);
-        let mut l = Loaded { bar, loads, across: [None, None] };
+        let mut l = LoadedBar { bar, loads, across: [None, None] };
         for k in [0, 1] {
             let (pin, other) = (bar.pins[k], bar.pins[1 - k]);
-            let gives = Gives::Force(Self::square_term(&l, links[k], true), pin.at);
+            let gives = MomentResult::Force(Self::square_term(&l, links[k], true), pin.at);
             let of = self.moments(ops, &[bar.link], &l.loads, About::Point(other.at), gives);
             l.across[k] = self.across(ops, found, of, self.along(&l, k));
         }
@@ -178,14 +178,14 @@ impl Scribe<'_> {
         &mut self,
         ops: &mut Vec<Op>,
         found: &mut Vec<Moments>,
-        (group, k): (&Joined, usize),
-        own: &[Acting],
-        bars: [&Loaded; 2],
+        (group, k): (&TwoBarGroup, usize),
+        own: &[ActingForce],
+        bars: [&LoadedBar; 2],
         crossing: MarkId,
     ) -> Option<NumberId> {
         let (link, pivot) = (group.links[k], group.pivots[k]);
-        let axial = bars.map(|l| Term::Reaction { of: Party::Link(l.bar.link), on: link, part: Part::Normal });
-        let gives = Gives::Force(reaction(&group.outer[k], Part::Tangential)?, pivot.at);
+        let axial = bars.map(|l| ForceTerm::Reaction { of: Party::Link(l.bar.link), on: link, part: ReactionComponent::Normal });
+        let gives = MomentResult::Force(reaction(&group.outer[k], ReactionComponent::Tangential)?, pivot.at);
         let mut moments = self.moments(ops, &[link], own, About::Crossing { at: crossing, of: axial }, gives);
         for l in bars {
             let (Some(value), pin) = (l.across[k], l.bar.pins[k]) else { continue };
@@ -199,15 +199,15 @@ impl Scribe<'_> {
     }
 
     /// Lays off the part of an outer reaction square to its arm.
-    fn part(&mut self, p: &mut Polygon, group: &Joined, k: usize, arm: Base, value: Option<NumberId>) {
-        if let (Some(value), Some(term)) = (value, reaction(&group.outer[k], Part::Tangential)) {
+    fn part(&mut self, p: &mut Polygon, group: &TwoBarGroup, k: usize, arm: Base, value: Option<NumberId>) {
+        if let (Some(value), Some(term)) = (value, reaction(&group.outer[k], ReactionComponent::Tangential)) {
             self.laid(p, (term, group.pivots[k].at), square_to(arm), value);
         }
     }
 
     /// Returns the end of the force between a bar and the first link square to the bar, on the bar
     /// or on the link, laid off from a vertex.
-    fn shifted(&mut self, p: &mut Polygon, from: MarkId, l: &Loaded, (link, on_bar): (LinkId, bool)) -> MarkId {
+    fn shifted(&mut self, p: &mut Polygon, from: MarkId, l: &LoadedBar, (link, on_bar): (LinkId, bool)) -> MarkId {
         let Some(value) = l.across[0] else { return from };
         let times = if on_bar { value } else { self.number(&mut p.ops, Number::Negative(value)) };
         let (last, sides) = (p.last, p.sides.len());
@@ -219,7 +219,7 @@ impl Scribe<'_> {
 
     /// Adds the forces at both pins of a bar: the force of the first link on it runs between the
     /// first two vertices, its loads from the second to the third.
-    fn bar_sides(&mut self, p: &mut Polygon, bar: &Bar, links: [LinkId; 2], [a, b, c]: [MarkId; 3]) {
+    fn bar_sides(&mut self, p: &mut Polygon, bar: &PinnedBar, links: [LinkId; 2], [a, b, c]: [MarkId; 3]) {
         for (k, [from, to]) in [(0, [a, b]), (1, [c, a])] {
             self.inner_side(p, bar.pins[k], [bar.link, links[k]], [from, to]);
             self.inner_side(p, bar.pins[k], [links[k], bar.link], [to, from]);

@@ -3,14 +3,17 @@
 
 use super::between::body_of;
 use super::names::small_letters;
-use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Stage, Step, Trial, Vertex, VertexId, canonical, effects};
+use super::{
+    GroupSteps, Method, Plan, PlanStage, PlanStep, Rate, Rest, Special, TermChain, TurningBody, Vertex, VertexId, VertexPlace, VertexTrial,
+    canonical, effects,
+};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use hodograph_scene::{Guide, GuideId, LinkId, PointId, Scene};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// The choices for drawing the groups of a scene in a pose.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Ways {
+pub struct GroupChoices {
     /// Groups that cannot be drawn: they, and the groups that depend on them, count as undrawable.
     pub left_out: Vec<usize>,
     /// The way of drawing for groups of higher class, if it is not the first in the order of
@@ -23,12 +26,12 @@ pub struct Ways {
 ///
 /// It needs no positions: the same topology with other lengths gives the same plan.
 pub fn plan(scene: &Scene, m: &Mechanism, demand: &Demand) -> Plan {
-    plan_with(scene, m, demand, &Ways::default())
+    plan_with(scene, m, demand, &GroupChoices::default())
 }
 
 /// Returns the plan with the ways that a pose requires.
-pub fn plan_with(scene: &Scene, m: &Mechanism, demand: &Demand, ways: &Ways) -> Plan {
-    let mut b = Builder {
+pub fn plan_with(scene: &Scene, m: &Mechanism, demand: &Demand, ways: &GroupChoices) -> Plan {
+    let mut b = PlanBuilder {
         scene,
         m,
         demand,
@@ -71,21 +74,21 @@ pub fn plan_with(scene: &Scene, m: &Mechanism, demand: &Demand, ways: &Ways) -> 
     plan
 }
 
-pub(super) struct Builder<'a> {
+pub(super) struct PlanBuilder<'a> {
     pub scene: &'a Scene,
     pub m: &'a Mechanism,
     pub(super) demand: &'a Demand,
     pub(super) vertices: Vec<Vertex>,
     specials: Vec<Special>,
-    pub(super) stages: Vec<Stage>,
+    pub(super) stages: Vec<PlanStage>,
     /// The index of each vertex in the list.
-    interned: HashMap<(Spot, Option<LinkId>), VertexId>,
+    interned: HashMap<(VertexPlace, Option<LinkId>), VertexId>,
     /// The known vertices at each level.
     pub(super) known: [HashSet<VertexId>; 2],
     /// The source of each body's angular quantity at each level, once its group is done.
-    pub(super) sources: [Vec<(Body, Rate)>; 2],
+    pub(super) sources: [Vec<(TurningBody, Rate)>; 2],
     /// The steps of the group in progress.
-    pub(super) pending: Vec<Step>,
+    pub(super) pending: Vec<PlanStep>,
     undrawable: Vec<usize>,
     pub(super) way: &'a BTreeMap<usize, usize>,
     /// For each group, the demands that can be answered once it is done, with their level.
@@ -99,7 +102,7 @@ pub(super) fn slot(level: Level) -> usize {
     }
 }
 
-impl Builder<'_> {
+impl PlanBuilder<'_> {
     /// Attempts to write steps; if the attempt fails, everything that it wrote is discarded.
     pub(super) fn attempt<T>(&mut self, write: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         let (vertices, specials) = (self.vertices.len(), self.specials.len());
@@ -114,18 +117,18 @@ impl Builder<'_> {
         written
     }
 
-    pub(super) fn intern(&mut self, spot: Spot, on: Option<LinkId>) -> VertexId {
+    pub(super) fn intern(&mut self, spot: VertexPlace, on: Option<LinkId>) -> VertexId {
         if let Some(known) = self.interned.get(&(spot, on)) {
             return *known;
         }
         let ground = self.scene.ground;
         let (number, fixed) = match (spot, on) {
             (_, Some(l)) => (Some(l), l == ground),
-            (Spot::Point(p), None) => {
+            (VertexPlace::Point(p), None) => {
                 let fixed = self.scene.links[ground.0].points.contains(&p);
                 (self.number_of_pin(p), fixed)
             }
-            (Spot::Special(_), None) => (None, false),
+            (VertexPlace::Special(_), None) => (None, false),
         };
         let id = VertexId(self.vertices.len());
         self.vertices.push(Vertex { spot, on, number, fixed, trial: None });
@@ -134,7 +137,7 @@ impl Builder<'_> {
     }
 
     /// Returns the vertex of a trial that represents another vertex.
-    pub(super) fn tried(&mut self, v: VertexId, trial: Trial) -> VertexId {
+    pub(super) fn tried(&mut self, v: VertexId, trial: VertexTrial) -> VertexId {
         let vertex = Vertex { fixed: false, trial: Some(trial), ..self.vertices[v.0] };
         let known = self.vertices.iter().position(|own| *own == vertex);
         VertexId(known.unwrap_or_else(|| {
@@ -161,24 +164,24 @@ impl Builder<'_> {
             self.specials.push(special);
             self.specials.len() - 1
         });
-        self.intern(Spot::Special(index), None)
+        self.intern(VertexPlace::Special(index), None)
     }
 
     /// Returns the vertex of a pin, or of a point that belongs to one link.
     pub(super) fn pin(&mut self, p: PointId) -> VertexId {
-        self.intern(Spot::Point(p), None)
+        self.intern(VertexPlace::Point(p), None)
     }
 
     /// Returns the point of link `l` at the place of `p`.
     pub(super) fn coincident(&mut self, p: PointId, l: LinkId) -> VertexId {
-        self.intern(Spot::Point(p), canonical(self.scene, p, Some(l)))
+        self.intern(VertexPlace::Point(p), canonical(self.scene, p, Some(l)))
     }
 
     /// Returns the point of link `l` at the place of another vertex.
     pub(super) fn on_link(&mut self, v: VertexId, l: LinkId) -> VertexId {
         match self.vertices[v.0].spot {
-            Spot::Point(p) => self.coincident(p, l),
-            special @ Spot::Special(_) => self.intern(special, Some(l)),
+            VertexPlace::Point(p) => self.coincident(p, l),
+            special @ VertexPlace::Special(_) => self.intern(special, Some(l)),
         }
     }
 
@@ -192,35 +195,35 @@ impl Builder<'_> {
     /// coincident ones. No construction needs more.
     fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
         let own = self.scene.links[l.0].points.iter().filter(|p| !self.m.is_opened(&Opened::Pin(**p, l)));
-        let carried = own.filter_map(|p| self.interned.get(&(Spot::Point(*p), None)).copied());
+        let carried = own.filter_map(|p| self.interned.get(&(VertexPlace::Point(*p), None)).copied());
         let coincident = self.vertices.iter().enumerate().filter(|(_, v)| v.on == Some(l) && v.trial.is_none()).map(|(i, _)| VertexId(i));
         carried.chain(coincident).filter(|v| self.is_known(level, *v)).take(2).collect()
     }
 
     /// True if α of a body vanishes for topological reasons.
-    pub(super) fn alpha_is_zero(&self, body: Body) -> bool {
-        let Body::Link(l) = body else { return false };
+    pub(super) fn alpha_is_zero(&self, body: TurningBody) -> bool {
+        let TurningBody::Link(l) = body else { return false };
         if self.m.never_turns[l.0] {
             return true;
         }
         match self.sources[1].iter().chain(&self.sources[0]).find(|(b, _)| *b == body) {
             Some((_, Rate::Given { driver, against })) => {
-                self.scene.drivers[*driver].acceleration.is_none() && self.alpha_is_zero(Body::Link(*against))
+                self.scene.drivers[*driver].acceleration.is_none() && self.alpha_is_zero(TurningBody::Link(*against))
             }
-            Some((_, Rate::Same(other))) => self.alpha_is_zero(Body::Link(*other)),
+            Some((_, Rate::Same(other))) => self.alpha_is_zero(TurningBody::Link(*other)),
             _ => false,
         }
     }
 
     /// Requests ω of a body, for the terms of the acceleration level.
-    pub(super) fn need_rate(&mut self, body: Body) {
+    pub(super) fn need_rate(&mut self, body: TurningBody) {
         self.need_rate_at(Level::Velocity, body);
     }
 
     /// Requests the angular quantity of a body at a level: the step is written after the group that
     /// gives it.
-    pub(super) fn need_rate_at(&mut self, level: Level, body: Body) {
-        let source = if let Body::Link(l) = body
+    pub(super) fn need_rate_at(&mut self, level: Level, body: TurningBody) {
+        let source = if let TurningBody::Link(l) = body
             && self.m.never_turns[l.0]
         {
             Some(Rate::Zero)
@@ -229,19 +232,19 @@ impl Builder<'_> {
         };
         let Some(rate) = source else { return };
         match rate {
-            Rate::Given { against, .. } if against != self.scene.ground => self.need_rate_at(level, Body::Link(against)),
-            Rate::Same(other) => self.need_rate_at(level, Body::Link(other)),
+            Rate::Given { against, .. } if against != self.scene.ground => self.need_rate_at(level, TurningBody::Link(against)),
+            Rate::Same(other) => self.need_rate_at(level, TurningBody::Link(other)),
             Rate::Measured { .. } | Rate::Given { .. } | Rate::Zero => {}
         }
         let group = match body {
             // A passive link has no group: its angular quantity is read after those of its pins and
             // of the link that carries it.
-            Body::Link(l) if self.m.passive[l.0].is_some() => {
+            TurningBody::Link(l) if self.m.passive[l.0].is_some() => {
                 let nodes = hodograph_mechanism::mechanism::nodes_of(self.scene, self.m, Need::Turning(l));
                 nodes.into_iter().filter_map(|n| self.m.group_of(n)).max()
             }
-            Body::Link(l) => self.m.group_of_link[l.0],
-            Body::Cylinder(d) => {
+            TurningBody::Link(l) => self.m.group_of_link[l.0],
+            TurningBody::Cylinder(d) => {
                 let [a, b] = self.scene.drivers[d].kind.ends().map(|ends| ends.map(|p| self.m.group_of_pin[p.0])).unwrap_or_default();
                 a.max(b)
             }
@@ -261,15 +264,15 @@ impl Builder<'_> {
     }
 
     /// True if a body's angular quantity follows from what is known so far.
-    fn turning_is_known(&self, level: Level, body: Body) -> bool {
+    fn turning_is_known(&self, level: Level, body: TurningBody) -> bool {
         match self.sources[slot(level)].iter().find(|(b, _)| *b == body) {
             Some((_, Rate::Measured { of, to })) => self.is_known(level, *of) && self.is_known(level, *to),
             Some(_) => true,
-            None => matches!(body, Body::Link(l) if self.m.never_turns[l.0]),
+            None => matches!(body, TurningBody::Link(l) if self.m.never_turns[l.0]),
         }
     }
 
-    pub(super) fn source(&mut self, level: Level, body: Body, rate: Rate) {
+    pub(super) fn source(&mut self, level: Level, body: TurningBody, rate: Rate) {
         let list = &mut self.sources[slot(level)];
         if !list.iter().any(|(b, _)| *b == body) {
             list.push((body, rate));
@@ -285,7 +288,7 @@ impl Builder<'_> {
         let vertex = self.vertices[v.0];
         let link = match (vertex.on, vertex.spot) {
             (Some(l), _) => l,
-            (None, Spot::Point(p)) => {
+            (None, VertexPlace::Point(p)) => {
                 // Two known points suffice for an image; one suffices if the link's angular
                 // quantity is known without this point.
                 let serves = |l: &LinkId| match self.known_on(level, *l).len() {
@@ -299,7 +302,7 @@ impl Builder<'_> {
                     None => return,
                 }
             }
-            (None, Spot::Special(_)) => return,
+            (None, VertexPlace::Special(_)) => return,
         };
         for p in self.scene.links[link.0].points.clone() {
             // Fixed pivots are known without a request.
@@ -311,8 +314,8 @@ impl Builder<'_> {
         let spots_differ = |a: VertexId, b: VertexId| self.vertices[a.0].spot != self.vertices[b.0].spot;
         let step = match known[..] {
             [] => return,
-            [a, ..] if self.m.never_turns[link.0] || !spots_differ(a, v) => Step::Same { link, target: v, from: a },
-            [a, b, ..] => Step::Image { link, target: v, from: (a, b) },
+            [a, ..] if self.m.never_turns[link.0] || !spots_differ(a, v) => PlanStep::Same { link, target: v, from: a },
+            [a, b, ..] => PlanStep::Image { link, target: v, from: (a, b) },
             [a] => {
                 let body = self.body(link);
                 self.source_of_follower(level, link);
@@ -324,7 +327,11 @@ impl Builder<'_> {
                     self.need_rate_at(level, body);
                 }
                 let (terms, _) = self.turning(level, body, v, a, true);
-                Step::Equation { target: v, chains: vec![Chain { start: a, known: terms, unknown: vec![] }], method: Method::Driven }
+                PlanStep::Equation {
+                    target: v,
+                    chains: vec![TermChain { start: a, known: terms, unknown: vec![] }],
+                    method: Method::Driven,
+                }
             }
         };
         self.pending.push(step);
@@ -362,7 +369,7 @@ impl Builder<'_> {
     }
 
     /// Returns the body with which a link turns.
-    fn body(&self, l: LinkId) -> Body {
+    fn body(&self, l: LinkId) -> TurningBody {
         body_of(self.scene, self.m, l)
     }
 
@@ -378,7 +385,7 @@ impl Builder<'_> {
         };
         self.ensure(level, of);
         self.ensure(level, to);
-        self.source(level, Body::Link(l), Rate::Measured { of, to });
+        self.source(level, TurningBody::Link(l), Rate::Measured { of, to });
     }
 
     /// Assigns each demand to the last group that it needs.
@@ -408,7 +415,7 @@ impl Builder<'_> {
             }
             match need {
                 Need::Point(p, on) => {
-                    let v = self.intern(Spot::Point(p), canonical(self.scene, p, on));
+                    let v = self.intern(VertexPlace::Point(p), canonical(self.scene, p, on));
                     self.ensure(level, v);
                 }
                 Need::Turning(l) => {

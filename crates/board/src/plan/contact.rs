@@ -3,10 +3,10 @@
 
 use super::Term;
 use super::names::{name_label, point_label};
-use super::text::Writer;
+use super::text::PlanWriter;
 use hodograph_scene::{Normal, RollingId, Touch};
 
-impl Writer<'_> {
+impl PlanWriter<'_> {
     /// Returns the normal at a contact: the line of centres, or the normal of a straight track.
     pub(super) fn normal_line(&self, pair: RollingId) -> String {
         let pair = &self.scene.rolling[pair.0];

@@ -1,6 +1,6 @@
 //! The effects that a plan considers: whether each counts, and the reason.
 
-use super::{By, Effect, Plan, Reason, Step, TermKind};
+use super::{Effect, Plan, PlanStep, Reason, TermConnection, TermKind};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_scene::{DiagramKind, GuideId, Scene};
 
@@ -23,9 +23,9 @@ pub(super) fn considered(scene: &Scene, m: &Mechanism, demand: &Demand, plan: &P
         for (i, g) in scene.guides.iter().enumerate() {
             let id = GuideId(i);
             let steps = || plan.steps(DiagramKind::Acceleration).iter().flat_map(|s| s.alternatives.iter().flatten().chain(&s.further));
-            let moves = |s: &Step| {
+            let moves = |s: &PlanStep| {
                 s.chains().iter().flat_map(|c| &c.known).any(|t| {
-                    let here = matches!(t.by, By::Guide { guide, .. } if guide == id) && t.kind == TermKind::Coriolis;
+                    let here = matches!(t.by, TermConnection::Guide { guide, .. } if guide == id) && t.kind == TermKind::Coriolis;
                     here && !plan.vanishes(scene, DiagramKind::Acceleration, t)
                 })
             };

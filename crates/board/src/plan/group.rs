@@ -1,27 +1,27 @@
 //! The equations of one group, by the kind of its core.
 
-use super::build::{Builder, slot};
+use super::build::{PlanBuilder, slot};
 use super::common::{Common, commons};
 use super::reduce::members;
-use super::trials::{Choice, choices};
-use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, VertexId};
-use hodograph_mechanism::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
+use super::trials::{TrialChoice, choices};
+use super::{Method, PlanStep, Rate, Special, SpecialLine, TermChain, TurningBody, VertexId};
+use hodograph_mechanism::mechanism::{Core, CoreLoci, Hold, Leg, Level, Strut};
 use hodograph_scene::{LinkId, PointId, RollingId, Scene, Touch};
 
 /// A way to draw a group of higher class.
-enum Way<'a> {
+enum GroupMethod<'a> {
     /// By the special points of its links.
     Special,
     /// By the common point of two links.
     Common(&'a Common),
     /// By two trials.
-    Trials(&'a Choice),
+    Trials(&'a TrialChoice),
 }
 
-impl Builder<'_> {
+impl PlanBuilder<'_> {
     /// Returns the alternatives of one group and marks its results as known. `None` if it is not
     /// drawn.
-    pub(super) fn group(&mut self, level: Level, g: usize) -> Option<Vec<Vec<Step>>> {
+    pub(super) fn group(&mut self, level: Level, g: usize) -> Option<Vec<Vec<PlanStep>>> {
         Some(match self.m.groups[g].core.clone() {
             Core::Pin { pin, legs } => {
                 self.group_of_pin(level, pin, &legs);
@@ -35,28 +35,30 @@ impl Builder<'_> {
     /// Returns the steps of a group without a core: by special points, by the common point of two
     /// links, or by trial polygons. If the pose requires a later way, that one or the next one that
     /// succeeds is taken.
-    fn higher(&mut self, level: Level, g: usize) -> Option<Vec<Step>> {
+    fn higher(&mut self, level: Level, g: usize) -> Option<Vec<PlanStep>> {
         let members = members(self.scene, self.m, g)?;
         let (commons, choices) = (commons(&members), choices(&members));
-        let ways = std::iter::once(Way::Special).chain(commons.iter().map(Way::Common)).chain(choices.iter().map(Way::Trials));
+        let ways = std::iter::once(GroupMethod::Special)
+            .chain(commons.iter().map(GroupMethod::Common))
+            .chain(choices.iter().map(GroupMethod::Trials));
         let first = self.way.get(&g).copied().unwrap_or(0);
         ways.skip(first).find_map(|way| {
             self.attempt(|b| match way {
-                Way::Special => b.reduced(level, g, &members),
-                Way::Common(common) => b.by_common_point(level, g, &members, common),
-                Way::Trials(choice) => b.by_trials(level, g, &members, choice),
+                GroupMethod::Special => b.reduced(level, g, &members),
+                GroupMethod::Common(common) => b.by_common_point(level, g, &members, common),
+                GroupMethod::Trials(choice) => b.by_trials(level, g, &members, choice),
             })
         })
     }
 
     fn group_of_pin(&mut self, level: Level, pin: PointId, legs: &[Leg]) {
         let target = self.pin(pin);
-        let holds = Entry::of(legs).holds;
+        let holds = CoreLoci::of(legs).holds;
         if holds.is_empty() {
             // A known link carries the pin.
             return self.ensure(level, target);
         }
-        let chains: Vec<Chain> = holds.iter().map(|h| self.chain(level, None, h, None)).collect();
+        let chains: Vec<TermChain> = holds.iter().map(|h| self.chain(level, None, h, None)).collect();
         let method = self.method_of_pin(&holds);
         self.equation(level, target, chains, method);
         for hold in &holds {
@@ -82,7 +84,7 @@ impl Builder<'_> {
         told.unwrap_or(Method::SameLink)
     }
 
-    pub(super) fn equation(&mut self, level: Level, target: VertexId, chains: Vec<Chain>, method: Method) {
+    pub(super) fn equation(&mut self, level: Level, target: VertexId, chains: Vec<TermChain>, method: Method) {
         // The chain that starts in the pole comes first: its terms are on the left of the equals
         // sign.
         let mut chains = chains;
@@ -90,7 +92,7 @@ impl Builder<'_> {
             chains.swap(0, 1);
         }
         if !self.is_known(level, target) {
-            self.pending.push(Step::Equation { target, chains, method });
+            self.pending.push(PlanStep::Equation { target, chains, method });
             self.learn(level, target);
         }
     }
@@ -99,11 +101,11 @@ impl Builder<'_> {
     pub(super) fn sources_of(&mut self, level: Level, hold: &Hold) {
         let Hold::Distance { near, far, strut } = *hold else { return };
         let (body, of) = match strut {
-            Strut::Bar(link) => (Body::Link(link), self.pin(near)),
-            Strut::Cylinder(driver) => (Body::Cylinder(driver), self.pin(near)),
+            Strut::Bar(link) => (TurningBody::Link(link), self.pin(near)),
+            Strut::Cylinder(driver) => (TurningBody::Cylinder(driver), self.pin(near)),
             // The carried point under the runner. The Coriolis term of the sliding needs the link's
             // ω at the acceleration level; ω is measured at the velocity level from this point.
-            Strut::Ram { link, .. } => (Body::Link(link), self.coincident(near, link)),
+            Strut::Ram { link, .. } => (TurningBody::Link(link), self.coincident(near, link)),
         };
         let to = self.pin(far);
         self.source(level, body, Rate::Measured { of, to });
@@ -111,13 +113,13 @@ impl Builder<'_> {
             // From the runner: the sliding is given.
             let runner = self.pin(near);
             let (terms, _) = self.sliding(level, guide, of, runner, Some(driver));
-            self.equation(level, of, vec![Chain { start: runner, known: terms, unknown: vec![] }], Method::Coincident);
+            self.equation(level, of, vec![TermChain { start: runner, known: terms, unknown: vec![] }], Method::Coincident);
         }
     }
 
-    fn group_of_link(&mut self, level: Level, g: usize, link: LinkId, legs: &[Leg]) -> Vec<Vec<Step>> {
-        let body = Body::Link(link);
-        let Entry { pivot, angle, holds, .. } = Entry::of(legs);
+    fn group_of_link(&mut self, level: Level, g: usize, link: LinkId, legs: &[Leg]) -> Vec<Vec<PlanStep>> {
+        let body = TurningBody::Link(link);
+        let CoreLoci { pivot, angle, holds, .. } = CoreLoci::of(legs);
         if let Some((of, driver)) = angle {
             let rate = match driver {
                 _ if self.m.never_turns[link.0] => Rate::Zero,
@@ -136,7 +138,7 @@ impl Builder<'_> {
                     let (known, unknown) = self.turning(level, body, target, pivot, false);
                     let chain = self.chain(level, Some(link), hold, None);
                     let method = if let Hold::Rolls { pair, .. } = *hold { self.touching(pair) } else { Method::Coincident };
-                    self.equation(level, target, vec![Chain { start: pivot, known, unknown }, chain], method);
+                    self.equation(level, target, vec![TermChain { start: pivot, known, unknown }, chain], method);
                     target
                 });
                 self.source(level, body, Rate::Measured { of: target, to: pivot });
@@ -209,7 +211,7 @@ impl Builder<'_> {
         let (own, from) = (self.coincident(rolling.at_of(link), link), self.coincident(rolling.at_of(other), other));
         self.ensure(level, from);
         let known = self.roll(level, pair, own, from);
-        self.equation(level, own, vec![Chain { start: from, known, unknown: Vec::new() }], self.touching(pair));
+        self.equation(level, own, vec![TermChain { start: from, known, unknown: Vec::new() }], self.touching(pair));
         own
     }
 
@@ -234,13 +236,13 @@ impl Builder<'_> {
         let (own, near) = (nears[first], nears[second]);
         self.rolled(level, link, &holds[first]);
         if self.rolled(level, link, &holds[second]).is_none() {
-            let (known, unknown) = self.turning(level, Body::Link(link), near, own, false);
+            let (known, unknown) = self.turning(level, TurningBody::Link(link), near, own, false);
             let chain = self.chain(level, Some(link), &holds[second], None);
-            self.equation(level, near, vec![Chain { start: own, known, unknown }, chain], Method::SameLink);
+            self.equation(level, near, vec![TermChain { start: own, known, unknown }, chain], Method::SameLink);
         }
         for n in others().filter(|n| *n != second) {
             if !self.is_known(level, nears[n]) {
-                self.pending.push(Step::Image { link, target: nears[n], from: (own, near) });
+                self.pending.push(PlanStep::Image { link, target: nears[n], from: (own, near) });
                 self.learn(level, nears[n]);
             }
         }
@@ -253,11 +255,11 @@ impl Builder<'_> {
         let own = self.at_contact(level, link, (pair, other));
         let near = self.near(link, third).expect("a leg of a triad has a point on the core");
         if self.rolled(level, link, third).is_none() {
-            let (known, unknown) = self.turning(level, Body::Link(link), near, own, false);
+            let (known, unknown) = self.turning(level, TurningBody::Link(link), near, own, false);
             let chain = self.chain(level, Some(link), third, None);
-            self.equation(level, near, vec![Chain { start: own, known, unknown }, chain], Method::SameLink);
+            self.equation(level, near, vec![TermChain { start: own, known, unknown }, chain], Method::SameLink);
         }
-        self.source(level, Body::Link(link), Rate::Measured { of: near, to: own });
+        self.source(level, TurningBody::Link(link), Rate::Measured { of: near, to: own });
         self.sources_of(level, third);
     }
 
@@ -273,8 +275,8 @@ impl Builder<'_> {
 
     /// Returns the alternatives of a link on three legs: by the special point of each pair of legs
     /// in turn.
-    fn triad(&mut self, level: Level, g: usize, link: LinkId, holds: &[Hold]) -> Vec<Vec<Step>> {
-        let body = Body::Link(link);
+    fn triad(&mut self, level: Level, g: usize, link: LinkId, holds: &[Hold]) -> Vec<Vec<PlanStep>> {
+        let body = TurningBody::Link(link);
         let nears: Vec<VertexId> = holds.iter().map(|h| self.near(link, h).expect("a leg of a triad has a point on the core")).collect();
         let mut alternatives = Vec::new();
         let before = self.known[slot(level)].clone();
@@ -309,10 +311,10 @@ impl Builder<'_> {
             self.equation(level, s, chains, Method::Special);
             let (known, unknown) = self.turning(level, body, nears[k], s, false);
             let third = self.chain(level, Some(link), &holds[k], None);
-            self.equation(level, nears[k], vec![Chain { start: s, known, unknown }, third], Method::SameLink);
+            self.equation(level, nears[k], vec![TermChain { start: s, known, unknown }, third], Method::SameLink);
             for n in [i, j] {
                 if !self.is_known(level, nears[n]) {
-                    self.pending.push(Step::Image { link, target: nears[n], from: (s, nears[k]) });
+                    self.pending.push(PlanStep::Image { link, target: nears[n], from: (s, nears[k]) });
                     self.learn(level, nears[n]);
                 }
             }

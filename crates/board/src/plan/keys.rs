@@ -2,16 +2,16 @@
 //! of `find` (`an_CB`).
 //!
 //! Both are made from terms and vertices alone, so that they are the same in every language and
-//! notation. [`Writer::symbol`] gives two vectors the same symbol exactly if they have the same
+//! notation. [`PlanWriter::symbol`] gives two vectors the same symbol exactly if they have the same
 //! key.
 
-use super::text::{Writer, vertex_name};
-use super::{Body, By, Spot, Term, TermKind, VertexId};
+use super::text::{PlanWriter, vertex_name};
+use super::{Term, TermConnection, TermKind, TurningBody, VertexId, VertexPlace};
 use hodograph_scene::{DiagramKind, Scene};
 
 /// The part of a relative motion that a vector represents.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum TermPart {
     Whole,
     Normal,
     Tangential,
@@ -22,18 +22,18 @@ enum Part {
     Rolling,
 }
 
-impl Part {
+impl TermPart {
     /// Returns the word of a key; the word of a whole vector depends on its ends.
     fn word(self) -> &'static str {
         match self {
-            Part::Whole => "rel",
-            Part::Normal => "normal",
-            Part::Tangential => "tangential",
-            Part::Coriolis => "coriolis",
-            Part::Sliding => "sliding",
-            Part::SlidingNormal => "sliding-normal",
-            Part::SlidingTangential => "sliding-tangential",
-            Part::Rolling => "rolling",
+            TermPart::Whole => "rel",
+            TermPart::Normal => "normal",
+            TermPart::Tangential => "tangential",
+            TermPart::Coriolis => "coriolis",
+            TermPart::Sliding => "sliding",
+            TermPart::SlidingNormal => "sliding-normal",
+            TermPart::SlidingTangential => "sliding-tangential",
+            TermPart::Rolling => "rolling",
         }
     }
 
@@ -41,19 +41,19 @@ impl Part {
     /// which gets letters of its own.
     fn letters(self) -> &'static str {
         match self {
-            Part::Whole => "",
-            Part::Normal => "n",
-            Part::Tangential => "t",
-            Part::Coriolis => "k",
-            Part::Sliding => "r",
-            Part::SlidingNormal => "rn",
-            Part::SlidingTangential => "rt",
-            Part::Rolling => "ro",
+            TermPart::Whole => "",
+            TermPart::Normal => "n",
+            TermPart::Tangential => "t",
+            TermPart::Coriolis => "k",
+            TermPart::Sliding => "r",
+            TermPart::SlidingNormal => "rn",
+            TermPart::SlidingTangential => "rt",
+            TermPart::Rolling => "ro",
         }
     }
 }
 
-impl Writer<'_> {
+impl PlanWriter<'_> {
     /// Returns the key of the whole vector of a vertex: `abs-B`, `abs-B3`.
     pub fn vector_key(&self, v: VertexId) -> String {
         format!("abs-{}", self.vertex(v))
@@ -68,7 +68,7 @@ impl Writer<'_> {
     pub fn key(&self, on: DiagramKind, t: &Term) -> String {
         let part = self.part_of(on, t);
         match (part, self.is_absolute(on, t)) {
-            (Part::Whole, true) => self.vector_key(t.of),
+            (TermPart::Whole, true) => self.vector_key(t.of),
             (_, true) => format!("{}-{}", part.word(), self.vertex(t.of)),
             (_, false) => format!("{}-{}-{}", part.word(), self.vertex(t.of), self.vertex(t.to)),
         }
@@ -81,15 +81,22 @@ impl Writer<'_> {
         if self.is_absolute(on, t) {
             return head;
         }
-        let of_guide = matches!(part, Part::SlidingNormal | Part::SlidingTangential);
+        let of_guide = matches!(part, TermPart::SlidingNormal | TermPart::SlidingTangential);
         match t.by {
-            By::Frame { body: Some(Body::Link(l)), .. } if part != Part::Whole => format!("{head}/{}", self.scene.link_name(l)),
-            By::Frame { .. } if part != Part::Whole => format!("{head}/{}", self.vertex(t.to)),
-            By::Guide { .. } if of_guide => match self.plan.vertex(t.to).link(self.scene) {
+            TermConnection::Frame { body: Some(TurningBody::Link(l)), .. } if part != TermPart::Whole => {
+                format!("{head}/{}", self.scene.link_name(l))
+            }
+            TermConnection::Frame { .. } if part != TermPart::Whole => format!("{head}/{}", self.vertex(t.to)),
+            TermConnection::Guide { .. } if of_guide => match self.plan.vertex(t.to).link(self.scene) {
                 Some(l) => format!("{head}/{}", self.scene.link_name(l)),
                 None => format!("{head}/{}", self.vertex(t.to)),
             },
-            By::Turning(_) | By::Guide { .. } | By::Cylinder(_) | By::Contact(_) | By::Frame { .. } | By::Apart => {
+            TermConnection::Turning(_)
+            | TermConnection::Guide { .. }
+            | TermConnection::Cylinder(_)
+            | TermConnection::Contact(_)
+            | TermConnection::Frame { .. }
+            | TermConnection::Apart => {
                 let [of, to] = [t.of, t.to].map(|v| self.vertex(v));
                 let between = if self.runs_on(&of, &to, t) { "" } else { "," };
                 format!("{head}{between}{to}")
@@ -102,36 +109,38 @@ impl Writer<'_> {
     }
 
     /// Returns the part of a relative motion that a term represents: the cases of its superscript.
-    fn part_of(&self, on: DiagramKind, t: &Term) -> Part {
+    fn part_of(&self, on: DiagramKind, t: &Term) -> TermPart {
         let acceleration = on == DiagramKind::Acceleration;
         let along_arc = match t.by {
-            By::Guide { guide, .. } => self.is_arc(guide),
-            By::Frame { about, .. } => about.is_some(),
-            By::Turning(_) | By::Cylinder(_) | By::Contact(_) | By::Apart => false,
+            TermConnection::Guide { guide, .. } => self.is_arc(guide),
+            TermConnection::Frame { about, .. } => about.is_some(),
+            TermConnection::Turning(_) | TermConnection::Cylinder(_) | TermConnection::Contact(_) | TermConnection::Apart => false,
         };
-        let fixed_guide = self.is_absolute(on, t) && matches!(t.by, By::Guide { .. });
+        let fixed_guide = self.is_absolute(on, t) && matches!(t.by, TermConnection::Guide { .. });
         match t.kind {
-            TermKind::Relative if matches!(t.by, By::Turning(Body::Cylinder(_))) => Part::Tangential,
-            TermKind::Relative | TermKind::Gap => Part::Whole,
-            TermKind::Normal => Part::Normal,
-            TermKind::Tangential => Part::Tangential,
-            TermKind::Coriolis => Part::Coriolis,
-            TermKind::Extension => Part::Sliding,
-            TermKind::Slide if fixed_guide && acceleration && along_arc => Part::Tangential,
-            TermKind::Slide if fixed_guide => Part::Whole,
-            TermKind::SlideNormal if self.is_absolute(on, t) => Part::Normal,
-            TermKind::Slide if acceleration && along_arc => Part::SlidingTangential,
-            TermKind::Slide => Part::Sliding,
-            TermKind::SlideNormal => Part::SlidingNormal,
-            TermKind::Roll if acceleration && !self.is_absolute(on, t) => Part::Rolling,
-            TermKind::Roll => Part::Whole,
+            TermKind::Relative if matches!(t.by, TermConnection::Turning(TurningBody::Cylinder(_))) => TermPart::Tangential,
+            TermKind::Relative | TermKind::Gap => TermPart::Whole,
+            TermKind::Normal => TermPart::Normal,
+            TermKind::Tangential => TermPart::Tangential,
+            TermKind::Coriolis => TermPart::Coriolis,
+            TermKind::Extension => TermPart::Sliding,
+            TermKind::Slide if fixed_guide && acceleration && along_arc => TermPart::Tangential,
+            TermKind::Slide if fixed_guide => TermPart::Whole,
+            TermKind::SlideNormal if self.is_absolute(on, t) => TermPart::Normal,
+            TermKind::Slide if acceleration && along_arc => TermPart::SlidingTangential,
+            TermKind::Slide => TermPart::Sliding,
+            TermKind::SlideNormal => TermPart::SlidingNormal,
+            TermKind::Roll if acceleration && !self.is_absolute(on, t) => TermPart::Rolling,
+            TermKind::Roll => TermPart::Whole,
         }
     }
 
     /// Returns true if two names written one after the other can be read in only one way.
     fn runs_on(&self, of: &str, to: &str, t: &Term) -> bool {
         let numbered = |v: VertexId| self.plan.vertex(v).number.is_some();
-        if [of, to].iter().any(|n| n.contains(',')) || [t.of, t.to].iter().any(|v| matches!(self.plan.vertex(*v).spot, Spot::Special(_))) {
+        if [of, to].iter().any(|n| n.contains(','))
+            || [t.of, t.to].iter().any(|v| matches!(self.plan.vertex(*v).spot, VertexPlace::Special(_)))
+        {
             return false;
         }
         let run = format!("{of}{to}");

@@ -3,17 +3,17 @@
 use std::f64::consts::PI;
 
 use super::names::{name_label, point_label};
-use super::text::Writer;
-use hodograph_scene::{Angle, Direction, Guide, GuideId, GuidePath, PointId, Through};
+use super::text::PlanWriter;
+use hodograph_scene::{Angle, Guide, GuideDirection, GuideId, GuidePath, PointId, Through};
 
 /// Directions that differ by less than this coincide.
 const PARALLEL_RAD: f64 = 1e-9;
 
-impl Writer<'_> {
+impl PlanWriter<'_> {
     /// Returns the name of a guide's direction if it runs along no line of two points and no axis:
     /// t–t, or t₃ for a guide of link 3.
     pub fn tangent(&self, g: GuideId) -> Option<String> {
-        use Direction::{Along, Instant, Own, Slid};
+        use GuideDirection::{Along, Instant, Own, Slid};
         let guide = &self.scene.guides[g.0];
         let GuidePath::Line { through, direction, offset } = &guide.path else { return None };
         match direction {
@@ -39,11 +39,11 @@ impl Writer<'_> {
     fn parallel(&self, a: &Guide, b: &Guide) -> bool {
         let (GuidePath::Line { direction: a, .. }, GuidePath::Line { direction: b, .. }) = (&a.path, &b.path) else { return true };
         // The reference of each angle, and the angle.
-        let said = |d: &Direction| match d {
-            Direction::Instant(angle) => (0, None, angle.value.radians()),
-            Direction::Along(p, q, angle) => (1, Some((*p, *q)), angle.as_ref().map_or(0.0, |a| a.value.radians())),
-            Direction::Own => (2, None, 0.0),
-            Direction::Slid(angle) => (3, None, angle.value.radians()),
+        let said = |d: &GuideDirection| match d {
+            GuideDirection::Instant(angle) => (0, None, angle.value.radians()),
+            GuideDirection::Along(p, q, angle) => (1, Some((*p, *q)), angle.as_ref().map_or(0.0, |a| a.value.radians())),
+            GuideDirection::Own => (2, None, 0.0),
+            GuideDirection::Slid(angle) => (3, None, angle.value.radians()),
         };
         let ((a, of_a, x), (b, of_b, y)) = (said(a), said(b));
         let apart = (x - y).rem_euclid(PI);
@@ -55,7 +55,7 @@ impl Writer<'_> {
     fn oblique(&self, g: GuideId) -> String {
         let of_ground = |k: &usize| {
             let guide = &self.scene.guides[*k];
-            let straight = matches!(&guide.path, GuidePath::Line { direction: Direction::Instant(_), .. });
+            let straight = matches!(&guide.path, GuidePath::Line { direction: GuideDirection::Instant(_), .. });
             straight && guide.on == self.scene.ground && guide.rolling.is_none() && self.axis(GuideId(*k)).is_none()
         };
         if (0..self.scene.guides.len()).filter(of_ground).count() < 2 {
@@ -71,7 +71,7 @@ impl Writer<'_> {
     fn axis(&self, g: GuideId) -> Option<&'static str> {
         let guide = &self.scene.guides[g.0];
         match &guide.path {
-            GuidePath::Line { direction: Direction::Instant(angle), .. } if self.plan.still[guide.on.0] => match angle.value {
+            GuidePath::Line { direction: GuideDirection::Instant(angle), .. } if self.plan.still[guide.on.0] => match angle.value {
                 Angle::Deg(d) if d.rem_euclid(180.0) == 0.0 => Some("x"),
                 Angle::Deg(d) if d.rem_euclid(180.0) == 90.0 => Some("y"),
                 Angle::Deg(_) | Angle::Rad(_) => None,
@@ -90,7 +90,7 @@ impl Writer<'_> {
         let p = |q: PointId| point_label(self.scene.point_name(q));
         let from = |start: PointId| format!("{}{}", p(start), guide.pin.map(p).unwrap_or_default());
         match &guide.path {
-            GuidePath::Line { direction: Direction::Along(a, b, _), .. } => format!("{}{}", p(*a), p(*b)),
+            GuidePath::Line { direction: GuideDirection::Along(a, b, _), .. } => format!("{}{}", p(*a), p(*b)),
             GuidePath::Line { through: Through::Point(a), .. } => from(*a),
             // A guide without two points has its name from above.
             GuidePath::Line { .. } => String::new(),

@@ -28,9 +28,9 @@ mod vertex;
 
 pub(crate) use between::body_of;
 pub use between::{Asking, asking};
-pub use build::{Ways, plan, plan_with};
+pub use build::{GroupChoices, plan, plan_with};
 pub use rest::Rest;
-pub use vertex::{Special, SpecialLine, Spot, Trial, Vertex};
+pub use vertex::{Special, SpecialLine, Vertex, VertexPlace, VertexTrial};
 
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::{DiagramKind, GuideId, LinkId, PointId, RollingId, Scene};
@@ -41,7 +41,7 @@ pub struct VertexId(pub usize);
 
 /// A body that turns: a link, or the line of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Body {
+pub enum TurningBody {
     /// A link.
     Link(LinkId),
     /// The cylinder of a driver (index), with or without numbered parts.
@@ -77,9 +77,9 @@ pub enum TermKind {
 
 /// The connection between the two points of a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum By {
+pub enum TermConnection {
     /// A body that turns.
-    Turning(Body),
+    Turning(TurningBody),
     /// A guide, with the link that carries it; `driver` if the sliding is given.
     Guide {
         /// The guide.
@@ -94,7 +94,7 @@ pub enum By {
     /// The frame of the relative motion only.
     Frame {
         /// The body with which the frame turns, if it does.
-        body: Option<Body>,
+        body: Option<TurningBody>,
         /// The centre of the path in the frame, if it is a circle.
         about: Option<PointId>,
     },
@@ -112,7 +112,7 @@ pub struct Term {
     /// The reference point.
     pub to: VertexId,
     /// The connection.
-    pub by: By,
+    pub by: TermConnection,
     /// True if its magnitude is known (its direction always is).
     pub known: bool,
 }
@@ -120,7 +120,7 @@ pub struct Term {
 /// A locus for a point's vector: a known start, known terms, then unknown ones in one common
 /// direction.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Chain {
+pub struct TermChain {
     /// The known vertex at the start; a fixed vertex starts at the pole.
     pub start: VertexId,
     /// Known terms, in drawing order.
@@ -150,14 +150,14 @@ pub enum Method {
 
 /// One step of a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Step {
+pub enum PlanStep {
     /// A vector equation; with two chains a crossing, with one chain a point reached by known
     /// terms.
     Equation {
         /// The point found.
         target: VertexId,
         /// One or two chains.
-        chains: Vec<Chain>,
+        chains: Vec<TermChain>,
         /// The method.
         method: Method,
     },
@@ -265,13 +265,13 @@ pub struct GroupSteps {
     pub group: usize,
     /// The alternatives, with equal results: one for most groups, for a triad one for each pair of
     /// legs.
-    pub alternatives: Vec<Vec<Step>>,
+    pub alternatives: Vec<Vec<PlanStep>>,
     /// Vectors drawn between two images, each as soon as both images exist.
     pub between: Vec<Between>,
     /// Angular quantities that are asked for or needed later, found after the steps.
-    pub rates: Vec<(Body, Rate)>,
+    pub rates: Vec<(TurningBody, Rate)>,
     /// Further points that are asked for, found last: by images and by angular quantities.
-    pub further: Vec<Step>,
+    pub further: Vec<PlanStep>,
 }
 
 impl GroupSteps {
@@ -281,14 +281,14 @@ impl GroupSteps {
     }
 
     /// Returns the steps of one alternative, further points included.
-    pub fn steps(&self, alternative: usize) -> impl Iterator<Item = &Step> {
+    pub fn steps(&self, alternative: usize) -> impl Iterator<Item = &PlanStep> {
         self.alternatives.get(alternative).into_iter().flatten().chain(&self.further)
     }
 }
 
 /// The steps of one diagram.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stage {
+pub struct PlanStage {
     /// The diagram.
     pub on: DiagramKind,
     /// The steps, group after group.
@@ -341,7 +341,7 @@ pub struct Plan {
     /// The special points among them.
     pub specials: Vec<Special>,
     /// The steps of each diagram, in the order of drawing; a diagram without steps has no stage.
-    pub stages: Vec<Stage>,
+    pub stages: Vec<PlanStage>,
     /// For each link, true if it keeps its direction for topological reasons.
     pub still: Vec<bool>,
     /// The parts at rest because a driver is at rest.
@@ -353,7 +353,7 @@ pub struct Plan {
     /// The effects considered: the effect, true if it counts, and the reason.
     pub effects: Vec<(Effect, bool, Reason)>,
     /// Groups that are not drawn, and those that depend on them: no way opens their class, or
-    /// [`Ways`] leaves them out.
+    /// [`GroupChoices`] leaves them out.
     pub undrawable: Vec<usize>,
     /// In a wrong solution (`attempts`): the guide with a Coriolis acceleration laid off with the
     /// angular velocity of a link other than its carrier, and that link.
@@ -362,14 +362,14 @@ pub struct Plan {
 
 impl Plan {
     /// True if a body never turns.
-    pub fn is_still(&self, body: Body) -> bool {
-        matches!(body, Body::Link(l) if self.still[l.0])
+    pub fn is_still(&self, body: TurningBody) -> bool {
+        matches!(body, TurningBody::Link(l) if self.still[l.0])
     }
 
     /// True if a group is drawn by two trials.
     pub fn is_tried(&self, g: usize) -> bool {
         let steps = self.stages.iter().flat_map(|s| &s.groups).filter(|s| s.group == g).flat_map(|s| s.steps(0));
-        steps.into_iter().any(|s| matches!(s, Step::Trials { .. }))
+        steps.into_iter().any(|s| matches!(s, PlanStep::Trials { .. }))
     }
 
     /// Returns the vertex with this index.
@@ -395,17 +395,17 @@ impl Plan {
     /// Returns the special point of a vertex, if it is one.
     pub fn special(&self, v: VertexId) -> Option<&Special> {
         match self.vertex(v).spot {
-            Spot::Special(k) => self.specials.get(k),
-            Spot::Point(_) => None,
+            VertexPlace::Special(k) => self.specials.get(k),
+            VertexPlace::Point(_) => None,
         }
     }
 
     /// Returns the special point that a step introduces: the target is a special point, and its
     /// equation is neither part of a trial nor transferred from another link.
-    pub fn introduced(&self, step: &Step) -> Option<&Special> {
+    pub fn introduced(&self, step: &PlanStep) -> Option<&Special> {
         match step {
-            Step::Equation { target, method: Method::Special, .. } => self.special(*target),
-            Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
+            PlanStep::Equation { target, method: Method::Special, .. } => self.special(*target),
+            PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
         }
     }
 
@@ -413,7 +413,7 @@ impl Plan {
     /// alternatives included.
     pub fn terms(&self, on: DiagramKind) -> impl Iterator<Item = Term> + '_ {
         self.steps(on).iter().flat_map(|g| {
-            let chains = g.alternatives.iter().flatten().chain(&g.further).flat_map(Step::chains);
+            let chains = g.alternatives.iter().flatten().chain(&g.further).flat_map(PlanStep::chains);
             let of_chains = chains.flat_map(|c| c.known.iter().chain(&c.unknown)).copied();
             of_chains.chain(g.between.iter().flat_map(Between::terms))
         })
@@ -422,7 +422,11 @@ impl Plan {
     /// Returns the number of vector equations (with two chains) written for a diagram, in the first
     /// alternatives.
     pub fn equations(&self, on: DiagramKind) -> usize {
-        self.steps(on).iter().flat_map(|g| g.steps(0)).filter(|s| matches!(s, Step::Equation { chains, .. } if chains.len() == 2)).count()
+        self.steps(on)
+            .iter()
+            .flat_map(|g| g.steps(0))
+            .filter(|s| matches!(s, PlanStep::Equation { chains, .. } if chains.len() == 2))
+            .count()
     }
 }
 

@@ -4,7 +4,7 @@
 //! underscore begins a subscript and a prime follows the sign that it marks. Every name in a label
 //! passes through this file.
 
-use super::{Plan, Spot};
+use super::{Plan, VertexPlace};
 use std::collections::HashMap;
 
 use hodograph_scene::{PointId, Scene};
@@ -123,7 +123,7 @@ pub fn special_name(scene: &Scene, plan: &Plan, special: usize) -> String {
 /// image of a moving point has.
 pub(super) fn pole_letter(scene: &Scene, plan: &Plan, usual: &str) -> String {
     let taken = |letter: &str| {
-        let named = |s: Spot| matches!(s, Spot::Point(p) if scene.point_name(p).to_lowercase() == letter);
+        let named = |s: VertexPlace| matches!(s, VertexPlace::Point(p) if scene.point_name(p).to_lowercase() == letter);
         plan.vertices.iter().any(|v| !v.fixed && named(v.spot))
     };
     [usual, "p", "o", "q", "z"].into_iter().find(|l| !taken(l)).unwrap_or("z").to_owned()
@@ -131,9 +131,9 @@ pub(super) fn pole_letter(scene: &Scene, plan: &Plan, usual: &str) -> String {
 
 /// True if the image of a moving point has this letter, with or without a number.
 pub(super) fn is_image(scene: &Scene, plan: &Plan, letter: &str) -> bool {
-    let bears = |s: Spot| match s {
-        Spot::Point(p) => Parts::of(scene.point_name(p)).head.eq_ignore_ascii_case(letter),
-        Spot::Special(k) => Parts::of(&special_name(scene, plan, k)).head.eq_ignore_ascii_case(letter),
+    let bears = |s: VertexPlace| match s {
+        VertexPlace::Point(p) => Parts::of(scene.point_name(p)).head.eq_ignore_ascii_case(letter),
+        VertexPlace::Special(k) => Parts::of(&special_name(scene, plan, k)).head.eq_ignore_ascii_case(letter),
     };
     plan.vertices.iter().any(|v| !v.fixed && bears(v.spot))
 }

@@ -12,9 +12,9 @@
 //! Assur points (特殊点): N. Rosenauer, A. H. Willis, *Kinematics of Mechanisms* (1953), §§ on
 //! auxiliary points.
 
-use super::build::Builder;
-use super::{Body, By, Chain, Method, Rate, Special, SpecialLine, Spot, Step, Term, TermKind, VertexId};
-use hodograph_mechanism::mechanism::{Form, Hold, Level, Runner, Strut};
+use super::build::PlanBuilder;
+use super::{Method, PlanStep, Rate, Special, SpecialLine, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexPlace};
+use hodograph_mechanism::mechanism::{Hold, Level, PairForm, Runner, Strut};
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// A link of the group that is not merely a bar from a known pin.
@@ -52,18 +52,18 @@ impl Member {
 
 /// The known part of a member.
 #[derive(Clone, Default)]
-pub(super) struct State {
+pub(super) struct MemberState {
     /// Points whose vectors are known.
     pub known: Vec<VertexId>,
     /// The lines on which its special point lies: they give no further information.
-    used: Vec<Line>,
+    used: Vec<HoldLine>,
     pub done: bool,
 }
 
 /// A line along which a member is held: of one of its own legs, or through a shared pin from the
 /// special point of a neighbour.
 #[derive(Clone, Copy, PartialEq)]
-enum Line {
+enum HoldLine {
     Leg(Hold),
     Neighbour {
         pin: PointId,
@@ -78,29 +78,29 @@ enum Line {
     },
 }
 
-impl Line {
+impl HoldLine {
     /// True if both run through the same shared pin or the same contact.
-    fn passes_with(&self, other: &Line) -> bool {
+    fn passes_with(&self, other: &HoldLine) -> bool {
         match (*self, *other) {
-            (Line::Neighbour { pin: a, .. }, Line::Neighbour { pin: b, .. }) => a == b,
-            (Line::Contact { pair: a, .. }, Line::Contact { pair: b, .. }) => a == b,
-            (Line::Leg(_) | Line::Neighbour { .. } | Line::Contact { .. }, _) => false,
+            (HoldLine::Neighbour { pin: a, .. }, HoldLine::Neighbour { pin: b, .. }) => a == b,
+            (HoldLine::Contact { pair: a, .. }, HoldLine::Contact { pair: b, .. }) => a == b,
+            (HoldLine::Leg(_) | HoldLine::Neighbour { .. } | HoldLine::Contact { .. }, _) => false,
         }
     }
 
     /// Returns the special point from which the line comes.
     fn from(&self) -> Option<VertexId> {
         match *self {
-            Line::Leg(_) => None,
-            Line::Neighbour { special, .. } | Line::Contact { special, .. } => Some(special),
+            HoldLine::Leg(_) => None,
+            HoldLine::Neighbour { special, .. } | HoldLine::Contact { special, .. } => Some(special),
         }
     }
 }
 
-impl Builder<'_> {
+impl PlanBuilder<'_> {
     /// Returns the steps of a group without a core; `None` if special points do not reduce its
     /// links.
-    pub(super) fn reduced(&mut self, level: Level, g: usize, members: &[Member]) -> Option<Vec<Step>> {
+    pub(super) fn reduced(&mut self, level: Level, g: usize, members: &[Member]) -> Option<Vec<PlanStep>> {
         let mut states = self.states(members);
         if !self.open_all(level, g, members, &mut states) {
             return None;
@@ -110,12 +110,15 @@ impl Builder<'_> {
     }
 
     /// Returns the initial states of members, with known pivots only.
-    pub(super) fn states(&mut self, members: &[Member]) -> Vec<State> {
-        members.iter().map(|m| State { known: m.pivots.iter().map(|pin| self.pin(*pin)).collect(), ..State::default() }).collect()
+    pub(super) fn states(&mut self, members: &[Member]) -> Vec<MemberState> {
+        members
+            .iter()
+            .map(|m| MemberState { known: m.pivots.iter().map(|pin| self.pin(*pin)).collect(), ..MemberState::default() })
+            .collect()
     }
 
     /// Opens one link after another; returns true if all are known in the end.
-    pub(super) fn open_all(&mut self, level: Level, g: usize, members: &[Member], states: &mut [State]) -> bool {
+    pub(super) fn open_all(&mut self, level: Level, g: usize, members: &[Member], states: &mut [MemberState]) -> bool {
         while !states.iter().all(|s| s.done) {
             if !(0..members.len()).any(|i| !states[i].done && self.advance(level, g, members, states, i)) {
                 return false;
@@ -132,7 +135,7 @@ impl Builder<'_> {
     }
 
     /// Finds a further point of a member, or all of it; returns true if there was one to find.
-    fn advance(&mut self, level: Level, g: usize, members: &[Member], states: &mut [State], i: usize) -> bool {
+    fn advance(&mut self, level: Level, g: usize, members: &[Member], states: &mut [MemberState], i: usize) -> bool {
         let member = &members[i];
         if let [a, b, ..] = states[i].known[..] {
             self.finish(level, members, states, i, [a, b]);
@@ -146,13 +149,13 @@ impl Builder<'_> {
                 let through = |k: &usize| !self.in_line(&[&ends[*k][..], &[Some(start)]].concat());
                 let Some(line) = (0..lines.len()).find(through).map(|k| &lines[k]) else { return false };
                 let near = self.near_of(member.link, line);
-                let rolls = if let Line::Leg(hold) = line { self.rolled(level, member.link, hold) } else { None };
+                let rolls = if let HoldLine::Leg(hold) = line { self.rolled(level, member.link, hold) } else { None };
                 // The points on known links are found in any case: the accelerations need the
                 // sliding there.
                 let second = self.chain_of(level, member.link, line);
                 if rolls.is_none() {
-                    let (known, unknown) = self.turning(level, Body::Link(member.link), near, start, false);
-                    self.equation(level, near, vec![Chain { start, known, unknown }, second], Method::SameLink);
+                    let (known, unknown) = self.turning(level, TurningBody::Link(member.link), near, start, false);
+                    self.equation(level, near, vec![TermChain { start, known, unknown }, second], Method::SameLink);
                 }
                 self.known_at(states, members, near, i);
                 self.across(level, members, states, near);
@@ -165,14 +168,14 @@ impl Builder<'_> {
                 let (a, b) = (&lines[k], &lines[l]);
                 // The tangent at a contact and the line of its centres cross in the contact.
                 let contact = [(k, l), (l, k)].into_iter().find(|&(k, l)| {
-                    let tangent = matches!(lines[k], Line::Leg(Hold::Rolls { .. }));
+                    let tangent = matches!(lines[k], HoldLine::Leg(Hold::Rolls { .. }));
                     tangent && ends[l][0].is_some() && self.in_line(&[ends[k][1], ends[l][0], ends[l][1]])
                 });
                 let lines_of = [a, b].map(|line| special_line(self.scene, line));
                 let special = Special { group: g, link: member.link, with: None, lines: lines_of, legs: None };
                 let s = contact.and_then(|(k, _)| ends[k][1]).unwrap_or_else(|| self.special(special));
-                let rolls =
-                    contact.and_then(|(k, _)| if let Line::Leg(hold) = lines[k] { self.rolled(level, member.link, &hold) } else { None });
+                let rolls = contact
+                    .and_then(|(k, _)| if let HoldLine::Leg(hold) = lines[k] { self.rolled(level, member.link, &hold) } else { None });
                 let mut chains = Vec::new();
                 for line in [a, b] {
                     let near = self.near_of(member.link, line);
@@ -194,14 +197,14 @@ impl Builder<'_> {
     }
 
     /// Finds all pins of a member with two known points, by images.
-    fn finish(&mut self, level: Level, members: &[Member], states: &mut [State], i: usize, [a, b]: [VertexId; 2]) {
+    fn finish(&mut self, level: Level, members: &[Member], states: &mut [MemberState], i: usize, [a, b]: [VertexId; 2]) {
         let member = &members[i];
-        self.source(level, Body::Link(member.link), Rate::Measured { of: b, to: a });
+        self.source(level, TurningBody::Link(member.link), Rate::Measured { of: b, to: a });
         let pins = self.scene.links[member.link.0].points.iter().copied();
         for pin in pins.filter(|p| member.shared.contains(p) || member.legs().any(|h| h.near() == Some(*p))).collect::<Vec<_>>() {
             let v = self.pin(pin);
             if !self.is_known(level, v) {
-                self.pending.push(Step::Image { link: member.link, target: v, from: (a, b) });
+                self.pending.push(PlanStep::Image { link: member.link, target: v, from: (a, b) });
                 self.learn(level, v);
             }
             self.known_at(states, members, v, i);
@@ -210,7 +213,7 @@ impl Builder<'_> {
             if let Some(near) = self.near(member.link, hold)
                 && !self.is_known(level, near)
             {
-                self.pending.push(Step::Image { link: member.link, target: near, from: (a, b) });
+                self.pending.push(PlanStep::Image { link: member.link, target: near, from: (a, b) });
                 self.learn(level, near);
             }
         }
@@ -218,7 +221,7 @@ impl Builder<'_> {
         for &pair in &member.rolls {
             let contact = self.coincident(self.scene.rolling[pair.0].at_of(member.link), member.link);
             if !self.is_known(level, contact) {
-                self.pending.push(Step::Image { link: member.link, target: contact, from: (a, b) });
+                self.pending.push(PlanStep::Image { link: member.link, target: contact, from: (a, b) });
                 self.learn(level, contact);
             }
             self.across(level, members, states, contact);
@@ -226,7 +229,7 @@ impl Builder<'_> {
     }
 
     /// Finds the point of contact on one member from the known point of contact on the other.
-    fn across(&mut self, level: Level, members: &[Member], states: &mut [State], found: VertexId) {
+    fn across(&mut self, level: Level, members: &[Member], states: &mut [MemberState], found: VertexId) {
         for member in members {
             for &pair in &member.rolls {
                 let rolling = &self.scene.rolling[pair.0];
@@ -236,7 +239,7 @@ impl Builder<'_> {
                     continue;
                 }
                 let known = self.roll(level, pair, own, from);
-                self.equation(level, own, vec![Chain { start: from, known, unknown: Vec::new() }], Method::Coincident);
+                self.equation(level, own, vec![TermChain { start: from, known, unknown: Vec::new() }], Method::Coincident);
                 if let Some(k) = members.iter().position(|m| m.link == member.link) {
                     self.known_at(states, members, own, k);
                 }
@@ -251,9 +254,9 @@ impl Builder<'_> {
             return Vec::new();
         }
         for link in self.scene.rolling[pair.0].links {
-            self.need_rate(Body::Link(link));
+            self.need_rate(TurningBody::Link(link));
         }
-        vec![Term { kind: TermKind::Roll, of, to, by: By::Contact(pair), known: true }]
+        vec![Term { kind: TermKind::Roll, of, to, by: TermConnection::Contact(pair), known: true }]
     }
 
     /// True if points are permanently on the line of centres of one contact: no two loci cross
@@ -262,8 +265,8 @@ impl Builder<'_> {
         let points: Option<Vec<PointId>> = points
             .iter()
             .map(|v| match self.vertices[(*v)?.0].spot {
-                Spot::Point(p) => Some(p),
-                Spot::Special(_) => None,
+                VertexPlace::Point(p) => Some(p),
+                VertexPlace::Special(_) => None,
             })
             .collect();
         let Some(points) = points else { return false };
@@ -274,7 +277,7 @@ impl Builder<'_> {
     }
 
     /// Marks a known pin as known on all members that carry it.
-    pub(super) fn known_at(&mut self, states: &mut [State], members: &[Member], v: VertexId, found_on: usize) {
+    pub(super) fn known_at(&mut self, states: &mut [MemberState], members: &[Member], v: VertexId, found_on: usize) {
         for (k, (member, state)) in members.iter().zip(states.iter_mut()).enumerate() {
             let shares = member.shared.iter().any(|p| self.pin(*p) == v);
             if (shares || k == found_on) && !state.done && !state.known.contains(&v) {
@@ -284,15 +287,15 @@ impl Builder<'_> {
     }
 
     /// Returns the lines along which known parts hold a member.
-    fn lines(&mut self, members: &[Member], states: &[State], i: usize) -> Vec<Line> {
+    fn lines(&mut self, members: &[Member], states: &[MemberState], i: usize) -> Vec<HoldLine> {
         let inner = members[i].inner.iter().filter(|(other, _)| states[*other].done).map(|(_, hold)| hold);
-        let own = members[i].holds.iter().chain(inner).map(|h| Line::Leg(*h));
+        let own = members[i].holds.iter().chain(inner).map(|h| HoldLine::Leg(*h));
         let through = members[i].shared.iter().flat_map(|&pin| {
             let others = members.iter().zip(states).enumerate().filter(move |(k, (m, _))| *k != i && m.shared.contains(&pin));
             // The line back to the source of a neighbour's point gives nothing new.
             others.filter_map(move |(_, (m, s))| match s.known[..] {
                 [special] => {
-                    let line = Line::Neighbour { pin, special, link: m.link };
+                    let line = HoldLine::Neighbour { pin, special, link: m.link };
                     (!s.used.iter().any(|l| l.passes_with(&line))).then_some(line)
                 }
                 _ => None,
@@ -302,50 +305,50 @@ impl Builder<'_> {
             let others = members.iter().zip(states).enumerate().filter(move |(k, (m, _))| *k != i && m.rolls.contains(&pair));
             others.filter_map(move |(_, (m, s))| match s.known[..] {
                 [special] => {
-                    let line = Line::Contact { pair, special, link: m.link };
+                    let line = HoldLine::Contact { pair, special, link: m.link };
                     (!s.used.iter().any(|l| l.passes_with(&line))).then_some(line)
                 }
                 _ => None,
             })
         });
-        let lines: Vec<Line> = own.chain(through).chain(over).collect();
-        let used = |l: &Line| states[i].used.iter().any(|u| u == l || u.passes_with(l));
+        let lines: Vec<HoldLine> = own.chain(through).chain(over).collect();
+        let used = |l: &HoldLine| states[i].used.iter().any(|u| u == l || u.passes_with(l));
         lines.into_iter().filter(|l| !used(l)).collect()
     }
 
     /// Returns the point of a member on a line.
-    fn near_of(&mut self, link: LinkId, line: &Line) -> VertexId {
+    fn near_of(&mut self, link: LinkId, line: &HoldLine) -> VertexId {
         match line {
-            Line::Leg(hold) => self.near(link, hold).expect("a leg with a line has a point on the link"),
-            Line::Neighbour { pin, .. } => self.pin(*pin),
-            Line::Contact { pair, .. } => self.coincident(self.scene.rolling[pair.0].at_of(link), link),
+            HoldLine::Leg(hold) => self.near(link, hold).expect("a leg with a line has a point on the link"),
+            HoldLine::Neighbour { pin, .. } => self.pin(*pin),
+            HoldLine::Contact { pair, .. } => self.coincident(self.scene.rolling[pair.0].at_of(link), link),
         }
     }
 
-    fn chain_of(&mut self, level: Level, link: LinkId, line: &Line) -> Chain {
+    fn chain_of(&mut self, level: Level, link: LinkId, line: &HoldLine) -> TermChain {
         match *line {
-            Line::Leg(hold) => self.chain(level, Some(link), &hold, None),
-            Line::Neighbour { pin, special, link } => {
+            HoldLine::Leg(hold) => self.chain(level, Some(link), &hold, None),
+            HoldLine::Neighbour { pin, special, link } => {
                 let near = self.pin(pin);
-                let (known, unknown) = self.turning(level, Body::Link(link), near, special, false);
-                Chain { start: special, known, unknown }
+                let (known, unknown) = self.turning(level, TurningBody::Link(link), near, special, false);
+                TermChain { start: special, known, unknown }
             }
-            Line::Contact { pair, special, link: other } => {
+            HoldLine::Contact { pair, special, link: other } => {
                 let rolling = &self.scene.rolling[pair.0];
                 let (own, near) = (self.coincident(rolling.at_of(link), link), self.coincident(rolling.at_of(other), other));
-                let (mut known, unknown) = self.turning(level, Body::Link(other), near, special, false);
+                let (mut known, unknown) = self.turning(level, TurningBody::Link(other), near, special, false);
                 known.extend(self.roll(level, pair, own, near));
-                Chain { start: special, known, unknown }
+                TermChain { start: special, known, unknown }
             }
         }
     }
 }
 
-fn special_line(scene: &Scene, line: &Line) -> SpecialLine {
+fn special_line(scene: &Scene, line: &HoldLine) -> SpecialLine {
     match line {
-        Line::Leg(hold) => SpecialLine::Leg(hold.line().expect("members are held along lines")),
-        Line::Neighbour { pin, special, .. } => SpecialLine::Through { pin: *pin, special: *special },
-        Line::Contact { pair, special, link } => SpecialLine::Through { pin: scene.rolling[pair.0].at_of(*link), special: *special },
+        HoldLine::Leg(hold) => SpecialLine::Leg(hold.line().expect("members are held along lines")),
+        HoldLine::Neighbour { pin, special, .. } => SpecialLine::Through { pin: *pin, special: *special },
+        HoldLine::Contact { pair, special, link } => SpecialLine::Through { pin: scene.rolling[pair.0].at_of(*link), special: *special },
     }
 }
 
@@ -354,16 +357,17 @@ fn special_line(scene: &Scene, line: &Line) -> SpecialLine {
 /// slot or contact between members.
 pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
     let group = &m.groups[g];
-    let forms: Vec<Form> = group.constraints.iter().map(|&c| m.constraints[c].form()).collect();
-    let on =
-        |l: LinkId| -> Vec<PointId> { forms.iter().filter_map(Form::meets).filter(|(_, link)| *link == l).map(|(pin, _)| pin).collect() };
+    let forms: Vec<PairForm> = group.constraints.iter().map(|&c| m.constraints[c].form()).collect();
+    let on = |l: LinkId| -> Vec<PointId> {
+        forms.iter().filter_map(PairForm::meets).filter(|(_, link)| *link == l).map(|(pin, _)| pin).collect()
+    };
     let inner = |p: &PointId| group.pins.contains(p);
     // A bar from a known pin without other constraints is a leg of the link at its other end.
     let alone = |l: LinkId| {
         !forms.iter().any(|form| match form {
-            Form::OnPath { runner: Runner::Pin(_), .. } | Form::Related { .. } => form.joins(l),
-            Form::Meet { .. } | Form::Distance { .. } => false,
-            Form::Angles { .. } | Form::OnPath { runner: Runner::Link(_), .. } | Form::AlongPath { .. } => true,
+            PairForm::OnPath { runner: Runner::Pin(_), .. } | PairForm::Related { .. } => form.joins(l),
+            PairForm::Meet { .. } | PairForm::Distance { .. } => false,
+            PairForm::Angles { .. } | PairForm::OnPath { runner: Runner::Link(_), .. } | PairForm::AlongPath { .. } => true,
         })
     };
     let bar = |l: LinkId| match on(l)[..] {
@@ -394,10 +398,10 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
     let ends = |[a, b]: [bool; 2]| if a == b { None } else { Some(usize::from(b)) };
     for form in &forms {
         match *form {
-            Form::Meet { .. } => {}
+            PairForm::Meet { .. } => {}
             // The rolling pair already records a contact between members.
-            Form::OnPath { guide, .. } if scene.guides[guide.0].rolling.is_some_and(between_members) => {}
-            Form::OnPath { runner: Runner::Pin(pin), guide, on } => {
+            PairForm::OnPath { guide, .. } if scene.guides[guide.0].rolling.is_some_and(between_members) => {}
+            PairForm::OnPath { runner: Runner::Pin(pin), guide, on } => {
                 if let Some(&carrier) = holder(pin).first()
                     && inner(&pin)
                     && cores.contains(&on)
@@ -411,23 +415,23 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
                     return None;
                 }
             }
-            Form::Distance { from, to, driver } => {
+            PairForm::Distance { from, to, driver } => {
                 let pins = [from, to];
                 let own = ends(pins.map(|p| inner(&p)))?;
                 let (near, far) = (pins[own], pins[1 - own]);
                 add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Cylinder(driver) })?;
             }
-            Form::Related { pair, links } if links.iter().all(|l| group.links.contains(l)) => {
+            PairForm::Related { pair, links } if links.iter().all(|l| group.links.contains(l)) => {
                 // For a strand between two unknown links, neither end determines the other: the
                 // strand turns with an arm.
                 scene.rolling[pair.0].contact()?;
                 contacts.push((pair, links));
             }
-            Form::Related { pair, links } => {
+            PairForm::Related { pair, links } => {
                 let own = ends(links.map(|l| group.links.contains(&l)))?;
                 add(links[own], Hold::Rolls { pair, other: links[1 - own], at: scene.rolling[pair.0].at_of(links[own]) })?;
             }
-            Form::Angles { .. } | Form::OnPath { runner: Runner::Link(_), .. } | Form::AlongPath { .. } => return None,
+            PairForm::Angles { .. } | PairForm::OnPath { runner: Runner::Link(_), .. } | PairForm::AlongPath { .. } => return None,
         }
     }
     let at = |l: LinkId| cores.iter().position(|core| *core == l);

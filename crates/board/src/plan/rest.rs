@@ -5,7 +5,7 @@
 //! states whether it has an acceleration. The magnitude of the rate is irrelevant: only the rate 0
 //! as written counts.
 
-use super::{Body, By, Plan, Term, TermKind};
+use super::{Plan, Term, TermConnection, TermKind, TurningBody};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{DiagramKind, Driver, GuidePath, Scene};
 
@@ -69,16 +69,16 @@ impl Plan {
         if !t.known {
             return false;
         }
-        let still = |body: Body| matches!(body, Body::Link(l) if rest.links[l.0]);
+        let still = |body: TurningBody| matches!(body, TurningBody::Link(l) if rest.links[l.0]);
         match (t.kind, t.by) {
-            (TermKind::Relative | TermKind::Normal, By::Turning(body)) => still(body),
-            (TermKind::Coriolis, By::Guide { guide, driver }) => {
+            (TermKind::Relative | TermKind::Normal, TermConnection::Turning(body)) => still(body),
+            (TermKind::Coriolis, TermConnection::Guide { guide, driver }) => {
                 rest.links[scene.guides[guide.0].on.0] || driver.is_some_and(|d| rest.drivers[d])
             }
-            (TermKind::SlideNormal, By::Guide { driver, .. }) => driver.is_some_and(|d| rest.drivers[d]),
-            (TermKind::Coriolis, By::Cylinder(d)) => rest.drivers[d],
-            (TermKind::Coriolis, By::Frame { body, .. }) => body.is_none_or(still),
-            (TermKind::Slide, By::Guide { driver: Some(d), .. }) | (TermKind::Extension, By::Cylinder(d)) => {
+            (TermKind::SlideNormal, TermConnection::Guide { driver, .. }) => driver.is_some_and(|d| rest.drivers[d]),
+            (TermKind::Coriolis, TermConnection::Cylinder(d)) => rest.drivers[d],
+            (TermKind::Coriolis, TermConnection::Frame { body, .. }) => body.is_none_or(still),
+            (TermKind::Slide, TermConnection::Guide { driver: Some(d), .. }) | (TermKind::Extension, TermConnection::Cylinder(d)) => {
                 on == DiagramKind::Velocity && rest.drivers[d]
             }
             _ => false,

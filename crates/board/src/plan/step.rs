@@ -1,39 +1,42 @@
 //! Accessors of a step: its vertex, its chains, the guides along which its terms slide, the link
 //! that gives the angular velocity of its Coriolis part.
 
-use super::{By, Chain, Plan, Step, VertexId};
+use super::{Plan, PlanStep, TermChain, TermConnection, VertexId};
 use hodograph_scene::{DiagramKind, GuideId, LinkId, Scene};
 
-impl Step {
+impl PlanStep {
     /// Returns the vertex that the step finds.
     pub fn target(&self) -> VertexId {
         match self {
-            Step::Equation { target, .. } | Step::Image { target, .. } | Step::Trials { target, .. } | Step::Same { target, .. } => *target,
+            PlanStep::Equation { target, .. }
+            | PlanStep::Image { target, .. }
+            | PlanStep::Trials { target, .. }
+            | PlanStep::Same { target, .. } => *target,
         }
     }
 
     /// Returns the chains of an equation; empty for other steps.
-    pub fn chains(&self) -> &[Chain] {
+    pub fn chains(&self) -> &[TermChain] {
         match self {
-            Step::Equation { chains, .. } => chains,
-            Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => &[],
+            PlanStep::Equation { chains, .. } => chains,
+            PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => &[],
         }
     }
 
     /// Returns the vertices from which the step starts.
     pub fn sources(&self) -> Vec<VertexId> {
         match self {
-            Step::Equation { chains, .. } => chains.iter().map(|c| c.start).collect(),
-            Step::Image { from: (a, b), .. } => vec![*a, *b],
-            Step::Trials { images, mates, .. } => images.iter().chain(mates).copied().collect(),
-            Step::Same { from, .. } => vec![*from],
+            PlanStep::Equation { chains, .. } => chains.iter().map(|c| c.start).collect(),
+            PlanStep::Image { from: (a, b), .. } => vec![*a, *b],
+            PlanStep::Trials { images, mates, .. } => images.iter().chain(mates).copied().collect(),
+            PlanStep::Same { from, .. } => vec![*from],
         }
     }
 
     /// True if a term of the step slides along a guide.
     pub fn slides_along(&self, guide: GuideId) -> bool {
         let mut terms = self.chains().iter().flat_map(|c| c.known.iter().chain(&c.unknown));
-        terms.any(|t| matches!(t.by, By::Guide { guide: g, .. } if g == guide))
+        terms.any(|t| matches!(t.by, TermConnection::Guide { guide: g, .. } if g == guide))
     }
 }
 
@@ -45,7 +48,7 @@ impl Plan {
     pub fn trials(&self, on: DiagramKind, v: VertexId) -> [[VertexId; 2]; 2] {
         let steps = self.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten());
         let mut found = steps.filter_map(|step| {
-            let Step::Trials { target, images, mates } = step else { return None };
+            let PlanStep::Trials { target, images, mates } = step else { return None };
             (*target == v).then_some([*images, *mates])
         });
         found.next().expect("trials give the vertex")

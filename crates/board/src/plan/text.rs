@@ -6,14 +6,14 @@
 
 pub use super::names::point_label;
 use super::names::{image_label, image_of, is_image, mate_letter, name_label, numbered, of_trial, pole_letter, special_name};
-use super::{Body, By, Chain, Method, Plan, Spot, Step, Term, TermKind, Trial, VertexId};
+use super::{Method, Plan, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexPlace, VertexTrial};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::notation::Notation;
 use hodograph_scene::{DiagramKind, GuideId, GuidePath, Lang, PointId, Scene};
 
 /// The context of the texts.
 #[derive(Clone, Copy, Debug)]
-pub struct Writer<'a> {
+pub struct PlanWriter<'a> {
     /// The scene, for names.
     pub scene: &'a Scene,
     /// The plan.
@@ -26,7 +26,7 @@ pub struct Writer<'a> {
 
 /// One column of an equation table.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Column {
+pub struct EquationColumn {
     /// The sign before the column: nothing, `=` or `+`.
     pub joint: &'static str,
     /// The vector's symbol.
@@ -43,9 +43,9 @@ pub struct Column {
 pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     let vertex = plan.vertex(v);
     let name = match (vertex.spot, vertex.trial) {
-        (_, Some(Trial { run, mate: true })) => return format!("{}({run})", mate_letter(scene)),
-        (Spot::Point(p), _) => scene.point_name(p).to_owned(),
-        (Spot::Special(k), _) => special_name(scene, plan, k),
+        (_, Some(VertexTrial { run, mate: true })) => return format!("{}({run})", mate_letter(scene)),
+        (VertexPlace::Point(p), _) => scene.point_name(p).to_owned(),
+        (VertexPlace::Special(k), _) => special_name(scene, plan, k),
     };
     let name = numbered(scene, name, vertex.number.map(|n| scene.link_name(n)));
     vertex.trial.map_or(name.clone(), |t| format!("{name}({})", t.run))
@@ -55,8 +55,8 @@ pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
 pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String {
     let (a, b) = ordered(plan, a, b);
     let plain = |v: VertexId| match plan.vertex(v).spot {
-        Spot::Point(p) => scene.point_name(p).to_string(),
-        Spot::Special(k) => special_name(scene, plan, k),
+        VertexPlace::Point(p) => scene.point_name(p).to_string(),
+        VertexPlace::Special(k) => special_name(scene, plan, k),
     };
     format!("{}{}", plain(a), plain(b))
 }
@@ -66,14 +66,14 @@ pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String
 pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
     let line = || line_name(scene, plan, t.to, t.of);
     match t.by {
-        By::Turning(Body::Link(l)) => both!("link {} ({})", "构件 {}（{}）", scene.link_name(l), line()),
-        By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => both!("cylinder {}", "液压缸 {}", line()),
-        By::Guide { guide, .. } => both!("the guide on link {}", "构件 {} 上的导路", scene.link_name(scene.guides[guide.0].on)),
-        By::Contact(pair) => {
+        TermConnection::Turning(TurningBody::Link(l)) => both!("link {} ({})", "构件 {}（{}）", scene.link_name(l), line()),
+        TermConnection::Turning(TurningBody::Cylinder(_)) | TermConnection::Cylinder(_) => both!("cylinder {}", "液压缸 {}", line()),
+        TermConnection::Guide { guide, .. } => both!("the guide on link {}", "构件 {} 上的导路", scene.link_name(scene.guides[guide.0].on)),
+        TermConnection::Contact(pair) => {
             let [a, b] = scene.rolling[pair.0].links.map(|l| scene.link_name(l));
             both!("the contact of links {a} and {b}", "构件 {a} 与 {b} 的接触")
         }
-        By::Frame { .. } | By::Apart => Both::same(line()),
+        TermConnection::Frame { .. } | TermConnection::Apart => Both::same(line()),
     }
 }
 
@@ -81,13 +81,13 @@ pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
 /// never BA.
 fn ordered(plan: &Plan, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
     let rank = |v: VertexId| match plan.vertex(v).spot {
-        Spot::Point(p) => p.0,
-        Spot::Special(_) => usize::MAX,
+        VertexPlace::Point(p) => p.0,
+        VertexPlace::Special(_) => usize::MAX,
     };
     if rank(a) <= rank(b) { (a, b) } else { (b, a) }
 }
 
-impl Writer<'_> {
+impl PlanWriter<'_> {
     /// Returns the name of a vertex in capitals, in the label language.
     pub fn name(&self, v: VertexId) -> String {
         name_label(&vertex_name(self.scene, self.plan, v))
@@ -97,8 +97,8 @@ impl Writer<'_> {
     /// points.
     pub fn spot(&self, v: VertexId) -> String {
         match self.plan.vertex(v).spot {
-            Spot::Point(p) => point_label(self.scene.point_name(p)),
-            Spot::Special(k) => point_label(&special_name(self.scene, self.plan, k)),
+            VertexPlace::Point(p) => point_label(self.scene.point_name(p)),
+            VertexPlace::Special(k) => point_label(&special_name(self.scene, self.plan, k)),
         }
     }
 
@@ -124,12 +124,12 @@ impl Writer<'_> {
     /// well.
     pub(super) fn is_absolute(&self, on: DiagramKind, t: &Term) -> bool {
         let whole = |t: &Term| match t.by {
-            By::Cylinder(_) | By::Turning(Body::Cylinder(_)) => false,
+            TermConnection::Cylinder(_) | TermConnection::Turning(TurningBody::Cylinder(_)) => false,
             // Over a fixed point of a turning guide, sliding is the whole velocity, but with the
             // Coriolis term only a part of the acceleration.
-            By::Guide { guide, .. } => on == DiagramKind::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
-            By::Turning(Body::Link(_)) | By::Contact(_) | By::Apart => true,
-            By::Frame { .. } => false,
+            TermConnection::Guide { guide, .. } => on == DiagramKind::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
+            TermConnection::Turning(TurningBody::Link(_)) | TermConnection::Contact(_) | TermConnection::Apart => true,
+            TermConnection::Frame { .. } => false,
         };
         let absolute = |t: &Term| self.plan.vertex(t.to).fixed && whole(t);
         // A point held from two fixed ones (a part of the mechanism that cannot move) has two names
@@ -144,26 +144,26 @@ impl Writer<'_> {
     /// Returns the sliding velocity in a Coriolis or normal part of sliding.
     fn sliding(&self, t: &Term) -> String {
         let [of, to] = [t.of, t.to].map(|v| self.plan.untried(v));
-        if let By::Frame { .. } = t.by {
-            return self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, of, to, ..*t });
+        if let TermConnection::Frame { .. } = t.by {
+            return self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Relative, by: TermConnection::Apart, of, to, ..*t });
         }
         self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Slide, of, to, ..*t })
     }
 
     /// Returns the vector from which the angular quantity of a body is measured: `v_{CB}`,
     /// `a^t_{CB}`.
-    pub fn measured(&self, on: DiagramKind, body: Body, of: VertexId, to: VertexId) -> String {
+    pub fn measured(&self, on: DiagramKind, body: TurningBody, of: VertexId, to: VertexId) -> String {
         let kind = if on == DiagramKind::Acceleration { TermKind::Tangential } else { TermKind::Relative };
-        self.symbol(on, &Term { kind, of, to, by: By::Turning(body), known: false })
+        self.symbol(on, &Term { kind, of, to, by: TermConnection::Turning(body), known: false })
     }
 
     /// Returns the name of a vertex in the letters of images, in the label language.
     fn small(&self, v: VertexId) -> String {
         let vertex = self.plan.vertex(v);
         let name = match (vertex.spot, vertex.trial) {
-            (_, Some(Trial { mate: true, .. })) => mate_letter(self.scene).to_lowercase(),
-            (Spot::Point(p), _) => self.plan.letters[p.0].clone(),
-            (Spot::Special(k), _) => special_name(self.scene, self.plan, k).to_lowercase(),
+            (_, Some(VertexTrial { mate: true, .. })) => mate_letter(self.scene).to_lowercase(),
+            (VertexPlace::Point(p), _) => self.plan.letters[p.0].clone(),
+            (VertexPlace::Special(k), _) => special_name(self.scene, self.plan, k).to_lowercase(),
         };
         let name = name_label(&numbered(self.scene, name, vertex.number.map(|n| self.scene.link_name(n))));
         vertex.trial.map_or(name.clone(), |t| format!("{name}({})", t.run))
@@ -173,25 +173,21 @@ impl Writer<'_> {
         let fixed_guide = self.is_absolute(on, t);
         match (t.kind, t.by) {
             // The part square to the line; the whole vector also has the part along it.
-            (TermKind::Relative, By::Turning(Body::Cylinder(_))) => self.notation.tangential.clone(),
+            (TermKind::Relative, TermConnection::Turning(TurningBody::Cylinder(_))) => self.notation.tangential.clone(),
             (TermKind::Relative, _) => String::new(),
             (TermKind::Normal, _) => "n".into(),
             (TermKind::Tangential, _) => self.notation.tangential.clone(),
             (TermKind::Coriolis, _) => self.notation.coriolis.clone(),
             (TermKind::Extension, _) => self.notation.sliding.clone(),
             // On a fixed straight guide, sliding is the whole motion of the point.
-            (TermKind::Slide, By::Guide { guide, .. }) if fixed_guide => {
-                if on == DiagramKind::Acceleration && self.is_arc(guide) {
-                    self.notation.tangential.clone()
-                } else {
-                    String::new()
-                }
+            (TermKind::Slide, TermConnection::Guide { guide, .. }) if fixed_guide => {
+                if on == DiagramKind::Acceleration && self.is_arc(guide) { self.notation.tangential.clone() } else { String::new() }
             }
             (TermKind::SlideNormal, _) if fixed_guide => "n".into(),
-            (TermKind::Slide, By::Guide { guide, .. }) if on == DiagramKind::Acceleration && self.is_arc(guide) => {
+            (TermKind::Slide, TermConnection::Guide { guide, .. }) if on == DiagramKind::Acceleration && self.is_arc(guide) => {
                 format!("{}\\,{}", self.notation.sliding, self.notation.tangential)
             }
-            (TermKind::Slide, By::Frame { about: Some(_), .. }) if on == DiagramKind::Acceleration => {
+            (TermKind::Slide, TermConnection::Frame { about: Some(_), .. }) if on == DiagramKind::Acceleration => {
                 format!("{}\\,{}", self.notation.sliding, self.notation.tangential)
             }
             (TermKind::Slide, _) => self.notation.sliding.clone(),
@@ -229,9 +225,9 @@ impl Writer<'_> {
         }
         let link = vertex.number.map(|l| self.scene.link_name(l));
         let label = match (vertex.spot, vertex.trial) {
-            (_, Some(Trial { mate: true, .. })) => image_of(&mate_letter(self.scene).to_lowercase(), None, on.prime()),
-            (Spot::Point(p), _) => image_label(&self.plan.letters, p, link, on.prime()),
-            (Spot::Special(k), _) => image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, on.prime()),
+            (_, Some(VertexTrial { mate: true, .. })) => image_of(&mate_letter(self.scene).to_lowercase(), None, on.prime()),
+            (VertexPlace::Point(p), _) => image_label(&self.plan.letters, p, link, on.prime()),
+            (VertexPlace::Special(k), _) => image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, on.prime()),
         };
         vertex.trial.map_or(label.clone(), |t| of_trial(&label, t.run))
     }
@@ -270,11 +266,11 @@ impl Writer<'_> {
 
     /// Returns the symbol of a body's angular quantity: `\omega_3`, `\alpha_3`; for an unnumbered
     /// cylinder `\omega_{FG}`.
-    pub fn turning(&self, on: DiagramKind, body: Body) -> String {
+    pub fn turning(&self, on: DiagramKind, body: TurningBody) -> String {
         let letter = on.turning_letter();
         match body {
-            Body::Link(l) => format!("{letter}_{{{}}}", name_label(self.scene.link_name(l))),
-            Body::Cylinder(d) => {
+            TurningBody::Link(l) => format!("{letter}_{{{}}}", name_label(self.scene.link_name(l))),
+            TurningBody::Cylinder(d) => {
                 let kind = &self.scene.drivers[d].kind;
                 match (kind.parts(), kind.ends()) {
                     ([part, ..], _) => format!("{letter}_{{{}}}", name_label(self.scene.link_name(*part))),
@@ -291,15 +287,20 @@ impl Writer<'_> {
             (TermKind::Relative | TermKind::Tangential, _) => format!("\\perp {}", self.line(t.of, t.to)),
             (TermKind::Normal, _) => format!("{} \\to {}", self.spot(t.of), self.spot(t.to)),
             (TermKind::Extension | TermKind::Gap, _) => format!("\\parallel {}", self.line(t.to, t.of)),
-            (TermKind::Coriolis, By::Guide { guide, .. }) if !self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
-            (TermKind::Coriolis, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
-            (TermKind::Coriolis, By::Frame { .. }) => {
-                format!("\\perp {}", self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, ..*t }))
+            (TermKind::Coriolis, TermConnection::Guide { guide, .. }) if !self.is_arc(guide) => {
+                format!("\\perp {}", self.guide_line(guide))
+            }
+            (TermKind::Coriolis, TermConnection::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
+            (TermKind::Coriolis, TermConnection::Frame { .. }) => {
+                format!(
+                    "\\perp {}",
+                    self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Relative, by: TermConnection::Apart, ..*t })
+                )
             }
             (TermKind::Coriolis, _) => format!("\\perp {}", self.line(t.to, t.of)),
-            (TermKind::Slide, By::Guide { guide, .. }) if self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
-            (TermKind::Slide, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
-            (TermKind::SlideNormal, By::Guide { guide, .. }) => {
+            (TermKind::Slide, TermConnection::Guide { guide, .. }) if self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
+            (TermKind::Slide, TermConnection::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
+            (TermKind::SlideNormal, TermConnection::Guide { guide, .. }) => {
                 let (GuidePath::Arc { centre, .. }, Some(pin)) = (&self.scene.guides[guide.0].path, self.scene.guides[guide.0].pin) else {
                     return String::new();
                 };
@@ -307,15 +308,15 @@ impl Writer<'_> {
                 let carried = self.plan.vertex(t.of).on == Some(self.scene.guides[guide.0].on);
                 if carried { format!("{k} \\to {p}") } else { format!("{p} \\to {k}") }
             }
-            (TermKind::Roll, By::Contact(pair)) if t.known => self.toward_centre(pair, t),
-            (TermKind::Roll, By::Contact(pair)) => self.normal_line(pair),
-            (TermKind::SlideNormal, By::Frame { about: Some(k), .. }) => {
+            (TermKind::Roll, TermConnection::Contact(pair)) if t.known => self.toward_centre(pair, t),
+            (TermKind::Roll, TermConnection::Contact(pair)) => self.normal_line(pair),
+            (TermKind::SlideNormal, TermConnection::Frame { about: Some(k), .. }) => {
                 format!("{} \\to {}", self.spot(t.of), point_label(self.scene.point_name(k)))
             }
-            (TermKind::Slide, By::Frame { about: Some(k), .. }) => {
+            (TermKind::Slide, TermConnection::Frame { about: Some(k), .. }) => {
                 format!("\\perp {}{}", self.spot(t.of), point_label(self.scene.point_name(k)))
             }
-            (TermKind::Slide, By::Frame { about: None, .. }) => self.notation.unknown.clone(),
+            (TermKind::Slide, TermConnection::Frame { about: None, .. }) => self.notation.unknown.clone(),
             (TermKind::Slide | TermKind::SlideNormal | TermKind::Roll, _) => String::new(),
         }
     }
@@ -335,26 +336,26 @@ impl Writer<'_> {
         }
         let squared = |s: String| s.replacen('_', "^2_", 1);
         match (t.kind, t.by) {
-            (TermKind::Relative, By::Turning(b)) => format!("{} {}", self.turning(DiagramKind::Velocity, b), length()),
-            (TermKind::Normal, By::Turning(b)) => format!("{} {}", squared(self.turning(DiagramKind::Velocity, b)), length()),
-            (TermKind::Tangential, By::Turning(b)) => format!("{} {}", self.turning(DiagramKind::Acceleration, b), length()),
-            (TermKind::Coriolis, By::Guide { guide, .. }) => {
-                let omega = self.turning(DiagramKind::Velocity, Body::Link(self.plan.coriolis_link(self.scene, guide)));
+            (TermKind::Relative, TermConnection::Turning(b)) => format!("{} {}", self.turning(DiagramKind::Velocity, b), length()),
+            (TermKind::Normal, TermConnection::Turning(b)) => format!("{} {}", squared(self.turning(DiagramKind::Velocity, b)), length()),
+            (TermKind::Tangential, TermConnection::Turning(b)) => format!("{} {}", self.turning(DiagramKind::Acceleration, b), length()),
+            (TermKind::Coriolis, TermConnection::Guide { guide, .. }) => {
+                let omega = self.turning(DiagramKind::Velocity, TurningBody::Link(self.plan.coriolis_link(self.scene, guide)));
                 format!("2{omega} {}", self.sliding(t))
             }
-            (TermKind::Coriolis, By::Frame { body: Some(body), .. }) => {
+            (TermKind::Coriolis, TermConnection::Frame { body: Some(body), .. }) => {
                 format!("2{} {}", self.turning(DiagramKind::Velocity, body), self.sliding(t))
             }
-            (TermKind::Coriolis, By::Cylinder(d)) => {
+            (TermKind::Coriolis, TermConnection::Cylinder(d)) => {
                 let v = self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Extension, ..*t });
-                format!("2{} {v}", self.turning(DiagramKind::Velocity, Body::Cylinder(d)))
+                format!("2{} {v}", self.turning(DiagramKind::Velocity, TurningBody::Cylinder(d)))
             }
             (TermKind::SlideNormal, _) => {
                 let v = self.sliding(t);
                 let squared = if v.contains('^') { format!("({v})^2") } else { v.replacen('_', "^2_", 1) };
                 format!("{squared}/\\rho")
             }
-            (TermKind::Roll, By::Contact(pair)) => self.of_contact(pair),
+            (TermKind::Roll, TermConnection::Contact(pair)) => self.of_contact(pair),
             _ => self.notation.known.clone(),
         }
     }
@@ -362,7 +363,7 @@ impl Writer<'_> {
     /// Returns the assumed rate of a trial polygon, `ω_{2(2)}`, if a known term depends on it.
     fn chosen_rate(&self, on: DiagramKind, t: &Term) -> Option<String> {
         match (t.kind, t.by, self.plan.vertex(t.of).trial) {
-            (TermKind::Relative | TermKind::Tangential, By::Turning(body), Some(trial)) if t.known => {
+            (TermKind::Relative | TermKind::Tangential, TermConnection::Turning(body), Some(trial)) if t.known => {
                 Some(of_trial(&self.turning(on, body), trial.run))
             }
             _ => None,
@@ -374,20 +375,22 @@ impl Writer<'_> {
     pub fn choice(&self, on: DiagramKind, v: VertexId) -> Option<String> {
         let (own, run) = (self.plan.vertex(v), self.plan.vertex(v).trial?.run);
         let steps = || self.plan.steps(on).iter().flat_map(|g| g.steps(0));
-        let begins = |step: &Step| match step {
-            Step::Equation { target, chains, method: Method::Trial } if chains.len() == 1 => Some((*target, chains[0].known.clone())),
-            Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
+        let begins = |step: &PlanStep| match step {
+            PlanStep::Equation { target, chains, method: Method::Trial } if chains.len() == 1 => Some((*target, chains[0].known.clone())),
+            PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
         };
         steps().filter_map(begins).find(|(target, _)| *target == v)?;
         let here = |(target, known): (VertexId, Vec<Term>)| if self.plan.vertex(target).is_at(own) { known.last().copied() } else { None };
-        let body =
-            steps().filter_map(begins).filter_map(here).find_map(|t| if let By::Turning(body) = t.by { Some(body) } else { None })?;
+        let body = steps()
+            .filter_map(begins)
+            .filter_map(here)
+            .find_map(|t| if let TermConnection::Turning(body) = t.by { Some(body) } else { None })?;
         let rate = of_trial(&self.turning(on, body), run);
         Some(if run == 1 { format!("{rate} = 0") } else { rate })
     }
 
     /// Returns the point and the bar of a mate that a step introduces in the first trial.
-    pub fn mate(&self, step: &Step) -> Option<[String; 2]> {
+    pub fn mate(&self, step: &PlanStep) -> Option<[String; 2]> {
         let target = step.target();
         self.plan.vertex(target).trial.filter(|trial| trial.mate && trial.run == 1)?;
         let gap = step.chains().iter().flat_map(|c| &c.unknown).find(|t| t.kind == TermKind::Gap)?;
@@ -396,12 +399,12 @@ impl Writer<'_> {
 
     /// Returns the columns of an equation with its loci: the chain that starts at a fixed point (or
     /// the point itself) on the left, then the other chains, each after an equals sign.
-    pub fn columns(&self, on: DiagramKind, target: VertexId, chains: &[Chain]) -> Vec<Column> {
-        let mut out: Vec<Column> = Vec::new();
+    pub fn columns(&self, on: DiagramKind, target: VertexId, chains: &[TermChain]) -> Vec<EquationColumn> {
+        let mut out: Vec<EquationColumn> = Vec::new();
         // A single chain has no unknowns.
         let absolute_left = !self.plan.vertex(chains[0].start).fixed || chains.len() == 1 && chains[0].known.len() > 1;
         if absolute_left {
-            out.push(Column {
+            out.push(EquationColumn {
                 joint: "",
                 symbol: self.summand(on, target),
                 direction: self.notation.unknown.clone(),
@@ -424,10 +427,10 @@ impl Writer<'_> {
             };
             if !self.plan.vertex(chain.start).fixed {
                 let (direction, magnitude) = self.known_vector(on, chain.start);
-                out.push(Column { joint: joint(), symbol: self.summand(on, chain.start), direction, magnitude, term: None });
+                out.push(EquationColumn { joint: joint(), symbol: self.summand(on, chain.start), direction, magnitude, term: None });
             }
             for t in chain.known.iter().chain(&chain.unknown) {
-                out.push(Column {
+                out.push(EquationColumn {
                     joint: joint(),
                     symbol: self.notation.vectors.write(self.symbol(on, t)),
                     direction: self.direction(t),
@@ -448,8 +451,8 @@ impl Writer<'_> {
     /// "known".
     fn known_vector(&self, on: DiagramKind, v: VertexId) -> (String, String) {
         let defining = self.plan.steps(on).iter().flat_map(|g| g.steps(0)).find_map(|s| match s {
-            Step::Equation { target, chains, .. } if *target == v && chains.len() == 1 => Some(&chains[0]),
-            Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
+            PlanStep::Equation { target, chains, .. } if *target == v && chains.len() == 1 => Some(&chains[0]),
+            PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
         });
         if let Some(c) = defining
             && self.plan.vertex(c.start).fixed

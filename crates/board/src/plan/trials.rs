@@ -10,16 +10,16 @@
 //! The method of false position (试凑法 of the textbooks), exact here because the equations are
 //! linear.
 
-use super::build::{Builder, slot};
+use super::build::{PlanBuilder, slot};
 use super::reduce::Member;
-use super::{Body, By, Chain, Method, Step, Term, TermKind, Trial, VertexId};
+use super::{Method, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexTrial};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::PointId;
 use std::collections::HashSet;
 
 /// The link with the assumed rate, with a known point and another point; the removed bar with its
 /// pins.
-pub(super) struct Choice {
+pub(super) struct TrialChoice {
     tried: usize,
     pivot: PointId,
     moved: PointId,
@@ -27,9 +27,9 @@ pub(super) struct Choice {
     pins: [PointId; 2],
 }
 
-impl Builder<'_> {
+impl PlanBuilder<'_> {
     /// Returns the steps of a group by two trials; `None` if the assumed rate does not open it.
-    pub(super) fn by_trials(&mut self, level: Level, g: usize, members: &[Member], choice: &Choice) -> Option<Vec<Step>> {
+    pub(super) fn by_trials(&mut self, level: Level, g: usize, members: &[Member], choice: &TrialChoice) -> Option<Vec<PlanStep>> {
         let mut steps = Vec::new();
         let [near, far] = choice.pins.map(|p| self.pin(p));
         let mut found: [[VertexId; 2]; 2] = [[far; 2]; 2];
@@ -38,13 +38,15 @@ impl Builder<'_> {
             if !self.one_trial(level, g, members, choice, run) {
                 return None;
             }
-            let mate = self.tried(far, Trial { run, mate: true });
-            let bar = Body::Link(members[choice.left_out].link);
+            let mate = self.tried(far, VertexTrial { run, mate: true });
+            let bar = TurningBody::Link(members[choice.left_out].link);
             let (normal, across) = self.turning(level, bar, mate, near, false);
-            let gap = Term { kind: TermKind::Gap, of: mate, to: near, by: By::Turning(bar), known: false };
-            let chains =
-                vec![Chain { start: near, known: normal, unknown: across }, Chain { start: far, known: Vec::new(), unknown: vec![gap] }];
-            self.pending.push(Step::Equation { target: mate, chains, method: Method::Trial });
+            let gap = Term { kind: TermKind::Gap, of: mate, to: near, by: TermConnection::Turning(bar), known: false };
+            let chains = vec![
+                TermChain { start: near, known: normal, unknown: across },
+                TermChain { start: far, known: Vec::new(), unknown: vec![gap] },
+            ];
+            self.pending.push(PlanStep::Equation { target: mate, chains, method: Method::Trial });
             let all = std::mem::take(&mut self.pending);
             let moved = self.pin(choice.moved);
             let (own, kept) = self.renamed(all, moved, run);
@@ -55,10 +57,10 @@ impl Builder<'_> {
                 steps.push(step);
             }
             steps.extend(own);
-            found[usize::from(run) - 1] = [self.tried(far, Trial { run, mate: false }), mate];
+            found[usize::from(run) - 1] = [self.tried(far, VertexTrial { run, mate: false }), mate];
         }
         let [[e1, x1], [e2, x2]] = found;
-        steps.push(Step::Trials { target: far, images: [e1, e2], mates: [x1, x2] });
+        steps.push(PlanStep::Trials { target: far, images: [e1, e2], mates: [x1, x2] });
         self.learn(level, far);
         let mut states = self.states(members);
         self.known_at(&mut states, members, far, choice.left_out);
@@ -71,14 +73,14 @@ impl Builder<'_> {
     }
 
     /// Finds all links but the removed bar from an assumed rate; returns true if all are known.
-    fn one_trial(&mut self, level: Level, g: usize, members: &[Member], choice: &Choice, run: u8) -> bool {
+    fn one_trial(&mut self, level: Level, g: usize, members: &[Member], choice: &TrialChoice, run: u8) -> bool {
         let [pivot, moved] = [choice.pivot, choice.moved].map(|p| self.pin(p));
         let link = members[choice.tried].link;
-        let (mut known, unknown) = self.turning(level, Body::Link(link), moved, pivot, false);
+        let (mut known, unknown) = self.turning(level, TurningBody::Link(link), moved, pivot, false);
         if run == 2 {
             known.extend(unknown.into_iter().map(|t| Term { known: true, ..t }));
         }
-        self.equation(level, moved, vec![Chain { start: pivot, known, unknown: Vec::new() }], Method::Trial);
+        self.equation(level, moved, vec![TermChain { start: pivot, known, unknown: Vec::new() }], Method::Trial);
         let mut states = self.states(members);
         // A bar marked as done gets no known pins, so that it holds nothing.
         states[choice.left_out].done = true;
@@ -88,7 +90,7 @@ impl Builder<'_> {
 
     /// Splits steps into those that depend on the rate, with the vertices of a trial, and those
     /// that do not.
-    fn renamed(&mut self, steps: Vec<Step>, moved: VertexId, run: u8) -> (Vec<Step>, Vec<Step>) {
+    fn renamed(&mut self, steps: Vec<PlanStep>, moved: VertexId, run: u8) -> (Vec<PlanStep>, Vec<PlanStep>) {
         let mut depend: HashSet<VertexId> = HashSet::from([moved]);
         let (mut own, mut kept) = (Vec::new(), Vec::new());
         for step in steps {
@@ -101,34 +103,34 @@ impl Builder<'_> {
             if !tried {
                 depend.insert(target);
             }
-            let mut name = |v: VertexId| if depend.contains(&v) { self.tried(v, Trial { run, mate: false }) } else { v };
+            let mut name = |v: VertexId| if depend.contains(&v) { self.tried(v, VertexTrial { run, mate: false }) } else { v };
             own.push(step.with_vertices(&mut name));
         }
         (own, kept)
     }
 }
 
-impl Step {
+impl PlanStep {
     /// Returns the step with other vertices.
-    fn with_vertices(self, name: &mut impl FnMut(VertexId) -> VertexId) -> Step {
+    fn with_vertices(self, name: &mut impl FnMut(VertexId) -> VertexId) -> PlanStep {
         let terms = |terms: Vec<Term>, name: &mut dyn FnMut(VertexId) -> VertexId| -> Vec<Term> {
             terms.into_iter().map(|t| Term { of: name(t.of), to: name(t.to), ..t }).collect()
         };
         match self {
-            Step::Equation { target, chains, method: _ } => {
-                let chains = chains.into_iter().map(|c| Chain {
+            PlanStep::Equation { target, chains, method: _ } => {
+                let chains = chains.into_iter().map(|c| TermChain {
                     start: name(c.start),
                     known: terms(c.known, name),
                     unknown: terms(c.unknown, name),
                 });
                 let chains = chains.collect();
-                Step::Equation { target: name(target), chains, method: Method::Trial }
+                PlanStep::Equation { target: name(target), chains, method: Method::Trial }
             }
-            Step::Image { link, target, from: (a, b) } => Step::Image { link, target: name(target), from: (name(a), name(b)) },
-            Step::Trials { target, images, mates } => {
-                Step::Trials { target: name(target), images: images.map(&mut *name), mates: mates.map(&mut *name) }
+            PlanStep::Image { link, target, from: (a, b) } => PlanStep::Image { link, target: name(target), from: (name(a), name(b)) },
+            PlanStep::Trials { target, images, mates } => {
+                PlanStep::Trials { target: name(target), images: images.map(&mut *name), mates: mates.map(&mut *name) }
             }
-            Step::Same { link, target, from } => Step::Same { link, target: name(target), from: name(from) },
+            PlanStep::Same { link, target, from } => PlanStep::Same { link, target: name(target), from: name(from) },
         }
     }
 }
@@ -140,7 +142,7 @@ const LINKS: usize = 400;
 
 /// Returns the choices: links with one known point for the assumed rate, and bars between two links
 /// that can be removed, with either pin as the wanted one.
-pub(super) fn choices(members: &[Member]) -> Vec<Choice> {
+pub(super) fn choices(members: &[Member]) -> Vec<TrialChoice> {
     let tried: Vec<(usize, &Member)> = members.iter().enumerate().filter(|(_, m)| m.is_hinged()).collect();
     let bars = members.iter().enumerate().filter(|(_, m)| m.is_pinned_only() && m.pivots.is_empty());
     let bars = bars.filter_map(|(k, m)| if let [a, b] = m.shared[..] { Some((k, [a, b])) } else { None });
@@ -148,7 +150,7 @@ pub(super) fn choices(members: &[Member]) -> Vec<Choice> {
     let choices = ends.flat_map(|(left_out, pins)| {
         tried.iter().filter_map(move |&(tried, member)| {
             let moved = *member.shared.iter().find(|p| !pins.contains(p)).or(member.shared.first())?;
-            Some(Choice { tried, pivot: member.pivots[0], moved, left_out, pins })
+            Some(TrialChoice { tried, pivot: member.pivots[0], moved, left_out, pins })
         })
     });
     choices.take((LINKS / members.len().max(1)).clamp(1, MOST)).collect()

@@ -7,7 +7,7 @@ use hodograph_scene::{LinkId, PointId, Scene};
 
 /// The place of a vertex on the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Spot {
+pub enum VertexPlace {
     /// A point of the scene.
     Point(PointId),
     /// A special (Assur) point: an index into [`super::Plan::specials`].
@@ -48,7 +48,7 @@ pub enum SpecialLine {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Vertex {
     /// The place.
-    pub spot: Spot,
+    pub spot: VertexPlace,
     /// The link of a coincident point (of a link that carries a guide); `None` for the pin itself.
     pub on: Option<LinkId>,
     /// The number that distinguishes coincident points in figures, if there is one.
@@ -56,12 +56,12 @@ pub struct Vertex {
     /// True for a fixed point, with its image at the pole.
     pub fixed: bool,
     /// The trial to which it belongs; `None` for a vertex of the final polygon.
-    pub trial: Option<Trial>,
+    pub trial: Option<VertexTrial>,
 }
 
 /// A trial polygon: one unknown rate has an assumed value, and one bar of the group is removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Trial {
+pub struct VertexTrial {
     /// The first trial, with a rate of 0, or the second.
     pub run: u8,
     /// True for the mate: the point with which the vertex must coincide.
@@ -77,8 +77,8 @@ impl Vertex {
     /// Returns the link of a point: for a pin, the first moving link of the scene that carries it.
     pub fn link(&self, scene: &Scene) -> Option<LinkId> {
         let pinned = || match self.spot {
-            Spot::Point(p) => scene.mover(p),
-            Spot::Special(_) => None,
+            VertexPlace::Point(p) => scene.mover(p),
+            VertexPlace::Special(_) => None,
         };
         self.on.or(self.number).or_else(pinned)
     }

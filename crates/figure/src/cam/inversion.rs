@@ -2,12 +2,12 @@
 //! the opposite sense, in twelve numbered stations.
 
 use super::{heading, words_at};
-use hodograph_base::cam::{Disc, Follower, Motion, Side, Station, Touch, round};
+use hodograph_base::cam::{CamMotion, CamStation, Disc, Follower, FollowerTip, PieceSide, round};
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::choose_in;
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, Item, PLACED, Shape, Stroke};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, LineStroke, PLACED, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::{Bar, LabelRequest, Obstacles, place};
@@ -37,12 +37,12 @@ const ARROW_AIR: f64 = 0.12;
 const SAMPLES: usize = 32;
 
 /// The drawing under construction: items in mm about the centre of the cam.
-struct Drawing<'a> {
+struct InversionDrawing<'a> {
     report: &'a Report<'a>,
     style: &'a Style,
     /// Millimetres of paper per metre.
     scale: f64,
-    items: Vec<Item>,
+    items: Vec<FigureItem>,
     wanted: Vec<LabelRequest>,
 }
 
@@ -52,7 +52,7 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let reach = reach(disc);
     let unit = report.scene.book.chosen(Kind::Length).map_or(1.0, hodograph_scene::book::BookUnit::size);
     let mu = choose_in(unit, [2.0 * reach; 2], [SIZE_MM; 2]);
-    let mut d = Drawing { report, style, scale: 1.0 / mu, items: Vec::new(), wanted: Vec::new() };
+    let mut d = InversionDrawing { report, style, scale: 1.0 / mu, items: Vec::new(), wanted: Vec::new() };
     d.circles();
     d.curves();
     d.stations();
@@ -95,13 +95,13 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
 /// Radius (m) of the circle of the roller's centre on the base circle; `None` without a roller or
 /// where the profile does not come from a law of motion.
 fn prime_m(disc: &Disc) -> Option<f64> {
-    let radius = if let Touch::Point { radius } = disc.touch { radius } else { 0.0 };
-    (radius > 0.0 && matches!(disc.motion, Motion::Law { .. })).then(|| disc.base() + radius)
+    let radius = if let FollowerTip::Point { radius } = disc.touch { radius } else { 0.0 };
+    (radius > 0.0 && matches!(disc.motion, CamMotion::Law { .. })).then(|| disc.base() + radius)
 }
 
 /// The legend of the line types that this cam has.
 fn legend(disc: &Disc, lang: Lang) -> String {
-    let rolling = matches!(disc.touch, Touch::Point { radius } if radius > 0.0);
+    let rolling = matches!(disc.touch, FollowerTip::Point { radius } if radius > 0.0);
     let offset = matches!(disc.follower, Follower::Translating { offset, .. } if offset != 0.0);
     let swinging = matches!(disc.follower, Follower::Oscillating { .. });
     let mut dashed = Vec::new();
@@ -130,8 +130,8 @@ fn legend(disc: &Disc, lang: Lang) -> String {
 fn reach(disc: &Disc) -> f64 {
     let stations = round(disc, STEPS / 4).into_iter().filter_map(|(phi, side)| disc.station(phi, side));
     let end = match disc.touch {
-        Touch::Point { radius } => radius,
-        Touch::Flat { .. } => 0.0,
+        FollowerTip::Point { radius } => radius,
+        FollowerTip::Flat { .. } => 0.0,
     };
     let far = stations.map(|s| s.pitch.norm().max(s.contact.norm()) + end).fold(disc.base(), f64::max);
     match disc.follower {
@@ -148,7 +148,7 @@ fn scale_text(report: &Report, mu: f64) -> String {
     format!("\\mu_l = {}\\,\\text{{{name}/mm}}", inked(&shortest(mu * factor)))
 }
 
-impl Drawing<'_> {
+impl InversionDrawing<'_> {
     fn disc(&self) -> &Disc {
         &self.report.turning.disc
     }
@@ -159,10 +159,10 @@ impl Drawing<'_> {
 
     fn draw(&mut self, class: &str, shape: Shape, link: Option<usize>) {
         let id = format!("cam-{class}-{}", self.items.len());
-        self.items.push(Item { link, ..Item::new(class, shape).with_id(id) });
+        self.items.push(FigureItem { link, ..FigureItem::new(class, shape).with_id(id) });
     }
 
-    fn circle(&mut self, class: &str, radius: f64, stroke: Stroke) {
+    fn circle(&mut self, class: &str, radius: f64, stroke: LineStroke) {
         let radius_mm = radius * self.scale;
         // A circle smaller than a dot is not drawn.
         if radius_mm > 0.5 {
@@ -183,7 +183,7 @@ impl Drawing<'_> {
         let points: Vec<Point> = disc.outline(STEPS).into_iter().map(|p| self.at(p)).collect();
         let stroke = self.style.link;
         self.draw("profile", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None }, link);
-        if let Touch::Point { radius } = disc.touch
+        if let FollowerTip::Point { radius } = disc.touch
             && radius > 0.0
         {
             let all = round(&disc, STEPS).into_iter().filter_map(|(phi, side)| disc.station(phi, side));
@@ -204,7 +204,7 @@ impl Drawing<'_> {
             self.circle("pitch-circle", radius, dashed);
         }
         // Radii are drawn between two stations, clear of the follower.
-        let radius = |d: &mut Drawing, name: &str, r: f64, angle: f64| {
+        let radius = |d: &mut InversionDrawing, name: &str, r: f64, angle: f64| {
             let to = d.at(Vec2::from_angle(angle) * r);
             let (stroke, head) = (d.style.thin, d.style.thin_head);
             d.draw("radius", Shape::Arrow { from: Point::ORIGIN, to, stroke, head }, None);
@@ -231,19 +231,19 @@ impl Drawing<'_> {
         let disc = self.disc().clone();
         for k in 0..STATIONS {
             let phi = TAU * k as f64 / STATIONS as f64;
-            let Some(s) = disc.station(phi, Side::After) else { continue };
+            let Some(s) = disc.station(phi, PieceSide::After) else { continue };
             let stroke = if k == 0 { self.style.outline } else { self.style.thin };
             self.follower(&disc, &s, k, stroke);
         }
     }
 
-    fn follower(&mut self, disc: &Disc, s: &Station, k: usize, stroke: Stroke) {
+    fn follower(&mut self, disc: &Disc, s: &CamStation, k: usize, stroke: LineStroke) {
         let link = Some(self.report.cam.follower.0);
         let back = Vec2::from_angle(-disc.sense * s.phi);
         let pitch = self.at(s.pitch);
         let contact = self.at(s.contact);
         let name = k.to_string();
-        if let Touch::Point { radius } = disc.touch
+        if let FollowerTip::Point { radius } = disc.touch
             && radius > 0.0
         {
             let shape = Shape::Circle { centre: pitch, radius_mm: radius * self.scale, stroke: Some(stroke), fill: None };
@@ -262,10 +262,10 @@ impl Drawing<'_> {
                 let p = self.at(pivot.rotate_by(back));
                 // The arm, or the face from beside the pivot to its contact and beyond.
                 let (from, to) = match disc.touch {
-                    Touch::Point { .. } => (p, pitch),
-                    Touch::Flat { .. } => (pitch, contact + (contact - pitch) * 0.15),
+                    FollowerTip::Point { .. } => (p, pitch),
+                    FollowerTip::Flat { .. } => (pitch, contact + (contact - pitch) * 0.15),
                 };
-                if from != p && (from - p).norm() > 0.5 && matches!(disc.touch, Touch::Flat { .. }) {
+                if from != p && (from - p).norm() > 0.5 && matches!(disc.touch, FollowerTip::Flat { .. }) {
                     self.draw("lever", Shape::Line { from: p, to: from, stroke }, link);
                 }
                 self.draw("station", Shape::Line { from, to, stroke }, link);
@@ -274,13 +274,13 @@ impl Drawing<'_> {
                 self.label(&name, p, 1.2, p.to_vec2());
             }
         }
-        if let (Touch::Flat { .. }, Follower::Translating { .. }) = (disc.touch, disc.follower) {
+        if let (FollowerTip::Flat { .. }, Follower::Translating { .. }) = (disc.touch, disc.follower) {
             let half = (s.contact - s.pitch).norm() * self.scale + 6.0;
             let along = s.normal.perp() * half;
             self.draw("face", Shape::Line { from: pitch - along, to: pitch + along, stroke }, link);
         }
         self.draw("contact", dot(contact), None);
-        if let Touch::Point { radius } = disc.touch
+        if let FollowerTip::Point { radius } = disc.touch
             && radius > 0.0
         {
             self.draw("pitch-point", dot(pitch), None);
@@ -290,8 +290,8 @@ impl Drawing<'_> {
     /// Length of a translating follower's line beyond its point (mm).
     fn beyond(&self, disc: &Disc) -> f64 {
         match disc.touch {
-            Touch::Point { radius } => (radius * self.scale + 3.0).max(6.0),
-            Touch::Flat { .. } => 6.0,
+            FollowerTip::Point { radius } => (radius * self.scale + 3.0).max(6.0),
+            FollowerTip::Flat { .. } => 6.0,
         }
     }
 

@@ -5,7 +5,7 @@ pub mod inversion;
 pub mod motion;
 
 use hodograph_base::geom::Point;
-use hodograph_paper::paper::item::{Anchor, Colour, Item, Shape};
+use hodograph_paper::paper::item::{Anchor, Colour, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::style::Style;
 use hodograph_scene::{Lang, Scene};
@@ -21,6 +21,6 @@ fn heading(scene: &Scene, otherwise: &str, lang: Lang) -> String {
 }
 
 /// Text at a given point.
-fn words_at(class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor, style: &Style) -> Item {
-    Item::new(class, Shape::Label { at, label: label.in_fonts(&style.fonts), size_mm, anchor, colour: Colour::BLACK })
+fn words_at(class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor, style: &Style) -> FigureItem {
+    FigureItem::new(class, Shape::Label { at, label: label.in_fonts(&style.fonts), size_mm, anchor, colour: Colour::BLACK })
 }

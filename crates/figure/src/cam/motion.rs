@@ -1,9 +1,9 @@
 //! Plots s, v and a of the follower over a turn of the cam, one above the other, with stages
 //! separated, jumps dashed and shocks marked.
 
-use super::super::plot::{Axis, Plot, over};
+use super::super::plot::{Plot, PlotAxis, over};
 use super::{heading, words_at};
-use hodograph_base::cam::{Follower, Shock, Side, in_turn, round};
+use hodograph_base::cam::{Follower, PieceSide, Shock, in_turn, round};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, Shape};
@@ -31,7 +31,7 @@ const DIGITS: usize = 4;
 
 /// One plot: the order of the derivative, its symbol and unit, and the factor that converts to this
 /// unit.
-struct Kept {
+struct DerivativePlot {
     order: usize,
     symbol: &'static str,
     unit: String,
@@ -54,7 +54,7 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
         Anchor::Middle,
         style,
     )];
-    let x = Axis::of(&[0.0, 360.0], true, 12);
+    let x = PlotAxis::of(&[0.0, 360.0], true, 12);
     let mut said = Vec::new();
     for (k, kept) in panels(report).iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
@@ -81,7 +81,7 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
 }
 
 /// The three plots; s′ and s″ if the cam has no angular velocity.
-fn panels(report: &Report) -> [Kept; 3] {
+fn panels(report: &Report) -> [DerivativePlot; 3] {
     let swings = matches!(report.turning.disc.follower, Follower::Oscillating { .. });
     let book: &Book = &report.scene.book;
     let omega = report.omega();
@@ -99,7 +99,7 @@ fn panels(report: &Report) -> [Kept; 3] {
     };
     let kinds = if swings { [Kind::Omega, Kind::Alpha] } else { [Kind::Velocity, Kind::Acceleration] };
     let [v, a] = kinds.map(one);
-    let kept = |order, symbol, (unit, factor)| Kept { order, symbol, unit, factor };
+    let kept = |order, symbol, (unit, factor)| DerivativePlot { order, symbol, unit, factor };
     if omega == 0.0 {
         let per = |power: &str| (format!("{}/\\text{{rad}}{power}", lift.0), lift.1);
         let (ds, dds) = (per(""), per("^2"));
@@ -109,24 +109,24 @@ fn panels(report: &Report) -> [Kept; 3] {
     [kept(0, names[0], lift), kept(1, names[1], (v.0, v.1 * omega)), kept(2, names[2], (a.0, a.1 * omega * omega))]
 }
 
-impl Kept {
+impl DerivativePlot {
     /// The value at a cam angle.
-    fn at(&self, report: &Report, phi: f64, side: Side) -> Option<f64> {
+    fn at(&self, report: &Report, phi: f64, side: PieceSide) -> Option<f64> {
         Some(report.survey.lift(&report.turning.disc, phi, side)?[self.order] * self.factor)
     }
 }
 
-fn axis(report: &Report, kept: &Kept) -> Axis {
+fn axis(report: &Report, kept: &DerivativePlot) -> PlotAxis {
     let samples = round(&report.turning.disc, STEPS);
     let mut values: Vec<f64> = samples.into_iter().filter_map(|(phi, side)| kept.at(report, phi, side)).chain([0.0]).collect();
     let most = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     // Values within rounding error are zero.
     values.iter_mut().filter(|v| v.abs() < 1e-12 * most).for_each(|v| *v = 0.0);
-    Axis::of(&values, kept.unit == "\\degree", 6)
+    PlotAxis::of(&values, kept.unit == "\\degree", 6)
 }
 
 /// Draws the line, broken at jumps.
-fn line(plot: &mut Plot, report: &Report, kept: &Kept) {
+fn line(plot: &mut Plot, report: &Report, kept: &DerivativePlot) {
     let mut run: Vec<Point> = Vec::new();
     let jumps: Vec<f64> = report.survey.jumps.iter().filter(|j| order(j.shock) == kept.order).map(|j| in_turn(j.phi)).collect();
     let mut runs = Vec::new();
@@ -136,7 +136,7 @@ fn line(plot: &mut Plot, report: &Report, kept: &Kept) {
             continue;
         };
         let jumps_here = jumps.iter().any(|j| (in_turn(phi) - j).abs() < 1e-9 || (in_turn(phi) - j).abs() > std::f64::consts::TAU - 1e-9);
-        if jumps_here && side == Side::After && !run.is_empty() {
+        if jumps_here && side == PieceSide::After && !run.is_empty() {
             let last = run[run.len() - 1];
             runs.push(std::mem::take(&mut run));
             let here = plot.at(phi.to_degrees(), value);
@@ -148,7 +148,7 @@ fn line(plot: &mut Plot, report: &Report, kept: &Kept) {
     }
     runs.push(run);
     // A jump at the start of the turn is drawn at both ends.
-    let ends = [(0.0, Side::After), (std::f64::consts::TAU, Side::Before)].map(|(phi, side)| kept.at(report, phi, side));
+    let ends = [(0.0, PieceSide::After), (std::f64::consts::TAU, PieceSide::Before)].map(|(phi, side)| kept.at(report, phi, side));
     if let ([Some(first), Some(last)], true) = (ends, jumps.iter().any(|j| *j < 1e-9)) {
         plot.line("jump", plot.at(0.0, first), plot.at(0.0, last), plot.style.thin.dashed(Dash::Dashed));
     }
@@ -168,7 +168,7 @@ fn order(shock: Shock) -> usize {
 
 /// Marks the shocks in the plot of the acceleration: a soft shock at the middle of its jump, a
 /// rigid one (infinite acceleration) by an arrow from the zero line.
-fn shocks(plot: &mut Plot, report: &Report, kept: &Kept, lang: Lang, said: &mut Vec<String>) {
+fn shocks(plot: &mut Plot, report: &Report, kept: &DerivativePlot, lang: Lang, said: &mut Vec<String>) {
     if kept.order != 2 {
         return;
     }
@@ -202,7 +202,7 @@ fn shortest(degrees: f64) -> String {
 }
 
 /// Marks the least and the greatest value.
-fn extremes(plot: &mut Plot, report: &Report, kept: &Kept, said: &mut Vec<String>) {
+fn extremes(plot: &mut Plot, report: &Report, kept: &DerivativePlot, said: &mut Vec<String>) {
     let style = plot.style;
     let s = report.survey;
     let found: Vec<(f64, f64)> = match kept.order {

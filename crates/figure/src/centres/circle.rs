@@ -2,17 +2,17 @@
 //! the pairs are solid; those of the other centres are dashed and numbered in the order in which the
 //! centres are found. A list beside the circle gives the lines that find them.
 
-use crate::list::Wanted;
+use crate::list::FigureInput;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
-use hodograph_methods::centres::{Centre, Centres, How};
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_methods::centres::{Centre, CentreMethod, Centres};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::extent::{Rect, bounds, on_circle};
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Item, Shape, tag};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, FigureItem, Shape, tag};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
-use hodograph_report::centres::Words;
+use hodograph_report::centres::CentreWords;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::symbol;
@@ -33,28 +33,28 @@ const NUMBER_PART: f64 = 0.85;
 const STATIONS: std::ops::RangeInclusive<usize> = 8..=42;
 
 /// Draws the diagram with its list.
-pub fn part(w: &Wanted, found: &Centres) -> Part {
+pub fn part(w: &FigureInput, found: &Centres) -> DrawingPart {
     drawn(w, found, false)
 }
 
 /// Draws the diagram with its list; each item of a centre has the centre's place in the order of
 /// finding as its step.
-pub fn stepped(w: &Wanted, found: &Centres) -> Part {
+pub fn stepped(w: &FigureInput, found: &Centres) -> DrawingPart {
     drawn(w, found, true)
 }
 
-fn drawn(w: &Wanted, found: &Centres, stepped: bool) -> Part {
+fn drawn(w: &FigureInput, found: &Centres, stepped: bool) -> DrawingPart {
     let diagram = chords(w, found, stepped);
     let mut items = diagram.items;
     let right = diagram.bounds.max.x + GAP_MM;
     items.extend(list(w, found, Point::new(right, diagram.bounds.max.y), stepped));
-    Part { placements: diagram.placements, left_out: diagram.left_out, ..Part::of(items) }
+    DrawingPart { placements: diagram.placements, left_out: diagram.left_out, ..DrawingPart::of(items) }
 }
 
 /// The centres that are not of a pair, numbered from 1, each with its index in the order of
 /// finding.
 fn numbered(found: &Centres) -> impl Iterator<Item = (usize, (usize, &Centre))> {
-    let later = found.list.iter().enumerate().filter(|(_, c)| !matches!(c.step.how, How::Primary(_)));
+    let later = found.list.iter().enumerate().filter(|(_, c)| !matches!(c.step.how, CentreMethod::Primary(_)));
     later.enumerate().map(|(k, (place, c))| (place, (k + 1, c)))
 }
 
@@ -64,14 +64,14 @@ fn class(word: &str, stepped: bool, place: usize) -> String {
 }
 
 /// A number in a disc.
-fn badge(style: &Style, at: Point, k: usize) -> Vec<Item> {
+fn badge(style: &Style, at: Point, k: usize) -> Vec<FigureItem> {
     let size_mm = style.small_mm * NUMBER_PART;
     let disc = Shape::Circle { centre: at, radius_mm: radius_of_badge(style), stroke: Some(style.thin), fill: Some(Colour::WHITE) };
     // Digits are about two thirds of their em tall.
     let label = Label::math(k.to_string()).in_fonts(&style.fonts);
     let at = Point::new(at.x, at.y - size_mm / 3.0);
     let number = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
-    vec![Item::new("order", disc), Item::new("order number", number)]
+    vec![FigureItem::new("order", disc), FigureItem::new("order number", number)]
 }
 
 fn radius_of_badge(style: &Style) -> f64 {
@@ -105,7 +105,7 @@ fn stations(chords: &[(Point, Point)], numbered: &[usize], disc_mm: f64) -> Vec<
     placed
 }
 
-fn chords(w: &Wanted, found: &Centres, stepped: bool) -> Part {
+fn chords(w: &FigureInput, found: &Centres, stepped: bool) -> DrawingPart {
     let style = &w.options.style;
     let links = &found.closure.links;
     let n = links.len().max(2) as f64;
@@ -123,14 +123,14 @@ fn chords(w: &Wanted, found: &Centres, stepped: bool) -> Part {
     for (place, c) in found.list.iter().enumerate() {
         let (from, to) = chord(c);
         let (word, stroke) = match c.step.how {
-            How::Primary(_) => ("chord primary", style.outline),
-            How::Lines(_) => ("chord found", style.thin.dashed(Dash::Dashed)),
-            How::Velocities => ("chord velocities", style.thin.dashed(Dash::DashDot)),
+            CentreMethod::Primary(_) => ("chord primary", style.outline),
+            CentreMethod::Lines(_) => ("chord found", style.thin.dashed(Dash::Dashed)),
+            CentreMethod::Velocities => ("chord velocities", style.thin.dashed(Dash::DashDot)),
         };
         d.shape(&format!("chord-{}", c.step.pair.name(w.scene)), &class(word, stepped, place), Shape::Line { from, to, stroke });
     }
     let chords: Vec<(Point, Point)> = found.list.iter().map(chord).collect();
-    let later: Vec<usize> = (0..chords.len()).filter(|k| !matches!(found.list[*k].step.how, How::Primary(_))).collect();
+    let later: Vec<usize> = (0..chords.len()).filter(|k| !matches!(found.list[*k].step.how, CentreMethod::Primary(_))).collect();
     for ((k, at), place) in stations(&chords, &later, radius_of_badge(style)).into_iter().enumerate().zip(&later) {
         d.draw(&format!("order-{}", k + 1), class("", stepped, *place).trim(), badge(style, at, k + 1));
     }
@@ -146,13 +146,13 @@ fn chords(w: &Wanted, found: &Centres, stepped: bool) -> Part {
 }
 
 /// The list, with a row for each numbered centre and its upper left corner at `corner`.
-fn list(w: &Wanted, found: &Centres, corner: Point, stepped: bool) -> Vec<Item> {
+fn list(w: &FigureInput, found: &Centres, corner: Point, stepped: bool) -> Vec<FigureItem> {
     let style = &w.options.style;
-    let words = Words::new(found, w.options.lang);
+    let words = CentreWords::new(found, w.options.lang);
     let line = style.small_mm * 1.8;
     let rows = numbered(found).count();
     let per_column = if rows > ROWS { rows.div_ceil(2) } else { rows };
-    let mut items: Vec<Item> = Vec::new();
+    let mut items: Vec<FigureItem> = Vec::new();
     let mut left = corner.x;
     let mut column = 0;
     for (place, (k, c)) in numbered(found) {
@@ -161,7 +161,7 @@ fn list(w: &Wanted, found: &Centres, corner: Point, stepped: bool) -> Vec<Item> 
             left = bounds(&items).map_or(left, |b: Rect| b.max.x + GAP_MM);
         }
         let row = (k - 1) % per_column.max(1);
-        let by = if c.step.how == How::Velocities { ": " } else { " = " };
+        let by = if c.step.how == CentreMethod::Velocities { ": " } else { " = " };
         let text = Label::math(symbol(w.scene, c.step.pair)).then(Label::text(by)).then(words.found_by(c).label());
         let base = Point::new(left, corner.y - line * (row as f64 + 1.0));
         let disc = radius_of_badge(style);
@@ -178,7 +178,7 @@ fn list(w: &Wanted, found: &Centres, corner: Point, stepped: bool) -> Vec<Item> 
             anchor: Anchor::Start,
             colour: Colour::BLACK,
         };
-        items.push(Item::new(class("circle list", stepped, place), shape).with_id(format!("circle-list-{k}")));
+        items.push(FigureItem::new(class("circle list", stepped, place), shape).with_id(format!("circle-list-{k}")));
     }
     items
 }

@@ -1,21 +1,21 @@
 //! The mechanism with its centres: dots, the lines that find them, and arrows to centres off the
 //! paper.
 
-use crate::list::Wanted;
+use crate::list::FigureInput;
 use crate::mechanism;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::position::Path;
-use hodograph_methods::centres::{Centre, Centres, How, Place, Primary};
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_methods::centres::{Centre, CentreMethod, CentrePlace, Centres, Primary};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Colour, Dash, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_paper::paper::shown::Shown;
+use hodograph_paper::paper::shown::ShownQuantity;
 use hodograph_paper::paper::symbols as sym;
 
-use super::rays::{Paper, Plate, Ray, Spot, clipped, holds};
+use super::rays::{CentrePaper, CentrePlate, CentreRay, CentreSpot, clipped, holds};
 use super::symbol;
 
 /// Distance around the mechanism within which centres are drawn in place: half the height of an A4
@@ -35,25 +35,25 @@ const VELOCITY_MM: f64 = 16.0;
 const LINES: Colour = Colour::grey(120);
 
 /// Draws the mechanism with the centres of a plate.
-pub fn part(w: &Wanted, found: &Centres, plate: &Plate) -> Part {
+pub fn part(w: &FigureInput, found: &Centres, plate: &CentrePlate) -> DrawingPart {
     drawn(w, found, plate, REACH_MM, false)
 }
 
 /// Draws the mechanism with all centres within `reach_mm` around it; each item of a centre has the
 /// centre's place in the order of finding as its step.
-pub fn stepped(w: &Wanted, found: &Centres, reach_mm: f64) -> Part {
-    drawn(w, found, &Plate::default(), reach_mm, true)
+pub fn stepped(w: &FigureInput, found: &Centres, reach_mm: f64) -> DrawingPart {
+    drawn(w, found, &CentrePlate::default(), reach_mm, true)
 }
 
-fn drawn(w: &Wanted, found: &Centres, plate: &Plate, reach_mm: f64, stepped: bool) -> Part {
+fn drawn(w: &FigureInput, found: &Centres, plate: &CentrePlate, reach_mm: f64, stepped: bool) -> DrawingPart {
     let (style, scene) = (&w.options.style, w.scene);
     let diagram = &w.worked.construction.diagram;
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let mut d = mechanism::numbered(style, scene, w.worked, &w.options.notation);
     let lines = d.bounds();
     let window = window(found, plate, (lines, reach_mm), &to_paper);
-    let paper = Paper { found, to_paper: &to_paper, window };
-    let mut over = Over { w, found, paper: &paper, d: &mut d, plate, stepped, told: vec![false; found.list.len()] };
+    let paper = CentrePaper { found, to_paper: &to_paper, window };
+    let mut over = CentreOverlay { w, found, paper: &paper, d: &mut d, plate, stepped, labelled: vec![false; found.list.len()] };
     over.lines();
     over.normals();
     over.spots();
@@ -62,26 +62,26 @@ fn drawn(w: &Wanted, found: &Centres, plate: &Plate, reach_mm: f64, stepped: boo
 }
 
 /// The part of the paper that is used: the mechanism, and all centres near it.
-fn window(found: &Centres, plate: &Plate, (lines, reach_mm): (Rect, f64), to_paper: &dyn Fn(Point) -> Point) -> Rect {
+fn window(found: &Centres, plate: &CentrePlate, (lines, reach_mm): (Rect, f64), to_paper: &dyn Fn(Point) -> Point) -> Rect {
     let reach = lines.grown(reach_mm);
     let shown = found.list.iter().enumerate().filter(|(k, _)| plate.shows(found, *k)).map(|(_, c)| c);
     let near = shown.filter_map(|c| Some(to_paper(c.place?.point()?))).filter(|p| holds(reach, *p));
     near.fold(lines, |all, p| all.union(Rect::new(p, p))).grown(EDGE_MM)
 }
 
-struct Over<'a, 'b> {
-    w: &'a Wanted<'a>,
+struct CentreOverlay<'a, 'b> {
+    w: &'a FigureInput<'a>,
     found: &'a Centres,
-    paper: &'a Paper<'a>,
+    paper: &'a CentrePaper<'a>,
     d: &'b mut Drawing,
-    plate: &'a Plate,
+    plate: &'a CentrePlate,
     /// True if the class of an item names the step that draws it.
     stepped: bool,
     /// For each centre, true if it has its label.
-    told: Vec<bool>,
+    labelled: Vec<bool>,
 }
 
-impl Over<'_, '_> {
+impl CentreOverlay<'_, '_> {
     /// The class of an item drawn for a centre.
     fn class(&self, word: &str, k: usize) -> String {
         if self.stepped { format!("{word} step-{k}") } else { word.to_owned() }
@@ -112,7 +112,7 @@ impl Over<'_, '_> {
         let thin = style.thin.coloured(LINES).dashed(Dash::DashDot);
         for (k, c) in self.found.list.iter().enumerate().filter(|(k, _)| self.plate.finds(*k)) {
             let (normal, velocity) = (self.class("centre normal", k), self.class("centre velocity", k));
-            let (Some(two), Some(Spot::On(centre))) = (self.found.normals(c), self.paper.spot(c)) else { continue };
+            let (Some(two), Some(CentreSpot::On(centre))) = (self.found.normals(c), self.paper.spot(c)) else { continue };
             let longest = two.iter().map(|n| n.velocity.norm()).fold(0.0, f64::max);
             for n in two {
                 let at = (self.paper.to_paper)(n.at);
@@ -127,7 +127,7 @@ impl Over<'_, '_> {
                 let stroke = style.vector;
                 let arrow = Shape::Arrow { from: at, to: tip, stroke, head: style.head };
                 let (point, mu) = (self.w.scene.point_name(n.point), longest / VELOCITY_MM);
-                let (key, shown) = (format!("vel-abs-{point}"), Shown::vector(format!("v_{point}"), at, tip, mu));
+                let (key, shown) = (format!("vel-abs-{point}"), ShownQuantity::vector(format!("v_{point}"), at, tip, mu));
                 let owner = self.d.vector(&key, &velocity, arrow, shown);
                 let request = LabelRequest::along(Label::math(format!("v_{{{name}}}")), style.small_mm, at, tip, stroke.width_mm / 2.0);
                 self.d.label(&key, &velocity, request.owned(owner));
@@ -136,7 +136,7 @@ impl Over<'_, '_> {
     }
 
     /// Draws the arrows at the edge of the paper and names each centre once.
-    fn arrows(&mut self, ray: &Ray, owner: u32) {
+    fn arrows(&mut self, ray: &CentreRay, owner: u32) {
         for a in &ray.arrows {
             // The name is at the end of the line, behind its last centre.
             let back = a.last - a.tip;
@@ -158,7 +158,7 @@ impl Over<'_, '_> {
         // A shaft over the line would make the line darker.
         let from = if owner > 0 { to - along * style.thin_head.length_mm * 1.5 } else { base };
         self.d.shape(&format!("to-{name}"), &class, Shape::Arrow { from, to, stroke, head: style.thin_head });
-        let again = std::mem::replace(&mut self.told[k], true);
+        let again = std::mem::replace(&mut self.labelled[k], true);
         let label = self.far_label(c, measured.filter(|_| !again));
         let request = LabelRequest::along(label, style.small_mm, base, to, stroke.width_mm / 2.0);
         self.d.label(&name, &class, request.owned(owner).optional(again));
@@ -170,8 +170,8 @@ impl Over<'_, '_> {
         let symbol = symbol(self.w.scene, c.step.pair);
         let from = measured.and_then(|k| Some((&self.found.list[k], self.found.list[k].place?.point()?)));
         match (c.place, from) {
-            (Some(Place::Infinity(_)), _) => Label::math(format!("{symbol}^{{\\infty}}")),
-            (Some(Place::At(p)), Some((other, from))) => {
+            (Some(CentrePlace::Infinity(_)), _) => Label::math(format!("{symbol}^{{\\infty}}")),
+            (Some(CentrePlace::At(p)), Some((other, from))) => {
                 // Space at both ends: without it the distance would run together with a link number
                 // beside it.
                 let air = || Label::math("\\,\\,");
@@ -181,7 +181,7 @@ impl Over<'_, '_> {
                     .then(Label::text(self.w.scene.length_words(p.distance(from))))
                     .then(air())
             }
-            (Some(Place::At(_)) | None, _) => Label::math(symbol),
+            (Some(CentrePlace::At(_)) | None, _) => Label::math(symbol),
         }
     }
 
@@ -190,7 +190,7 @@ impl Over<'_, '_> {
         let style = &self.w.options.style;
         let mut places: Vec<(Point, Vec<usize>)> = Vec::new();
         for (k, c) in self.found.list.iter().enumerate() {
-            let Some(Spot::On(at)) = self.paper.spot(c).filter(|_| self.plate.shows(self.found, k)) else { continue };
+            let Some(CentreSpot::On(at)) = self.paper.spot(c).filter(|_| self.plate.shows(self.found, k)) else { continue };
             match places.iter_mut().find(|(p, _)| p.distance(at) < SAME_MM) {
                 Some((_, members)) => members.push(k),
                 None => places.push((at, vec![k])),
@@ -198,8 +198,8 @@ impl Over<'_, '_> {
         }
         for (at, members) in places {
             let of = |k: &usize| &self.found.list[*k];
-            let joint = members.iter().any(|k| matches!(of(k).step.how, How::Primary(Primary::Pin(_))));
-            let measured = members.iter().any(|k| of(k).step.how == How::Velocities);
+            let joint = members.iter().any(|k| matches!(of(k).step.how, CentreMethod::Primary(Primary::Pin(_))));
+            let measured = members.iter().any(|k| of(k).step.how == CentreMethod::Velocities);
             let names: Vec<String> = members.iter().map(|k| symbol(self.w.scene, of(k).step.pair)).collect();
             let name = of(&members[0]).step.pair.name(self.w.scene);
             let clear = if joint { style.pin_radius_mm } else { style.dot_radius_mm };
@@ -223,7 +223,7 @@ impl Over<'_, '_> {
             let clear = if measured { 2.0 * style.dot_radius_mm } else { clear };
             let request = LabelRequest::at_point(Label::math(names.join(", ")), style.small_mm, at, clear);
             self.d.label(&name, &class, request);
-            members.iter().for_each(|k| self.told[*k] = true);
+            members.iter().for_each(|k| self.labelled[*k] = true);
         }
     }
 
@@ -232,17 +232,17 @@ impl Over<'_, '_> {
     fn far(&mut self) {
         for k in 0..self.found.list.len() {
             let c = &self.found.list[k];
-            if self.told[k] || !self.plate.shows(self.found, k) {
+            if self.labelled[k] || !self.plate.shows(self.found, k) {
                 continue;
             }
             let Some(spot) = self.paper.spot(c) else { continue };
             let at = self.anchor(c).filter(|p| holds(self.paper.window, *p)).unwrap_or(self.paper.window.centre());
             let (from, to) = match spot {
-                Spot::Infinite(u) => {
+                CentreSpot::Infinite(u) => {
                     let up = if u.y >= 0.0 { u } else { -u };
                     (at, at + up * ARROW_MM)
                 }
-                Spot::On(p) | Spot::Off(p) => match self.to_edge(at, p) {
+                CentreSpot::On(p) | CentreSpot::Off(p) => match self.to_edge(at, p) {
                     Some(edge) => edge,
                     None => continue,
                 },
@@ -262,19 +262,19 @@ impl Over<'_, '_> {
     fn anchor(&self, c: &Centre) -> Option<Point> {
         let configuration = &self.found.worked.configuration;
         let at = match c.step.how {
-            How::Primary(Primary::Slide(g)) => match (self.w.scene.guides[g.0].pin, configuration.guides[g.0]?) {
+            CentreMethod::Primary(Primary::Slide(g)) => match (self.w.scene.guides[g.0].pin, configuration.guides[g.0]?) {
                 (Some(pin), _) => configuration.points[pin.0]?,
                 (None, Path::Line { through, .. }) => through,
                 (None, Path::Arc { centre, .. }) => centre,
             },
-            How::Primary(Primary::Cylinder(d)) => {
+            CentreMethod::Primary(Primary::Cylinder(d)) => {
                 let [a, b] = self.w.scene.drivers[d].kind.ends()?.map(|p| configuration.points[p.0]);
                 a? + (b? - a?) * 0.5
             }
-            How::Primary(Primary::Pin(p)) => configuration.points[p.0]?,
-            How::Primary(Primary::Strand(r)) => configuration.points[self.w.scene.rolling[r.0].round()?[0].0]?,
-            How::Primary(Primary::Contact(r)) => configuration.points[self.w.scene.rolling[r.0].at[0].0]?,
-            How::Lines(_) | How::Velocities => return None,
+            CentreMethod::Primary(Primary::Pin(p)) => configuration.points[p.0]?,
+            CentreMethod::Primary(Primary::Strand(r)) => configuration.points[self.w.scene.rolling[r.0].round()?[0].0]?,
+            CentreMethod::Primary(Primary::Contact(r)) => configuration.points[self.w.scene.rolling[r.0].at[0].0]?,
+            CentreMethod::Lines(_) | CentreMethod::Velocities => return None,
         };
         Some((self.paper.to_paper)(at))
     }

@@ -11,15 +11,15 @@ pub(super) mod rays;
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Point;
 use hodograph_board::plan::names::name_label;
-use hodograph_methods::centres::{Centres, How, Pair, centres};
+use hodograph_methods::centres::{CentreMethod, Centres, LinkPair, centres};
 use hodograph_scene::{DiagramKind, Scene};
 
-use rays::Plate;
+use rays::CentrePlate;
 
 use super::arrange::{AIM_MM, Tree};
-use super::list::{Entry, Pages, Wanted, page};
-use super::sheet::{MARGIN_MM, Maker};
-use hodograph_paper::paper::drawing::Part;
+use super::list::{FigureEntry, FigureInput, Pages, page};
+use super::sheet::{MARGIN_MM, SheetDrafter};
+use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::Figure;
 use hodograph_paper::paper::label::Label;
 
@@ -29,10 +29,10 @@ const MOST: usize = 12;
 const PER_PLATE: usize = 5;
 
 /// All centres with the circle diagram.
-pub const ENTRY: Entry =
-    Entry { name: "centres", about: ["The instantaneous centres, with the circle diagram", "速度瞬心及瞬心多边形"], draw };
+pub const ENTRY: FigureEntry =
+    FigureEntry { name: "centres", about: ["The instantaneous centres, with the circle diagram", "速度瞬心及瞬心多边形"], draw };
 
-fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let Warned { value: found, notes } = centres(w.scene)?;
     // The notes about the pose already appear with the scene's own questions.
     let notes = notes.into_iter().filter(|d| d.code.starts_with("centre-")).collect();
@@ -43,26 +43,26 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
 
 /// The mechanism with its centres within `reach_mm` around it, and the circle diagram. The class of
 /// each item of a centre names the centre's place in the order of finding (`step-2`).
-pub fn stepped(w: &Wanted, found: &Centres, reach_mm: f64) -> [Part; 2] {
+pub fn stepped(w: &FigureInput, found: &Centres, reach_mm: f64) -> [DrawingPart; 2] {
     [diagram::stepped(w, found, reach_mm), circle::stepped(w, found)]
 }
 
 /// The centres that are found by lines, in their order, with only as many per drawing as keep its
 /// lines distinct.
-fn plates(found: &Centres) -> Vec<Plate> {
-    let by_lines = |how: &How| matches!(how, How::Lines(_) | How::Velocities);
+fn plates(found: &Centres) -> Vec<CentrePlate> {
+    let by_lines = |how: &CentreMethod| matches!(how, CentreMethod::Lines(_) | CentreMethod::Velocities);
     // The list is in the order of finding.
     let order: Vec<usize> = (0..found.list.len()).filter(|k| by_lines(&found.list[*k].step.how)).collect();
     if order.len() <= MOST {
-        return vec![Plate::default()];
+        return vec![CentrePlate::default()];
     }
     let count = order.len().div_ceil(PER_PLATE);
-    order.chunks(order.len().div_ceil(count)).map(|c| Plate { found: Some(c.to_vec()) }).collect()
+    order.chunks(order.len().div_ceil(count)).map(|c| CentrePlate { found: Some(c.to_vec()) }).collect()
 }
 
 /// A page for each plate, and one for the circle diagram with the order of finding.
-fn parted(w: &Wanted, found: &Centres, plates: Vec<Plate>) -> Pages {
-    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+fn parted(w: &FigureInput, found: &Centres, plates: Vec<CentrePlate>) -> Pages {
+    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let words = maker.words();
     let (_, mu) = maker.caption(DiagramKind::Plane);
     let mut pages = Pages::new();
@@ -79,17 +79,18 @@ fn parted(w: &Wanted, found: &Centres, plates: Vec<Plate>) -> Pages {
     pages
 }
 
-fn described(mut figure: Figure, w: &Wanted, found: &Centres, title: &str) -> Figure {
+fn described(mut figure: Figure, w: &FigureInput, found: &Centres, title: &str) -> Figure {
     figure.desc = format!("{title} {}", hodograph_report::centres::places(found, w.options.lang));
     figure
 }
 
 /// The figure: both drawings side by side, or one below the other.
-fn figure(w: &Wanted, found: &Centres) -> Figure {
-    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+fn figure(w: &FigureInput, found: &Centres) -> Figure {
+    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let words = maker.words();
     let (_, mu) = maker.caption(DiagramKind::Plane);
-    let first = maker.titled(diagram::part(w, found, &Plate::default()), Label::text(format!("(a) {}", words.centres)), &mu, "centres");
+    let first =
+        maker.titled(diagram::part(w, found, &CentrePlate::default()), Label::text(format!("(a) {}", words.centres)), &mu, "centres");
     let second = maker.titled(circle::part(w, found), Label::text(format!("(b) {}", words.circle_diagram)), "", "circle");
     let mut parts = [first, second];
     let trees = [Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)])];
@@ -100,10 +101,10 @@ fn figure(w: &Wanted, found: &Centres) -> Figure {
     };
     let [row, column] = trees.each_ref().map(|t| fits(t.size(&parts)));
     trees[usize::from(column > row)].put(&mut parts, Point::ORIGIN);
-    described(maker.alone(Part::of(parts.into_iter().flat_map(|p| p.items).collect())), w, found, words.centres)
+    described(maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect())), w, found, words.centres)
 }
 
 /// The name of a centre in the label language: `P_{24}`.
-fn symbol(scene: &Scene, pair: Pair) -> String {
+fn symbol(scene: &Scene, pair: LinkPair) -> String {
     format!("P_{{{}}}", name_label(&pair.indices(scene)))
 }

@@ -5,7 +5,7 @@
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::Path;
-use hodograph_methods::centres::{Centre, Centres, Line, Origin, Place};
+use hodograph_methods::centres::{Centre, CentreLocus, CentrePlace, Centres, Origin};
 use hodograph_scene::GuideId;
 
 use hodograph_paper::paper::extent::Rect;
@@ -17,7 +17,7 @@ const BEYOND_MM: f64 = 4.0;
 
 /// A centre on paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Spot {
+pub enum CentreSpot {
     /// On the paper (mm).
     On(Point),
     /// In the plane, but off the paper (mm).
@@ -29,12 +29,12 @@ pub enum Spot {
 /// The centres that a drawing finds, by their indices in the list; all of them if there is only one
 /// drawing.
 #[derive(Clone, Debug, Default)]
-pub struct Plate {
+pub struct CentrePlate {
     /// The centres with their lines drawn, in the order of finding; `None` for all.
     pub found: Option<Vec<usize>>,
 }
 
-impl Plate {
+impl CentrePlate {
     /// True if the lines of a centre are drawn.
     pub fn finds(&self, k: usize) -> bool {
         self.found.as_ref().is_none_or(|all| all.contains(&k))
@@ -48,9 +48,9 @@ impl Plate {
         let serves = |f: &usize| match found.list[*f].origin {
             Some(Origin::Crossing(lines)) => {
                 let pair = found.list[*f].step.pair;
-                let through = |line: &Line| match line {
-                    Line::Through(link) => [pair.i, pair.j].iter().any(|l| found.closure.pair(*l, *link) == own),
-                    Line::Normal(_) | Line::Infinity => false,
+                let through = |line: &CentreLocus| match line {
+                    CentreLocus::Through(link) => [pair.i, pair.j].iter().any(|l| found.closure.pair(*l, *link) == own),
+                    CentreLocus::Normal(_) | CentreLocus::Infinity => false,
                 };
                 lines.iter().any(through)
             }
@@ -62,7 +62,7 @@ impl Plate {
 
 /// A line on paper.
 #[derive(Clone, Debug)]
-pub struct Ray {
+pub struct CentreRay {
     /// One end (mm).
     pub from: Point,
     /// The other end (mm).
@@ -72,12 +72,12 @@ pub struct Ray {
     /// The centre (index) that the line is first drawn for.
     pub by: usize,
     /// The ends with an arrow.
-    pub arrows: Vec<Arrow>,
+    pub arrows: Vec<RayArrow>,
 }
 
 /// The end of a line towards a centre off the paper.
 #[derive(Clone, Copy, Debug)]
-pub struct Arrow {
+pub struct RayArrow {
     /// The tip (mm).
     pub tip: Point,
     /// The last centre before the tip, or the start of the line (mm).
@@ -89,7 +89,7 @@ pub struct Arrow {
 }
 
 /// The paper with the centres.
-pub struct Paper<'a> {
+pub struct CentrePaper<'a> {
     /// The centres.
     pub found: &'a Centres,
     /// Maps the plane (m) to paper (mm).
@@ -98,21 +98,21 @@ pub struct Paper<'a> {
     pub window: Rect,
 }
 
-impl Paper<'_> {
+impl CentrePaper<'_> {
     /// Position of a centre on paper; `None` if it has no place.
-    pub fn spot(&self, c: &Centre) -> Option<Spot> {
+    pub fn spot(&self, c: &Centre) -> Option<CentreSpot> {
         Some(match c.place? {
-            Place::At(p) => {
+            CentrePlace::At(p) => {
                 let at = (self.to_paper)(p);
-                if holds(self.window, at) { Spot::On(at) } else { Spot::Off(at) }
+                if holds(self.window, at) { CentreSpot::On(at) } else { CentreSpot::Off(at) }
             }
-            Place::Infinity(u) => Spot::Infinite(u),
+            CentrePlace::Infinity(u) => CentreSpot::Infinite(u),
         })
     }
 
     /// All lines that find the centres of a plate, with the centres on them.
-    pub fn rays(&self, plate: &Plate) -> Vec<Ray> {
-        let mut lines: Vec<Drawn> = Vec::new();
+    pub fn rays(&self, plate: &CentrePlate) -> Vec<CentreRay> {
+        let mut lines: Vec<DrawnRay> = Vec::new();
         for (k, c) in self.found.list.iter().enumerate().filter(|(k, _)| plate.finds(*k)) {
             let Some(Origin::Crossing(pair)) = c.origin else { continue };
             for line in pair {
@@ -127,22 +127,22 @@ impl Paper<'_> {
     }
 
     /// A line of a centre, with the centres on it.
-    fn drawn(&self, k: usize, c: &Centre, line: Line) -> Option<Drawn> {
+    fn drawn(&self, k: usize, c: &Centre, line: CentreLocus) -> Option<DrawnRay> {
         let pair = c.step.pair;
         let index = |a, b| self.found.list.iter().position(|o| o.step.pair == self.found.closure.pair(a, b));
         match line {
-            Line::Through(link) => {
+            CentreLocus::Through(link) => {
                 let members = vec![index(pair.i, link)?, index(link, pair.j)?, k];
                 let finite = |k: &usize| match self.spot(&self.found.list[*k]) {
-                    Some(Spot::On(p) | Spot::Off(p)) => Some(p),
-                    Some(Spot::Infinite(_)) | None => None,
+                    Some(CentreSpot::On(p) | CentreSpot::Off(p)) => Some(p),
+                    Some(CentreSpot::Infinite(_)) | None => None,
                 };
                 // The two known centres define the direction.
                 let [a, b] = [members[0], members[1]];
                 let direction = match (finite(&a), finite(&b)) {
                     (Some(p), Some(q)) => q - p,
                     _ => [a, b].iter().find_map(|k| match self.spot(&self.found.list[*k]) {
-                        Some(Spot::Infinite(u)) => Some(u),
+                        Some(CentreSpot::Infinite(u)) => Some(u),
                         _ => None,
                     })?,
                 };
@@ -150,13 +150,13 @@ impl Paper<'_> {
                     let middle = self.window.centre();
                     p.distance(middle).total_cmp(&q.distance(middle))
                 })?;
-                Some(Drawn { through: nearest, along: direction.unit()?, members, normal: false, by: k })
+                Some(DrawnRay { through: nearest, along: direction.unit()?, members, normal: false, by: k })
             }
-            Line::Normal(g) => {
+            CentreLocus::Normal(g) => {
                 let [pin, along] = self.normal(g)?;
-                Some(Drawn { through: pin.to_point(), along, members: vec![k], normal: true, by: k })
+                Some(DrawnRay { through: pin.to_point(), along, members: vec![k], normal: true, by: k })
             }
-            Line::Infinity => None,
+            CentreLocus::Infinity => None,
         }
     }
 
@@ -172,7 +172,7 @@ impl Paper<'_> {
     }
 
     /// The visible part of a line, with its arrows.
-    fn ray(&self, line: &Drawn) -> Option<Ray> {
+    fn ray(&self, line: &DrawnRay) -> Option<CentreRay> {
         let [low, high] = clipped(self.window, line.through, line.along)?;
         let position = |p: Point| (p - line.through).dot(line.along);
         let (mut first, mut last) = if line.normal { (0.0, 0.0) } else { (f64::INFINITY, f64::NEG_INFINITY) };
@@ -180,9 +180,9 @@ impl Paper<'_> {
         let mut infinite = None;
         for k in &line.members {
             match self.spot(&self.found.list[*k])? {
-                Spot::On(p) => (first, last) = (first.min(position(p)), last.max(position(p))),
-                Spot::Off(p) => ends[usize::from(position(p) > 0.0)] = Some(*k),
-                Spot::Infinite(_) => infinite = Some(*k),
+                CentreSpot::On(p) => (first, last) = (first.min(position(p)), last.max(position(p))),
+                CentreSpot::Off(p) => ends[usize::from(position(p) > 0.0)] = Some(*k),
+                CentreSpot::Infinite(_) => infinite = Some(*k),
             }
         }
         if first > last {
@@ -197,17 +197,17 @@ impl Paper<'_> {
             if ends[1].is_some() { high } else { (last + BEYOND_MM).min(high) },
         );
         let at = |t: f64| line.through + line.along * t;
-        let measured = line.members.iter().copied().filter(|k| matches!(self.spot(&self.found.list[*k]), Some(Spot::On(_)))).min();
-        let arrow = |(k, tip, last): (Option<usize>, f64, f64)| Some(Arrow { tip: at(tip), last: at(last), to: k?, from: measured });
+        let measured = line.members.iter().copied().filter(|k| matches!(self.spot(&self.found.list[*k]), Some(CentreSpot::On(_)))).min();
+        let arrow = |(k, tip, last): (Option<usize>, f64, f64)| Some(RayArrow { tip: at(tip), last: at(last), to: k?, from: measured });
         // A line without a centre on the paper runs from edge to edge.
         let (before, behind) = if measured.is_some() || line.normal { (first, last) } else { (to, from) };
         let arrows = [(ends[0], from, before), (ends[1], to, behind)].into_iter().filter_map(arrow).collect();
-        (to > from).then(|| Ray { from: at(from), to: at(to), normal: line.normal, by: line.by, arrows })
+        (to > from).then(|| CentreRay { from: at(from), to: at(to), normal: line.normal, by: line.by, arrows })
     }
 }
 
 /// An infinite line.
-struct Drawn {
+struct DrawnRay {
     through: Point,
     along: Vec2,
     /// The centres on the line, as indices.
@@ -217,9 +217,9 @@ struct Drawn {
     by: usize,
 }
 
-impl Drawn {
+impl DrawnRay {
     /// True if both lines coincide on the paper.
-    fn is(&self, other: &Drawn, window: Rect) -> bool {
+    fn is(&self, other: &DrawnRay, window: Rect) -> bool {
         let Some([low, high]) = clipped(window, other.through, other.along) else { return false };
         [low, high].iter().all(|t| self.along.cross(other.through + other.along * *t - self.through).abs() < SAME_MM)
     }

@@ -1,10 +1,10 @@
 //! The lines that find Ball's point: rectangles on pole tangent and pole normal, the line through
 //! their corners, and its intersections.
 
-use super::construction::Over;
+use super::construction::CurvatureOverlay;
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_methods::curvature::drawing::{Ball, Rays};
-use hodograph_methods::curvature::plane::End;
+use hodograph_methods::curvature::drawing::{BallPoint, Rays};
+use hodograph_methods::curvature::plane::PlanePoint;
 use hodograph_paper::paper::item::Dash;
 use hodograph_scene::PointId;
 
@@ -22,15 +22,15 @@ pub(super) fn places(rays: &Rays) -> Vec<Point> {
     rectangles.chain([ball.crossing, ball.on_tangent, ball.at, rays.inflection]).collect()
 }
 
-impl Over<'_, '_> {
+impl CurvatureOverlay<'_, '_> {
     /// Draws the construction of Ball's point with the letters of its steps, if the paper holds all
     /// of it: lines that lead off the paper explain nothing.
-    pub(super) fn ball(&mut self, rays: &Rays, ball: &Ball) {
+    pub(super) fn ball(&mut self, rays: &Rays, ball: &BallPoint) {
         if !places(rays).iter().all(|p| self.board.holds(self.at(*p))) {
             return;
         }
         for (known, corner) in rays.known.iter().zip(ball.corners) {
-            let End::At(moving) = known.moving else { continue };
+            let PlanePoint::At(moving) = known.moving else { continue };
             let [on_tangent, corner, on_normal] = rectangle(rays, corner).map(|p| self.at(p));
             let moving = self.at(moving);
             self.chain("ball-perpendicular", &[on_tangent, moving, on_normal]);

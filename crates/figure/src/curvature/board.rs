@@ -5,7 +5,7 @@ use crate::centres::rays::{clipped, holds};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Shape, Stroke};
+use hodograph_paper::paper::item::{LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
@@ -22,7 +22,7 @@ const CHORD_MM: f64 = 1.0;
 const CHORDS: usize = 2000;
 
 /// Paper over a mechanism; all positions are in mm.
-pub struct Board<'a> {
+pub struct CurvatureBoard<'a> {
     /// The style of lines and labels.
     pub style: &'a Style,
     /// The drawing.
@@ -30,10 +30,10 @@ pub struct Board<'a> {
     /// The part of the paper that is used.
     pub window: Rect,
     /// Named places, drawn at the end.
-    spots: Vec<Spot>,
+    spots: Vec<NamedSpot>,
 }
 
-struct Spot {
+struct NamedSpot {
     name: String,
     label: Label,
     at: Point,
@@ -41,10 +41,10 @@ struct Spot {
     joint: bool,
 }
 
-impl<'a> Board<'a> {
+impl<'a> CurvatureBoard<'a> {
     /// Creates a board over a drawing.
-    pub fn new(style: &'a Style, d: Drawing, window: Rect) -> Board<'a> {
-        Board { style, d, window, spots: Vec::new() }
+    pub fn new(style: &'a Style, d: Drawing, window: Rect) -> CurvatureBoard<'a> {
+        CurvatureBoard { style, d, window, spots: Vec::new() }
     }
 
     /// True if the paper holds a point.
@@ -69,7 +69,7 @@ impl<'a> Board<'a> {
 
     /// Draws a line between two points behind the mechanism; returns its owner for labels (0 if
     /// `ends` is `None`).
-    pub fn line(&mut self, name: &str, class: &str, ends: Option<[Point; 2]>, stroke: Stroke) -> u32 {
+    pub fn line(&mut self, name: &str, class: &str, ends: Option<[Point; 2]>, stroke: LineStroke) -> u32 {
         let Some([from, to]) = ends else { return 0 };
         let mut owner = 0;
         self.d.behind(|d| owner = d.shape(name, class, Shape::Line { from, to, stroke }));
@@ -78,7 +78,7 @@ impl<'a> Board<'a> {
 
     /// Draws a circle as far as the paper holds it; returns a chord in the middle of its longest
     /// arc.
-    pub fn circle(&mut self, name: &str, class: &str, centre: Point, radius_mm: f64, stroke: Stroke) -> Option<(Point, Point)> {
+    pub fn circle(&mut self, name: &str, class: &str, centre: Point, radius_mm: f64, stroke: LineStroke) -> Option<(Point, Point)> {
         let mut longest: Option<(Point, Point)> = None;
         let arcs = arcs(self.window, centre, radius_mm);
         if arcs.is_empty() {
@@ -106,12 +106,12 @@ impl<'a> Board<'a> {
 
     /// Names a place; several names at one place share dot and label.
     pub fn spot(&mut self, name: &str, label: Label, at: Point, joint: bool) {
-        self.spots.push(Spot { name: name.to_owned(), label, at, joint });
+        self.spots.push(NamedSpot { name: name.to_owned(), label, at, joint });
     }
 
     /// Draws all named places on the paper.
     pub fn spots(&mut self) {
-        let mut places: Vec<(Point, Vec<Spot>)> = Vec::new();
+        let mut places: Vec<(Point, Vec<NamedSpot>)> = Vec::new();
         for spot in std::mem::take(&mut self.spots) {
             if !self.holds(spot.at) {
                 continue;
@@ -135,7 +135,7 @@ impl<'a> Board<'a> {
     }
 
     /// Draws the end of a line towards a place off the paper, with its name.
-    pub fn arrow(&mut self, name: &str, label: Label, from: Point, toward: Vec2, stroke: Stroke) {
+    pub fn arrow(&mut self, name: &str, label: Label, from: Point, toward: Vec2, stroke: LineStroke) {
         let Some(u) = toward.unit() else { return };
         let Some([_, high]) = clipped(self.window, from, u) else { return };
         let tip = from + u * high;

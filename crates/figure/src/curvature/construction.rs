@@ -5,29 +5,29 @@
 //! ruler finds no pole (a dead centre, parallel rays, too few known paths), pole, inflection circle
 //! and centres are at the places that the analysis computes, and the figure says so.
 
-use crate::list::Wanted;
+use crate::list::FigureInput;
 use crate::mechanism;
-use crate::sheet::Maker;
+use crate::sheet::SheetDrafter;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
-use hodograph_methods::curvature::drawing::{Drawing as Ruler, How, Rays};
-use hodograph_methods::curvature::known::Known;
+use hodograph_methods::curvature::drawing::{CurvatureDrawing as Ruler, RayMethod, Rays};
+use hodograph_methods::curvature::known::CurvatureRay;
 use hodograph_methods::curvature::motion::Bend;
-use hodograph_methods::curvature::plane::End;
-use hodograph_methods::curvature::{Curvature, OfLink};
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_methods::curvature::plane::PlanePoint;
+use hodograph_methods::curvature::{LinkCurvatures, OfLink};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, Shape, Stroke};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_report::curvature::Words;
+use hodograph_report::curvature::CurvatureWords;
 use hodograph_scene::{DiagramKind, Link, PointId};
 
 use super::ball;
-use super::board::Board;
+use super::board::CurvatureBoard;
 
 /// Distance around the mechanism within which places are drawn in position.
 const REACH_MM: f64 = 80.0;
@@ -52,9 +52,9 @@ const ROW_MM: f64 = 5.2;
 const GAP_MM: f64 = 9.0;
 
 /// Draws the figure of one link.
-pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Figure {
-    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
-    let words = Words { found, lang: w.options.lang };
+pub fn figure(w: &FigureInput, found: &LinkCurvatures, of: &OfLink) -> Figure {
+    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    let words = CurvatureWords { found, lang: w.options.lang };
     let (_, mu) = maker.caption(DiagramKind::Plane);
     let caption = Label::text(format!("{} – ", maker.words().curvature)).then(words.heading_set(of).label());
     let mut drawing = maker.titled(part(w, &words, of), caption, &mu, "curvature");
@@ -63,14 +63,14 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Figure {
     below.stand_at(Point::new((drawing.bounds.width_mm() - below.bounds.width_mm()).max(0.0) / 2.0, drawing.bounds.min.y - GAP_MM));
     let shift = (below.bounds.width_mm() - drawing.bounds.width_mm()).max(0.0) / 2.0;
     drawing.translate(Vec2::new(shift, 0.0));
-    let mut figure = maker.alone(Part::of(drawing.items.into_iter().chain(below.items).collect()));
+    let mut figure = maker.alone(DrawingPart::of(drawing.items.into_iter().chain(below.items).collect()));
     let told = words.values(of).iter().map(|r| r.join(" ")).collect::<Vec<_>>();
     figure.desc = format!("{}. {}", words.heading(of), told.join("; "));
     figure
 }
 
 /// Steps and values as wrapped text.
-fn text(w: &Wanted, words: &Words, of: &OfLink) -> Part {
+fn text(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> DrawingPart {
     let style = &w.options.style;
     let mut lines: Vec<Label> = Vec::new();
     let mut add = |phrase: &Phrase| lines.extend(wrapped(phrase, TEXT_MM, style.small_mm, &style.fonts));
@@ -88,11 +88,11 @@ fn text(w: &Wanted, words: &Words, of: &OfLink) -> Part {
             Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: "remark".into(), id: format!("curvature-line-{}", k + 1) };
         Row { cells: vec![Some(cell)], height_mm: ROW_MM }
     };
-    Part::of(grid::set(&lines.into_iter().enumerate().map(row).collect::<Vec<_>>(), 0.0))
+    DrawingPart::of(grid::set(&lines.into_iter().enumerate().map(row).collect::<Vec<_>>(), 0.0))
 }
 
 /// The drawing.
-fn part(w: &Wanted, words: &Words, of: &OfLink) -> Part {
+fn part(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> DrawingPart {
     let diagram = &w.worked.construction.diagram;
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let mut d = mechanism::numbered(&w.options.style, w.scene, w.worked, &w.options.notation);
@@ -107,22 +107,22 @@ fn part(w: &Wanted, words: &Words, of: &OfLink) -> Part {
     let to_ball = if to_ball.iter().all(within) { to_ball } else { Vec::new() };
     let near = places(of).into_iter().map(to_paper).filter(within).chain(to_ball);
     let window = near.fold(lines, |all, p| all.union(Rect::new(p, p))).grown(EDGE_MM);
-    let board = Board::new(&w.options.style, d, window);
-    let mut over = Over { w, words, of, to_paper: &to_paper, board, thin: w.options.style.thin.coloured(LINES) };
+    let board = CurvatureBoard::new(&w.options.style, d, window);
+    let mut over = CurvatureOverlay { w, words, of, to_paper: &to_paper, board, thin: w.options.style.thin.coloured(LINES) };
     over.everything();
     over.board.d.finish()
 }
 
 /// In a large mechanism keeps only the names that the construction uses: the link, its joints, and
 /// the links that hold them.
-fn only_named_what_is_used(w: &Wanted, of: &OfLink, d: &mut Drawing) {
+fn only_named_what_is_used(w: &FigureInput, of: &OfLink, d: &mut Drawing) {
     let scene = w.scene;
     let rays = match &of.drawing {
         Ruler::Rays(rays) => rays.known.to_vec(),
         Ruler::Parallel(known) | Ruler::OneLine(known) => known.to_vec(),
         Ruler::Rolling(_) | Ruler::Hinge(_) | Ruler::NoRays => Vec::new(),
     };
-    let places: Vec<Point> = rays.iter().flat_map(|k| [k.moving, k.fixed]).filter_map(End::at).collect();
+    let places: Vec<Point> = rays.iter().flat_map(|k| [k.moving, k.fixed]).filter_map(PlanePoint::at).collect();
     let placed = |p: PointId| w.worked.configuration.points[p.0].is_some_and(|at| places.iter().any(|q| q.distance(at) < SAME_M));
     let on_link = |p: &PointId| scene.links[of.link.0].points.contains(p);
     let points: Vec<PointId> = (0..scene.points.len()).map(PointId).filter(|p| on_link(p) || placed(*p)).collect();
@@ -141,8 +141,8 @@ fn places(of: &OfLink) -> Vec<Point> {
     let mut out = Vec::new();
     if let Ruler::Rays(rays) = &of.drawing {
         out.extend(rays.straight);
-        out.extend(rays.collineation.and_then(End::at));
-        out.extend(rays.known.iter().flat_map(|k| [k.moving, k.fixed]).filter_map(End::at));
+        out.extend(rays.collineation.and_then(PlanePoint::at));
+        out.extend(rays.known.iter().flat_map(|k| [k.moving, k.fixed]).filter_map(PlanePoint::at));
     }
     if let Some(pole) = of.shown() {
         out.extend([pole.pole, pole.inflection_pole(), pole.acceleration_pole]);
@@ -153,16 +153,16 @@ fn places(of: &OfLink) -> Vec<Point> {
 }
 
 /// The construction under way over the mechanism.
-pub(super) struct Over<'a, 'b> {
-    w: &'a Wanted<'a>,
-    pub(super) words: &'a Words<'b>,
+pub(super) struct CurvatureOverlay<'a, 'b> {
+    w: &'a FigureInput<'a>,
+    pub(super) words: &'a CurvatureWords<'b>,
     of: &'a OfLink,
     to_paper: &'a dyn Fn(Point) -> Point,
-    pub(super) board: Board<'a>,
-    pub(super) thin: Stroke,
+    pub(super) board: CurvatureBoard<'a>,
+    pub(super) thin: LineStroke,
 }
 
-impl Over<'_, '_> {
+impl CurvatureOverlay<'_, '_> {
     fn everything(&mut self) {
         match &self.of.drawing {
             Ruler::Rays(rays) => self.rays(rays),
@@ -208,7 +208,7 @@ impl Over<'_, '_> {
         self.board.line(name, "curvature line", cut, self.thin)
     }
 
-    fn ray_alone(&mut self, k: &Known) {
+    fn ray_alone(&mut self, k: &CurvatureRay) {
         let (Some(through), Some(along)) = (k.ray().through, k.ray().unit()) else { return };
         let across = self.board.across(self.at(through), along);
         self.board.line("ray", "curvature line", across, self.thin);
@@ -223,50 +223,53 @@ impl Over<'_, '_> {
             let known = &rays.known[k];
             let straight = self.at(rays.straight[k]);
             let on: Vec<Point> =
-                [known.moving, known.fixed].into_iter().filter_map(End::at).map(|p| self.at(p)).chain([pole, straight]).collect();
+                [known.moving, known.fixed].into_iter().filter_map(PlanePoint::at).map(|p| self.at(p)).chain([pole, straight]).collect();
             self.chain("ray", &on);
             if !stands {
                 let cut = self.board.cut(straight, j);
                 self.board.line("perpendicular", "curvature line", cut, self.thin.dashed(Dash::DashDot));
-                if rays.how[k] != How::Given {
+                if rays.how[k] != RayMethod::Given {
                     self.spot(&self.words.straight(known), straight);
                 }
             }
             if known.why.moving().is_some()
                 && known.why.fixed().is_none()
-                && let (End::At(c), Some(p)) = (known.fixed, known.why.moving())
+                && let (PlanePoint::At(c), Some(p)) = (known.fixed, known.why.moving())
             {
                 self.spot(&self.words.centre(p), self.at(c));
             }
         }
         let Some(q) = rays.collineation else { return };
         let [b, c] = &rays.known;
-        if let End::At(q) = q {
+        if let PlanePoint::At(q) = q {
             let q = self.at(q);
             for pair in [[b.moving, c.moving], [b.fixed, c.fixed]] {
-                let on: Vec<Point> = pair.into_iter().filter_map(End::at).map(|p| self.at(p)).chain([q]).collect();
+                let on: Vec<Point> = pair.into_iter().filter_map(PlanePoint::at).map(|p| self.at(p)).chain([q]).collect();
                 self.chain("collineation", &on);
             }
             self.spot(self.words.on_axis(), q);
         }
-        let helpers: Vec<Point> =
-            rays.how.iter().filter_map(|h| if let How::Collineation(End::At(q)) = h { Some(self.at(*q)) } else { None }).collect();
+        let helpers: Vec<Point> = rays
+            .how
+            .iter()
+            .filter_map(|h| if let RayMethod::Collineation(PlanePoint::At(q)) = h { Some(self.at(*q)) } else { None })
+            .collect();
         let axis: Vec<Point> = q.at().map(|q| self.at(q)).into_iter().chain(helpers.iter().copied()).chain([pole]).collect();
         self.chain("axis", &axis);
         for k in [0, 1] {
-            let How::Collineation(helper) = rays.how[k] else { continue };
+            let RayMethod::Collineation(helper) = rays.how[k] else { continue };
             let other = &rays.known[1 - k];
-            let End::At(helper) = helper else {
-                if let End::At(b) = other.moving {
+            let PlanePoint::At(helper) = helper else {
+                if let PlanePoint::At(b) = other.moving {
                     self.chain("join", &[self.at(b), self.at(rays.straight[k])]);
                 }
                 continue;
             };
             let helper = self.at(helper);
-            if let End::At(a) = other.fixed {
+            if let PlanePoint::At(a) = other.fixed {
                 self.chain("parallel", &[self.at(a), helper]);
             }
-            if let End::At(b) = other.moving {
+            if let PlanePoint::At(b) = other.moving {
                 self.chain("join", &[self.at(b), helper, self.at(rays.straight[k])]);
             }
             self.spot(&format!("{}_{{{}}}", self.words.on_axis(), 2 - k), helper);
@@ -274,7 +277,7 @@ impl Over<'_, '_> {
     }
 
     /// Draws inflection circle, pole tangent and normal, Bresse's circle, and the poles.
-    fn circles(&mut self, pole: hodograph_methods::curvature::motion::Turning) {
+    fn circles(&mut self, pole: hodograph_methods::curvature::motion::PoleMotion) {
         let style = self.board.style;
         let mu = self.w.worked.construction.diagram.mu;
         let (at, j) = (self.at(pole.pole), self.at(pole.inflection_pole()));
@@ -288,7 +291,7 @@ impl Over<'_, '_> {
             return;
         }
         let normal = pole.normal * (1.0 / mu);
-        let circle = Stroke { width_mm: style.outline.width_mm, ..style.outline };
+        let circle = LineStroke { width_mm: style.outline.width_mm, ..style.outline };
         let arc = self.board.circle("inflection-circle", "curvature inflection", at + normal * 0.5, normal.norm() / 2.0, circle);
         if let Some((from, to)) = arc {
             let label = Label::math(self.words.letter("w", self.of));
@@ -375,7 +378,7 @@ impl Over<'_, '_> {
             let centre = self.at(centre);
             self.chain("ray", &[e, p, centre]);
             if let (Some(drawn), false) = (q.drawn, pole.stands())
-                && let End::At(h) = drawn.helper
+                && let PlanePoint::At(h) = drawn.helper
             {
                 let h = self.at(h);
                 // Only if the paper holds it: a distant auxiliary point explains nothing.

@@ -6,21 +6,21 @@
 //! that each branch reaches the edge of the paper.
 
 use crate::centres::rays::{clipped, holds};
-use crate::list::Wanted;
+use crate::list::FigureInput;
 use crate::mechanism;
-use crate::sheet::Maker;
+use crate::sheet::SheetDrafter;
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2, cross_lines};
-use hodograph_methods::curvature::centrodes::{STEPS, Station, centrodes};
-use hodograph_methods::curvature::{Curvature, OfLink};
+use hodograph_methods::curvature::centrodes::{PoleStation, STEPS, centrodes};
+use hodograph_methods::curvature::{LinkCurvatures, OfLink};
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Dash, Figure, Shape, Stroke};
+use hodograph_paper::paper::item::{Dash, Figure, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_report::curvature::Words;
+use hodograph_report::curvature::CurvatureWords;
 use hodograph_scene::{DiagramKind, Lang};
 
-use super::board::Board;
+use super::board::CurvatureBoard;
 use std::f64::consts::TAU;
 
 /// Space around the mechanism for the branches.
@@ -38,7 +38,7 @@ const PARTS: usize = 8;
 const ROOM_MM: f64 = 8.0;
 
 /// A kind of path: its name, the numerator of its places, and its stroke.
-type Kind = (&'static str, fn(&Station) -> Vec2, Stroke);
+type PathStyle = (&'static str, fn(&PoleStation) -> Vec2, LineStroke);
 
 /// A part of a path with space for the path's name: the part nearest to its first third that is
 /// [`ROOM_MM`] from everything `around`, or else the part farthest from it. `None` for a path of
@@ -57,10 +57,10 @@ fn free_part(path: &[Point], around: &[Point]) -> Option<(Point, Point)> {
 }
 
 /// Draws the figure of one link.
-pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faults> {
+pub fn figure(w: &FigureInput, found: &LinkCurvatures, of: &OfLink) -> Result<Figure, Faults> {
     let paths = centrodes(&found.scene, &found.worked, of.link, found.against, STEPS)?;
-    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
-    let words = Words { found, lang: w.options.lang };
+    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    let words = CurvatureWords { found, lang: w.options.lang };
     let (style, diagram) = (&w.options.style, &w.worked.construction.diagram);
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let d = mechanism::rolling(style, w.scene, w.worked, &w.options.notation, [of.link, found.against]);
@@ -70,9 +70,9 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     let reach = if whole.width_mm().max(whole.height_mm()) < WHOLE_MM { whole } else { d.bounds().grown(REACH_MM) };
     let now = of.pole().map(|p| to_paper(p.pole)).filter(|p| holds(d.bounds().grown(2.0 * REACH_MM), *p));
     let window = all().filter(|p| holds(reach, *p)).chain(now).fold(d.bounds(), |all, p| all.union(Rect::new(p, p))).grown(3.0);
-    let mut board = Board::new(style, d, window);
+    let mut board = CurvatureBoard::new(style, d, window);
     let pins: Vec<Point> = w.worked.configuration.points.iter().flatten().map(|p| to_paper(*p)).collect();
-    let kinds: [Kind; 2] = [("fixed", |s| s.fixed, style.vector), ("moving", |s| s.moving, style.vector.dashed(Dash::Dashed))];
+    let kinds: [PathStyle; 2] = [("fixed", |s| s.fixed, style.vector), ("moving", |s| s.moving, style.vector.dashed(Dash::Dashed))];
     let [(_, fixed, _), (_, moving, _)] = kinds;
     for (name, over, stroke) in kinds {
         let (symbol, another) = if name == "fixed" { ("p", moving) } else { ("p'", fixed) };

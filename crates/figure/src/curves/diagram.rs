@@ -5,7 +5,7 @@ use hodograph_base::notation::Notation;
 use hodograph_report::amount::symbol;
 use hodograph_scene::quantity::Of;
 use hodograph_scene::{Asked, DiagramKind, Kind, Scene, Swept};
-use hodograph_sweep::{Placed, Table, of_values, zoom};
+use hodograph_sweep::{PlacedScene, Table, of_values, zoom};
 use std::f64::consts::TAU;
 
 /// The degree, upright in the label language: its axes have special tick steps.
@@ -15,7 +15,7 @@ pub(super) const DEGREE: &str = "\\degree";
 const ZERO: f64 = 1e-6;
 /// One line of a diagram.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
+pub struct DiagramCurve {
     /// The symbol, in the label language.
     pub symbol: String,
     /// The values in the unit of the panel, one for each place of the driver.
@@ -32,7 +32,7 @@ pub struct Panel {
     /// The unit, in the label language.
     pub unit: String,
     /// The curves.
-    pub curves: Vec<Curve>,
+    pub curves: Vec<DiagramCurve>,
 }
 
 impl Panel {
@@ -42,7 +42,7 @@ impl Panel {
         if let [one] = &self.curves[..] {
             return one.symbol.clone();
         }
-        let letter = |c: &Curve| c.symbol.trim_matches('|').split(['_', '^']).next().unwrap_or_default().to_owned();
+        let letter = |c: &DiagramCurve| c.symbol.trim_matches('|').split(['_', '^']).next().unwrap_or_default().to_owned();
         let mut letters: Vec<String> = Vec::new();
         for found in self.curves.iter().map(letter) {
             if !letters.contains(&found) {
@@ -55,7 +55,7 @@ impl Panel {
 
 /// The content of a diagram.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Diagram {
+pub struct CurveDiagram {
     /// The driver's symbol and unit, in the label language.
     pub driver: [String; 2],
     /// The driver's places, increasing; a step longer than the usual one is a gap without values.
@@ -64,16 +64,16 @@ pub struct Diagram {
     pub panels: Vec<Panel>,
 }
 
-impl Diagram {
+impl CurveDiagram {
     /// True if there is nothing to draw.
     pub fn is_empty(&self) -> bool {
         self.panels.is_empty()
     }
 
-    /// Returns the answers of a sweep of one driver: see [`Diagram::swept`].
-    pub fn of(placed: &Placed, driver: usize, table: &Table, notation: &Notation) -> Diagram {
+    /// Returns the answers of a sweep of one driver: see [`CurveDiagram::swept`].
+    pub fn of(placed: &PlacedScene, driver: usize, table: &Table, notation: &Notation) -> CurveDiagram {
         let swept_at = |values| of_values(placed, driver, values);
-        Diagram::swept(placed.scene, Swept::Driver(driver), table, &swept_at, notation)
+        CurveDiagram::swept(placed.scene, Swept::Driver(driver), table, &swept_at, notation)
     }
 
     /// Returns the answers of a sweep of one driver, or of time, with a panel each for
@@ -81,7 +81,13 @@ impl Diagram {
     /// accelerations. A vector that is parallel to one axis throughout (a slider's) is shown with
     /// its sign, any other by its magnitude. `swept_at` sweeps other values, for the extremes
     /// between those of the table.
-    pub fn swept(scene: &Scene, swept: Swept, table: &Table, swept_at: &dyn Fn(Vec<f64>) -> Option<Table>, notation: &Notation) -> Diagram {
+    pub fn swept(
+        scene: &Scene,
+        swept: Swept,
+        table: &Table,
+        swept_at: &dyn Fn(Vec<f64>) -> Option<Table>,
+        notation: &Notation,
+    ) -> CurveDiagram {
         let column = |name: &str| table.column(name).map(|c| c.values.clone());
         let first = table.columns.first();
         let (named, moves) = swept_symbol(scene, swept);
@@ -126,7 +132,7 @@ impl Diagram {
                 if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs() {
                     extremes.pop();
                 }
-                let curve = Curve { symbol: named, values: shown, extremes, link: link(scene, &find.what) };
+                let curve = DiagramCurve { symbol: named, values: shown, extremes, link: link(scene, &find.what) };
                 match panels.iter_mut().find(|(o, _)| *o == order) {
                     Some((_, panel)) => panel.curves.push(curve),
                     None => panels.push((order, Panel { unit: unit.clone(), curves: vec![curve] })),
@@ -134,7 +140,7 @@ impl Diagram {
             }
         }
         panels.sort_by_key(|p| p.0);
-        Diagram { driver: [named, driver_unit], places, panels: panels.into_iter().map(|p| p.1).collect() }
+        CurveDiagram { driver: [named, driver_unit], places, panels: panels.into_iter().map(|p| p.1).collect() }
     }
 }
 

@@ -8,14 +8,14 @@
 mod diagram;
 mod polar;
 
-pub use diagram::{Curve, Diagram, Panel};
+pub use diagram::{CurveDiagram, DiagramCurve, Panel};
 pub use polar::polar;
 
-use super::plot::{Axis, Plot, over};
+use super::plot::{Plot, PlotAxis, over};
 use diagram::DEGREE;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, Item, Shape};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{formula, tr};
 use hodograph_paper::paper::place::LabelRequest;
@@ -47,21 +47,21 @@ const A4_MM: [f64; 2] = [210.0, 297.0];
 const ON_A4: usize = 3;
 
 /// Draws a diagram as one figure, all panels one above the other.
-pub fn figure(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Figure {
+pub fn figure(scene: &Scene, diagram: &CurveDiagram, style: &Style, lang: Lang) -> Figure {
     let n = diagram.panels.len().max(1) as f64;
     let size_mm = [LEFT_MM + PLOT_MM[0] + RIGHT_MM, ABOVE_MM + n * PLOT_MM[1] + (n - 1.0) * BETWEEN_MM + BELOW_MM];
     page(scene, diagram, &diagram.panels, size_mm, style, lang)
 }
 
 /// Draws a diagram as pages of A4, three panels on each.
-pub fn pages(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Vec<Figure> {
+pub fn pages(scene: &Scene, diagram: &CurveDiagram, style: &Style, lang: Lang) -> Vec<Figure> {
     diagram.panels.chunks(ON_A4).map(|panels| page(scene, diagram, panels, A4_MM, style, lang)).collect()
 }
 
 /// Draws some panels of a diagram one above the other, below a title.
-fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm]: [f64; 2], style: &Style, lang: Lang) -> Figure {
+fn page(scene: &Scene, diagram: &CurveDiagram, panels: &[Panel], [width_mm, height_mm]: [f64; 2], style: &Style, lang: Lang) -> Figure {
     let left_mm = LEFT_MM + (width_mm - LEFT_MM - PLOT_MM[0] - RIGHT_MM) / 2.0;
-    let x = Axis::of(&diagram.places, diagram.driver[1] == DEGREE, 12);
+    let x = PlotAxis::of(&diagram.places, diagram.driver[1] == DEGREE, 12);
     let title = scene.title.get(lang);
     let heading = if title.is_empty() { tr(lang, "Motion", "运动线图").to_owned() } else { title.to_owned() };
     let mut items = Vec::new();
@@ -72,7 +72,7 @@ fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm
         anchor: Anchor::Middle,
         colour: Colour::BLACK,
     };
-    items.push(Item::new("title", title));
+    items.push(FigureItem::new("title", title));
     let mut said = Vec::new();
     for (k, panel) in panels.iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
@@ -84,7 +84,7 @@ fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm
         if lo.max(-hi) < ZERO_NEAR * (hi - lo) {
             values.push(0.0);
         }
-        let y = Axis::of(&values, panel.unit == DEGREE, 6);
+        let y = PlotAxis::of(&values, panel.unit == DEGREE, 6);
         let mut plot = Plot::new(format!("panel-{k}"), style, frame, [x.clone(), y]);
         let last = k + 1 == panels.len();
         let [driver, unit] = &diagram.driver;
@@ -102,7 +102,7 @@ fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm
 }
 
 /// Draws lines with their names, and their extremes with their values.
-fn curves(plot: &mut Plot, panel: &Panel, diagram: &Diagram, said: &mut Vec<String>) {
+fn curves(plot: &mut Plot, panel: &Panel, diagram: &CurveDiagram, said: &mut Vec<String>) {
     let (style, places) = (plot.style, &diagram.places);
     let usual = places.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
     // A value that several curves share at one point is written once.

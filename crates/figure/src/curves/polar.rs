@@ -12,8 +12,8 @@ use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::notation::Notation;
 use hodograph_board::construct::scale;
-use hodograph_paper::paper::drawing::Part;
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph_paper::paper::drawing::DrawingPart;
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::shown::question_id;
@@ -85,7 +85,7 @@ pub fn polar(scene: &Scene, swept: Swept, table: &Table, style: &Style, notation
     let line = |id: &str, label: Label, size_mm: f64| {
         let label = label.in_fonts(&style.fonts);
         let shape = Shape::Label { at: Point::ORIGIN, label, size_mm, anchor: Anchor::Start, colour: Colour::BLACK };
-        Part::of(vec![Item::new(id, shape).with_id(id)])
+        DrawingPart::of(vec![FigureItem::new(id, shape).with_id(id)])
     };
     let heading = scene.title.get(lang);
     let count = drawings.len();

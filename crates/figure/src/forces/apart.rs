@@ -1,14 +1,14 @@
 //! Draws the links of a group apart, with the forces and couples on them and the arms of the
 //! moments.
 
-use super::Page;
+use super::ForcePage;
 use crate::mechanism::{self, special::REACH};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construction::{MarkId, Op};
-use hodograph_board::equilibrium::{About, Act, Gives, GroupForces, Moments, Part as Which, Side, Term};
+use hodograph_board::equilibrium::{About, Act, ForceEdge, ForceTerm, GroupForces, MomentResult, Moments, ReactionComponent as Which};
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::drawing::Drawing;
-use hodograph_paper::paper::item::{Colour, Dash, Item, Shape};
+use hodograph_paper::paper::item::{Colour, Dash, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
@@ -28,25 +28,25 @@ const FARTHEST_MM: f64 = 45.0;
 /// Colour of the links in the background of the forces.
 const LINKS: Colour = Colour::grey(150);
 
-impl Page<'_> {
+impl ForcePage<'_> {
     pub(super) fn apart(&self, group: &GroupForces) -> Drawing {
         let maker = self.maker;
         let style = Style { link: self.style().link.coloured(LINKS), ..self.style().clone() };
         let mut d = mechanism::links(&style, maker.scene, maker.worked, &maker.options.notation, &group.links);
         let largest = group.sides.iter().filter_map(|s| self.of.force(s.vector)).map(Vec2::norm).fold(0.0, f64::max);
         let before: Vec<(usize, &Moments)> =
-            group.moments.iter().enumerate().filter(|(_, m)| !matches!(m.gives, Gives::Offset(_))).collect();
+            group.moments.iter().enumerate().filter(|(_, m)| !matches!(m.gives, MomentResult::Offset(_))).collect();
         for (k, (index, moments)) in before.iter().enumerate() {
             // A force has one arm in the drawing, with the first moment equation that contains it.
-            let has_arm = |term: Term| before[..k].iter().any(|(_, m)| m.of.iter().any(|(own, ..)| *own == term));
+            let has_arm = |term: ForceTerm| before[..k].iter().any(|(_, m)| m.of.iter().any(|(own, ..)| *own == term));
             let step = self.step(group, |act| *act == Act::Moments(*index));
             self.arms(&mut d, moments, has_arm, &step);
         }
         // Both components of a reaction are drawn where they are found.
-        let own = |s: &&Side| match s.term {
-            Term::Load(k) => group.links.contains(&self.of.loads[k].link),
+        let own = |s: &&ForceEdge| match s.term {
+            ForceTerm::Load(k) => group.links.contains(&self.of.loads[k].link),
             // The path of a wheel presses on the link that carries the wheel's centre.
-            Term::Reaction { of, .. } => !matches!(of, hodograph_board::equilibrium::Party::Link(l) if group.links.contains(&l)),
+            ForceTerm::Reaction { of, .. } => !matches!(of, hodograph_board::equilibrium::Party::Link(l) if group.links.contains(&l)),
         };
         for side in group.sides.iter().filter(own) {
             self.side(&mut d, side, largest, &self.known_at(group, side));
@@ -60,7 +60,7 @@ impl Page<'_> {
             self.couple(&mut d, k, centre, load.wrench.couple);
         }
         for (index, m) in group.moments.iter().enumerate() {
-            if let Gives::Driver(driver) = m.gives {
+            if let MomentResult::Driver(driver) = m.gives {
                 let value = self.of.drawn.number(m.value).unwrap_or(0.0);
                 let rubs = |f: &Friction| matches!(f.at, Rub::Pin { point, .. } if About::Point(point) == m.about);
                 let radius_mm = COUPLE_MM + if maker.scene.loads.friction.iter().any(rubs) { 3.0 } else { 0.0 };
@@ -77,10 +77,10 @@ impl Page<'_> {
 
     /// The class of the step after which a force is known: its moment equation, or its measurement.
     /// Loads and the reactions of earlier groups are known from the start.
-    fn known_at(&self, group: &GroupForces, side: &Side) -> String {
+    fn known_at(&self, group: &GroupForces, side: &ForceEdge) -> String {
         self.step(group, |act| match act {
             Act::Moments(k) => {
-                matches!(group.moments[*k].gives, Gives::Force(term, _) | Gives::Trial { force: term, .. } if term == side.term)
+                matches!(group.moments[*k].gives, MomentResult::Force(term, _) | MomentResult::Trial { force: term, .. } if term == side.term)
             }
             Act::Read(own) => own.vector == side.vector,
             Act::Free | Act::Friction | Act::Lay(_) | Act::Cross(_) => false,
@@ -96,11 +96,11 @@ impl Page<'_> {
 
     /// The point at which a force of a guide acts, at distance h from its pin; or the pin and the
     /// couple about it if that distance is too large.
-    fn on_line(&self, side: &Side) -> Option<(Point, f64)> {
+    fn on_line(&self, side: &ForceEdge) -> Option<(Point, f64)> {
         let at = self.place(side.at)?;
         let at_point = Some((at, 0.0));
         let scene = self.maker.scene;
-        let Term::Reaction { of: hodograph_board::equilibrium::Party::Link(by), on, .. } = side.term else { return at_point };
+        let ForceTerm::Reaction { of: hodograph_board::equilibrium::Party::Link(by), on, .. } = side.term else { return at_point };
         let joins = |g: &Guide| {
             let straight = matches!(g.path, GuidePath::Line { .. });
             straight && g.slider.is_some_and(|s| [s, g.on] == [on, by] || [s, g.on] == [by, on])
@@ -115,7 +115,7 @@ impl Page<'_> {
         Some(if offset_mm.norm() > FARTHEST_MM { (at, couple) } else { (at + offset_mm, 0.0) })
     }
 
-    fn side(&self, d: &mut Drawing, side: &Side, largest: f64, step: &str) {
+    fn side(&self, d: &mut Drawing, side: &ForceEdge, largest: f64, step: &str) {
         let (Some((at, couple)), Some(force)) = (self.on_line(side), self.of.force(side.vector)) else { return };
         if force.norm() <= NO_FORCE * largest {
             return;
@@ -129,7 +129,7 @@ impl Page<'_> {
 
     /// Draws a force at a point, as an arrow with a length that grows with its part of the largest
     /// force.
-    pub(super) fn force(&self, d: &mut Drawing, (term, class): (Term, &str), at: Point, force: Vec2, largest: f64) {
+    pub(super) fn force(&self, d: &mut Drawing, (term, class): (ForceTerm, &str), at: Point, force: Vec2, largest: f64) {
         let style = self.style();
         let (size, Some(u)) = (force.norm(), force.unit()) else { return };
         if size <= NO_FORCE * largest {
@@ -141,7 +141,7 @@ impl Page<'_> {
         // The arrow ends at its point (pushing), or starts there (pulling) if it then covers less
         // of the drawing.
         let (pressing, pulling) = ([at - u * (length + 1.0), at - u], [at + u, at + u * (length + 1.0)]);
-        let met = |ends: [Point; 2]| d.met_by(&[Item::new("", arrow(ends[0], ends[1]))], 1.0);
+        let met = |ends: [Point; 2]| d.met_by(&[FigureItem::new("", arrow(ends[0], ends[1]))], 1.0);
         let presses = met(pressing) <= met(pulling);
         let [from, to] = if presses { pressing } else { pulling };
         let class = &if presses { class.to_owned() } else { format!("{class} pulling") };
@@ -154,7 +154,7 @@ impl Page<'_> {
     pub(super) fn couple(&self, d: &mut Drawing, load: usize, at: Option<PointId>, value: f64) {
         let symbol = self.w.couple_of(load);
         if let Some(at) = at {
-            self.bent(d, (&format!("of-{}", self.key(Term::Load(load))), "couple"), &symbol, (at, COUPLE_MM), value);
+            self.bent(d, (&format!("of-{}", self.key(ForceTerm::Load(load))), "couple"), &symbol, (at, COUPLE_MM), value);
         }
     }
 
@@ -180,7 +180,7 @@ impl Page<'_> {
         let style = self.style();
         let Some(centre) = self.place(about).filter(|_| value != 0.0) else { return };
         let [from_rad, to_rad] = if value > 0.0 { [-0.6, 2.4] } else { [3.74, 0.74] };
-        let stroke = hodograph_paper::paper::item::Stroke { width_mm: style.vector.width_mm * 0.8, ..style.vector };
+        let stroke = hodograph_paper::paper::item::LineStroke { width_mm: style.vector.width_mm * 0.8, ..style.vector };
         let shape = Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head: style.head };
         let owner = d.shape(&format!("couple-{key}"), class, shape);
         let tip = centre + Vec2::from_angle(0.5 * (from_rad + to_rad)) * radius_mm;
@@ -219,7 +219,7 @@ impl Page<'_> {
     }
 
     /// Draws lines of action with their arms about a point.
-    fn arms(&self, d: &mut Drawing, moments: &Moments, has_arm: impl Fn(Term) -> bool, step: &str) {
+    fn arms(&self, d: &mut Drawing, moments: &Moments, has_arm: impl Fn(ForceTerm) -> bool, step: &str) {
         let style = self.style();
         let about = match moments.about {
             About::Point(p) => self.place(p),
@@ -227,7 +227,7 @@ impl Page<'_> {
         };
         let Some(about) = about else { return };
         for (k, (term, at, _)) in moments.of.iter().enumerate() {
-            if matches!(term, Term::Reaction { part: Which::Tangential, .. }) || has_arm(*term) {
+            if matches!(term, ForceTerm::Reaction { part: Which::Tangential, .. }) || has_arm(*term) {
                 continue;
             }
             let (Some(at), Some(arm), Some(u)) = (self.place(*at), self.w.arm(moments, k), self.w.direction(*term)) else { continue };

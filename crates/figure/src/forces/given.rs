@@ -2,8 +2,8 @@
 //!
 //! Inertia forces and reactions are drawn at the separated links.
 
-use super::Page;
-use hodograph_board::equilibrium::Term;
+use super::ForcePage;
+use hodograph_board::equilibrium::ForceTerm;
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::symbols;
@@ -12,7 +12,7 @@ use hodograph_scene::{LinkId, PointId, Spring};
 /// Length of the ground line at the end of a spring.
 const GROUND_MM: f64 = 8.0;
 
-impl Page<'_> {
+impl ForcePage<'_> {
     pub(super) fn given_loads(&self, d: &mut Drawing) {
         let is_given = |cause: Cause| matches!(cause, Cause::Weight | Cause::Applied(_));
         let size = |k: usize| self.of.loads[k].wrench.force.norm();
@@ -23,7 +23,7 @@ impl Page<'_> {
         for k in given {
             let load = &self.of.loads[k];
             match load.at.and_then(|p| self.place(p)) {
-                Some(at) => self.force(d, (Term::Load(k), "force"), at, load.wrench.force, largest),
+                Some(at) => self.force(d, (ForceTerm::Load(k), "force"), at, load.wrench.force, largest),
                 None => self.couple(d, k, self.centre(load.link), load.wrench.couple),
             }
         }

@@ -1,13 +1,13 @@
 //! Zhukovsky's lever: the image points of the loaded points, turned by a right angle, with the
 //! loads and their arms about the pole.
 
-use super::Page;
+use super::ForcePage;
 use crate::arrange::{Tree, put_together};
-use crate::sheet::{Maker, Options};
+use crate::sheet::{SheetDrafter, SheetOptions};
 use hodograph_base::geom::Point;
 use hodograph_board::construct::source;
-use hodograph_board::equilibrium::{Lever, Term};
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_board::equilibrium::{ForceTerm, Lever};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::{Dash, Figure, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
@@ -32,11 +32,11 @@ pub fn zhukovsky(scene: &Scene, worked: &Worked) -> Option<Lever> {
 }
 
 /// Draws the lever with its moments; `None` if no forces are drawn or nothing moves.
-pub fn lever(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
+pub fn lever(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Option<Figure> {
     let of = worked.equilibrium.as_ref()?;
     let lever = zhukovsky(scene, worked)?;
-    let maker = Maker { scene, worked, options, certified: Vec::new() };
-    let page = Page::of(&maker, of);
+    let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
+    let page = ForcePage::of(&maker, of);
     let scale = scale_formula(&scene.book, DiagramKind::Velocity, lever.mu);
     let caption = tr(options.lang, "Zhukovsky's lever: velocities turned clockwise by 90°", "茹可夫斯基杠杆：速度多边形顺时针转过 90°");
     let drawing = maker.titled(page.on_lever(&lever), Phrase::new(caption).label(), &scale, "lever");
@@ -44,12 +44,12 @@ pub fn lever(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure
     Some(maker.alone(put_together(Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![drawing, words])))
 }
 
-impl Page<'_> {
+impl ForcePage<'_> {
     fn pole(&self) -> String {
         self.maker.writer().pole(DiagramKind::Velocity)
     }
 
-    fn on_lever(&self, lever: &Lever) -> Part {
+    fn on_lever(&self, lever: &Lever) -> DrawingPart {
         let style = self.style();
         let mut d = Drawing::new("lever", style.clone());
         let pole = Point::ORIGIN;
@@ -65,7 +65,7 @@ impl Page<'_> {
         }
         let largest = lever.forces.iter().map(|f| self.of.loads[f.load].wrench.force.norm()).fold(0.0, f64::max);
         for f in &lever.forces {
-            let (term, force) = (Term::Load(f.load), self.of.loads[f.load].wrench.force);
+            let (term, force) = (ForceTerm::Load(f.load), self.of.loads[f.load].wrench.force);
             self.force(&mut d, (term, "force"), f.at, force, largest);
             let Some(u) = force.unit().filter(|_| f.arm_mm >= SHORTEST_ARM_MM) else { continue };
             let foot = f.at + u * u.dot(pole - f.at);

@@ -1,15 +1,15 @@
 //! Draws the force polygon of a group. Items carry the class `step-N` of the step that draws them;
 //! step 0 is the first one after the links are separated.
 
-use super::Page;
+use super::ForcePage;
 use hodograph_base::geom::Point;
 use hodograph_board::construction::{MarkId, Op};
-use hodograph_board::equilibrium::{Act, GroupForces, Side};
+use hodograph_board::equilibrium::{Act, ForceEdge, GroupForces};
 use hodograph_paper::paper::drawing::Drawing;
-use hodograph_paper::paper::item::{Dash, Shape, Stroke};
+use hodograph_paper::paper::item::{Dash, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_paper::paper::shown::Shown;
+use hodograph_paper::paper::shown::ShownQuantity;
 use hodograph_paper::paper::symbols;
 
 /// Below this length a force has neither a visible head nor a visible direction.
@@ -17,7 +17,7 @@ const SHORTEST_MM: f64 = 0.3;
 /// Extension of a line of known direction beyond the vertex in which it crosses another.
 const BEYOND_MM: f64 = 5.0;
 
-impl Page<'_> {
+impl ForcePage<'_> {
     pub(super) fn polygon(&self, group: &GroupForces) -> Drawing {
         let style = self.style();
         let mut d = Drawing::new("force", style.clone());
@@ -41,12 +41,12 @@ impl Page<'_> {
             d.draw(&format!("vertex-{letter}"), &format!("vertex{step}"), symbols::dot(style, at));
             let request = LabelRequest::at_point(Label::math(&letter), style.label_mm, at, style.dot_radius_mm);
             d.label(&letter, &format!("point{step}"), request);
-            d.mark(&letter, Shown::mark(letter.clone()), at);
+            d.mark(&letter, ShownQuantity::mark(letter.clone()), at);
         }
         d
     }
 
-    fn arrow(&self, d: &mut Drawing, (group, side): (&GroupForces, &Side), diagonal: bool, drawn: &mut Vec<[Point; 2]>) {
+    fn arrow(&self, d: &mut Drawing, (group, side): (&GroupForces, &ForceEdge), diagonal: bool, drawn: &mut Vec<[Point; 2]>) {
         let style = self.style();
         let Some([from, to]) = self.of.vector_mm(side.vector) else { return };
         if from.distance(to) <= SHORTEST_MM {
@@ -61,9 +61,9 @@ impl Page<'_> {
         }
         drawn.push([from, to]);
         let whole = self.stroke(side.term);
-        let stroke = if diagonal { Stroke { width_mm: whole.width_mm * 0.7, ..whole }.dashed(Dash::DashDot) } else { whole };
+        let stroke = if diagonal { LineStroke { width_mm: whole.width_mm * 0.7, ..whole }.dashed(Dash::DashDot) } else { whole };
         let key = self.key(side.term);
-        let shown = Shown::vector(self.w.plain(side.term), from, to, self.of.mu());
+        let shown = ShownQuantity::vector(self.w.plain(side.term), from, to, self.of.mu());
         let step = self.step(group, |act| matches!(act, Act::Lay(own) | Act::Read(own) if own.vector == side.vector));
         let class = &format!("{}{step}", if diagonal { "diagonal" } else { "side" });
         let owner = d.vector(&key, class, Shape::Arrow { from, to, stroke, head: style.head }, shown);

@@ -6,8 +6,8 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::choose_in;
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_methods::gears::{Gear, Mate};
-use hodograph_paper::paper::drawing::{Drawing, Part};
-use hodograph_paper::paper::item::{Dash, Shape, Stroke};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
+use hodograph_paper::paper::item::{Dash, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
@@ -15,7 +15,7 @@ use hodograph_paper::paper::symbols as sym;
 use hodograph_report::amount::scale;
 use hodograph_scene::{Kind, Lang};
 
-use super::Drawn;
+use super::DrawnGears;
 
 /// Space for the pair: a page with the table beside it, as large as a sheet.
 const ROOM_MM: [f64; 2] = [240.0, 240.0];
@@ -40,8 +40,8 @@ fn sector(g: &Gear) -> f64 {
     TAU * (f64::from(TEETH) + 0.9) / f64::from(g.teeth)
 }
 
-impl Drawn<'_> {
-    pub(super) fn drawing(&self) -> Part {
+impl DrawnGears<'_> {
+    pub(super) fn drawing(&self) -> DrawingPart {
         let (maker, pair) = (self.maker, &self.pair);
         let style = &maker.options.style;
         let m = pair.basic.module;
@@ -158,7 +158,7 @@ impl Drawn<'_> {
         let past = if tangent { self.pair.operating + 0.12 } else { 0.0 };
         let half = sector(g).max(past).min(PI);
         // Names alternate between the two sides, so that neighbours do not collide.
-        let rings: [(&str, &str, f64, Stroke, f64); 4] = [
+        let rings: [(&str, &str, f64, LineStroke, f64); 4] = [
             ("root", "r_{f", g.root, style.thin, 1.0),
             ("base", "r_{b", g.base, style.thin.dashed(Dash::Dashed), -1.0),
             ("pitch", "r'_{", g.pitch, style.thin.dashed(Dash::DashDot), 1.0),

@@ -3,20 +3,20 @@
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Point;
 use hodograph_methods::gears::{Gear, Mate, standard};
-use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Colour, Item, Shape};
+use hodograph_paper::paper::item::{Anchor, Colour, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::Kind;
 
-use super::Drawn;
+use super::DrawnGears;
 
 /// Gap between columns, and distance between the baselines of rows.
 const GAP_MM: f64 = 5.0;
 const ROW_MM: f64 = 7.0;
 
-impl Drawn<'_> {
+impl DrawnGears<'_> {
     /// A length in the table: in the unit of the answers, or else in mm.
     fn length(&self, m: f64) -> String {
         let (book, digits) = (&self.maker.scene.book, self.maker.options.digits + 1);
@@ -26,7 +26,7 @@ impl Drawn<'_> {
         }
     }
 
-    pub(super) fn table(&self) -> Part {
+    pub(super) fn table(&self) -> DrawingPart {
         let (maker, pair, lang) = (self.maker, &self.pair, self.maker.options.lang);
         let (style, digits) = (&maker.options.style, maker.options.digits);
         let number = |x: f64| inked(&significant(if x.abs() < 1e-12 { 0.0 } else { x }, digits));
@@ -135,7 +135,7 @@ impl Drawn<'_> {
             row.height_mm += if r == 0 { ROW_MM / 2.0 } else { 0.0 };
             rows.push(row);
         }
-        let mut items: Vec<Item> = grid::set(&rows, GAP_MM);
+        let mut items: Vec<FigureItem> = grid::set(&rows, GAP_MM);
         let heading = Shape::Label {
             at: Point::new(0.0, 2.0),
             label: Label::text(tr(lang, "Gear pair", "齿轮副参数")).in_fonts(&style.fonts),
@@ -143,7 +143,7 @@ impl Drawn<'_> {
             anchor: Anchor::Start,
             colour: Colour::BLACK,
         };
-        items.push(Item::new("gears heading", heading).with_id("gears-heading"));
-        Part::of(items)
+        items.push(FigureItem::new("gears heading", heading).with_id("gears-heading"));
+        DrawingPart::of(items)
     }
 }

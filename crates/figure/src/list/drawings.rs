@@ -4,24 +4,25 @@ use crate::sheet::{diagram, drawing};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_scene::DiagramKind;
 
-use super::{Entry, Pages, Wanted, page};
+use super::{FigureEntry, FigureInput, Pages, page};
 
 /// The mechanism.
-pub const MECHANISM: Entry = Entry { name: "mechanism", about: ["The kinematic diagram", "机构运动简图"], draw: mechanism };
+pub const MECHANISM: FigureEntry =
+    FigureEntry { name: "mechanism", about: ["The kinematic diagram", "机构运动简图"], draw: mechanism };
 /// The velocity polygon.
-pub const VELOCITY: Entry = Entry {
+pub const VELOCITY: FigureEntry = FigureEntry {
     name: "velocity",
     about: ["The velocity polygon", "速度多边形"],
     draw: |w| page(VELOCITY.name, drawing(w.scene, w.worked, w.options, DiagramKind::Velocity)),
 };
 /// The acceleration polygon.
-pub const ACCELERATION: Entry = Entry {
+pub const ACCELERATION: FigureEntry = FigureEntry {
     name: "acceleration",
     about: ["The acceleration polygon", "加速度多边形"],
     draw: |w| page(ACCELERATION.name, drawing(w.scene, w.worked, w.options, DiagramKind::Acceleration)),
 };
 
-fn mechanism(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+fn mechanism(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let figure = if w.extras.any() {
         Some(diagram(w.scene, w.worked, w.options, &w.extras.overlay(w.scene, w.worked)))
     } else {

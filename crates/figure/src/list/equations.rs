@@ -2,10 +2,10 @@
 
 use crate::sheet;
 
-use super::{Entry, page};
+use super::{FigureEntry, page};
 
 /// The equations.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: FigureEntry = FigureEntry {
     name: "equations",
     about: ["The equations with their tables", "矢量方程及其表格"],
     draw: |w| page(ENTRY.name, sheet::equations(w.scene, w.worked, w.options)),

@@ -1,19 +1,19 @@
 //! Each gear pair with its teeth.
 
 use crate::gears::pairs;
-use crate::sheet::Maker;
+use crate::sheet::SheetDrafter;
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_worked::certified::certify;
 
-use super::{Entry, Pages, Wanted};
+use super::{FigureEntry, FigureInput, Pages};
 
 /// Gear pairs: flanks, circles, line of action, table.
-pub const ENTRY: Entry =
-    Entry {
+pub const ENTRY: FigureEntry =
+    FigureEntry {
         name: "gears", about: ["Gear pairs with teeth, line of action and contact ratio", "齿轮副：齿廓、啮合线和重合度"], draw
     };
 
-fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let certified = certify(w.scene, w.worked, w.options.digits);
-    pairs(&Maker { scene: w.scene, worked: w.worked, options: w.options, certified })
+    pairs(&SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified })
 }

@@ -23,26 +23,26 @@ use super::composite;
 use super::curvature;
 use super::inversions;
 use super::mechanism::Overlay;
-use super::sheet::Options;
+use super::sheet::SheetOptions;
 use hodograph_paper::paper::item::Figure;
 
 /// A figure that can be requested.
 #[derive(Clone, Copy, Debug)]
-pub struct Entry {
+pub struct FigureEntry {
     /// The name on the command line and in file names.
     pub name: &'static str,
     /// The content, in English and in Chinese.
     pub about: [&'static str; 2],
     /// Draws the figure: pages with the words for their file names; no pages if the scene does not
     /// apply.
-    pub draw: fn(&Wanted) -> Result<Warned<Pages>, Faults>,
+    pub draw: fn(&FigureInput) -> Result<Warned<Pages>, Faults>,
 }
 
 /// Pages, each with the word for its file name; the word is empty for the default figure.
 pub type Pages = Vec<(String, Figure)>;
 
 /// All figures, in the order of the help.
-pub const LIST: &[&Entry] = &[
+pub const LIST: &[&FigureEntry] = &[
     &sheet::ENTRY,
     &drawings::MECHANISM,
     &drawings::VELOCITY,
@@ -64,24 +64,24 @@ pub const LIST: &[&Entry] = &[
 ];
 
 /// The default figure.
-pub const USUAL: &Entry = &sheet::ENTRY;
+pub const USUAL: &FigureEntry = &sheet::ENTRY;
 
 /// The figure on which vectors, dimensions and paths are drawn.
-pub const MECHANISM: &Entry = &drawings::MECHANISM;
+pub const MECHANISM: &FigureEntry = &drawings::MECHANISM;
 
 /// Returns the figure with a name.
-pub fn named(name: &str) -> Option<&'static Entry> {
+pub fn named(name: &str) -> Option<&'static FigureEntry> {
     LIST.iter().find(|e| e.name == name).copied()
 }
 
 /// The input of a figure.
-pub struct Wanted<'a> {
+pub struct FigureInput<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// The worked scene, with all positions.
     pub worked: &'a Worked,
     /// The options of style and language.
-    pub options: &'a Options,
+    pub options: &'a SheetOptions,
     /// The additions to the mechanism.
     pub extras: &'a Extras,
 }

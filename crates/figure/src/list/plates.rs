@@ -3,9 +3,9 @@
 
 use crate::arrange::{Tree, put_together};
 use crate::polygon::plates;
-use crate::sheet::Maker;
+use crate::sheet::SheetDrafter;
 use hodograph_base::diag::{Faults, Warned};
-use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::style::Captioned;
@@ -14,18 +14,18 @@ use hodograph_report::plan::group_set;
 use hodograph_scene::DiagramKind;
 use hodograph_worked::certified::{certify, steps};
 
-use super::{Entry, Pages, Wanted};
+use super::{FigureEntry, FigureInput, Pages};
 
 /// The plates.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: FigureEntry = FigureEntry {
     name: "plates",
     about: ["The polygons split by group, with the equations of each", "按杆组分开的速度和加速度多边形及其方程"],
     draw,
 };
 
-fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let certified = certify(w.scene, w.worked, w.options.digits);
-    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified };
+    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified };
     let numbers = steps(w.scene, w.worked, None);
     let (writer, lang) = (maker.writer(), w.options.lang);
     let mut pages = Pages::new();
@@ -38,7 +38,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
             let words = group.into_iter().fold(words, Label::then);
             let mu = scale_formula(&w.scene.book, on, plate.mu);
             let drawn = maker.titled(plate.part, words, &mu, on.prefix());
-            let mut parts: Vec<Part> = vec![drawn];
+            let mut parts: Vec<DrawingPart> = vec![drawn];
             parts.extend(maker.tables(&writer, &numbers).parts_of(on, |g| plate.groups.contains(&g)));
             let written: Vec<Tree> = (1..parts.len()).map(Tree::Leaf).collect();
             let tree = Tree::row(vec![Tree::Leaf(0), Tree::text_column(written)]);

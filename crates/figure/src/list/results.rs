@@ -2,10 +2,10 @@
 
 use crate::sheet;
 
-use super::{Entry, page};
+use super::{FigureEntry, page};
 
 /// The results.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: FigureEntry = FigureEntry {
     name: "results",
     about: ["The results", "结果"],
     draw: |w| page(ENTRY.name, Some(sheet::results(w.scene, w.worked, w.options))),

@@ -3,17 +3,17 @@
 use crate::{poses, sheet};
 use hodograph_base::diag::{Faults, Warned};
 
-use super::{Entry, Pages, Wanted, page};
+use super::{FigureEntry, FigureInput, Pages, page};
 use hodograph_scene::Swept;
 
 /// The whole sheet.
-pub const ENTRY: Entry = Entry { name: "sheet", about: ["The whole sheet", "整张图"], draw };
+pub const ENTRY: FigureEntry = FigureEntry { name: "sheet", about: ["The whole sheet", "整张图"], draw };
 
-fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     if w.extras.poses == 0 {
         return page("", Some(sheet::sheet(w.scene, w.worked, w.options)?));
     }
-    let wanted = poses::Wanted { count: w.extras.poses, swept: Swept::usual(w.scene), points: w.extras.points.clone() };
+    let wanted = poses::PosesContent { count: w.extras.poses, swept: Swept::usual(w.scene), points: w.extras.points.clone() };
     let Warned { value, notes } = poses::sheets(w.scene, w.worked, w.options, &wanted)?;
     let one = value.len() == 1;
     let word = |page: usize| if one { "poses".to_owned() } else { format!("poses-{}", page + 1) };

@@ -4,8 +4,8 @@
 //! A pair between two parts is shown in both: the pin as a circle, the block on its guide. Only the
 //! driven part has its supports.
 
-use super::form::Form;
-use super::{Course, Draft};
+use super::form::LinkForm;
+use super::{MechanismDraft, SeriesFeatures};
 use hodograph_base::notation::Notation;
 use hodograph_mechanism::mechanism::{Assur, Opened, Passive};
 use hodograph_paper::paper::drawing::Drawing;
@@ -24,7 +24,7 @@ pub struct Only {
 
 /// The kind of a part of the mechanism.
 #[derive(Clone, Debug)]
-pub enum Piece<'a> {
+pub enum MechanismPiece<'a> {
     /// The driven links, with the ground.
     Driven,
     /// An Assur group.
@@ -34,12 +34,12 @@ pub enum Piece<'a> {
 }
 
 /// Returns the parts in solving order, before their labels are placed.
-pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &Notation) -> Vec<(Piece<'a>, Drawing)> {
-    let course = Course::of_one(style, scene, worked, notation);
+pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &Notation) -> Vec<(MechanismPiece<'a>, Drawing)> {
+    let course = SeriesFeatures::of_one(style, scene, worked, notation);
     let m = &worked.mechanism;
     let draw = |only: Only| {
-        let mut draft = Draft::new(style, scene, worked, notation, &course);
-        draft.forms.iter_mut().zip(&only.links).filter(|(_, shown)| !**shown).for_each(|(form, _)| *form = None::<Form>);
+        let mut draft = MechanismDraft::new(style, scene, worked, notation, &course);
+        draft.forms.iter_mut().zip(&only.links).filter(|(_, shown)| !**shown).for_each(|(form, _)| *form = None::<LinkForm>);
         draft.only = Some(only);
         draft.pieces_of_it();
         draft.d
@@ -52,18 +52,18 @@ pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &No
     // Cylinders drive within their groups.
     if driven.drivers.contains(&true) {
         driven.links[scene.ground.0] = true;
-        parts.push((Piece::Driven, draw(driven)));
+        parts.push((MechanismPiece::Driven, draw(driven)));
     }
     for g in groups.into_iter().filter(|g| g.class().is_some()) {
         let mut only = nothing();
         only.add(scene, worked, &g);
-        parts.push((Piece::Group(g), draw(only)));
+        parts.push((MechanismPiece::Group(g), draw(only)));
     }
     for opened in m.redundant.iter().map(|r| &r.opened) {
         if let Opened::Link(l) = opened {
             let mut only = nothing();
             only.links[l.0] = true;
-            parts.push((Piece::Repeats, draw(only)));
+            parts.push((MechanismPiece::Repeats, draw(only)));
         }
     }
     parts
@@ -71,10 +71,10 @@ pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &No
 
 /// Draws some links with their joints, before their labels are placed.
 pub fn links(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, links: &[LinkId]) -> Drawing {
-    let course = Course::of_one(style, scene, worked, notation);
+    let course = SeriesFeatures::of_one(style, scene, worked, notation);
     let shown: Vec<bool> = (0..scene.links.len()).map(|l| links.contains(&LinkId(l))).collect();
-    let mut draft = Draft::new(style, scene, worked, notation, &course);
-    draft.forms.iter_mut().zip(&shown).filter(|(_, shown)| !**shown).for_each(|(form, _)| *form = None::<Form>);
+    let mut draft = MechanismDraft::new(style, scene, worked, notation, &course);
+    draft.forms.iter_mut().zip(&shown).filter(|(_, shown)| !**shown).for_each(|(form, _)| *form = None::<LinkForm>);
     // Forces of a curved guide pass through its centre.
     let centre = |g: &Guide| match g.path {
         GuidePath::Arc { centre, .. } => g.slider.filter(|s| shown[s.0]).map(|_| centre),
@@ -105,7 +105,7 @@ impl Only {
     }
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// True if a link is shown.
     pub(super) fn shows(&self, l: LinkId) -> bool {
         self.only.as_ref().is_none_or(|o| o.links[l.0])

@@ -1,7 +1,7 @@
 //! Draws belts and chains as strands, tangent to successive wheels, and ropes from their drum to
 //! the load. The wheels are circles like those of other pairs ([`super::wheels`]).
 
-use super::Draft;
+use super::MechanismDraft;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::{Path, belt};
 use hodograph_paper::paper::item::Shape;
@@ -9,12 +9,12 @@ use hodograph_scene::{Contours, GuideId, Rolling};
 
 /// A wheel in its belt, on paper; its radius is negative if the belt runs round it
 /// counter-clockwise.
-struct Wheel {
+struct BeltWheel {
     centre: Point,
     radius_mm: f64,
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// Draws the strands of all belts and chains with visible wheels.
     pub(super) fn belts(&mut self) {
         let scene = self.scene;
@@ -48,13 +48,13 @@ impl Draft<'_> {
     }
 
     /// The wheels of a belt, in their order along it.
-    fn wheels_of(&self, strands: &[&Rolling]) -> Option<Vec<Wheel>> {
-        let mut wheels: Vec<Wheel> = Vec::with_capacity(strands.len() + 1);
+    fn wheels_of(&self, strands: &[&Rolling]) -> Option<Vec<BeltWheel>> {
+        let mut wheels: Vec<BeltWheel> = Vec::with_capacity(strands.len() + 1);
         for pair in strands {
             let Contours::Belt { centres: [a, b], crossed, right, .. } = pair.contours else { return None };
-            let wheel = |k: usize, centre, sense: f64| -> Option<Wheel> {
+            let wheel = |k: usize, centre, sense: f64| -> Option<BeltWheel> {
                 let centre = self.point(centre)?;
-                Some(Wheel { centre, radius_mm: sense * centre.distance(self.point(pair.at[k])?) })
+                Some(BeltWheel { centre, radius_mm: sense * centre.distance(self.point(pair.at[k])?) })
             };
             if wheels.is_empty() {
                 wheels.push(wheel(0, a, if right { -1.0 } else { 1.0 })?);
@@ -67,7 +67,7 @@ impl Draft<'_> {
 }
 
 /// The ends of the strand from one wheel to another.
-fn tangent(from: &Wheel, to: &Wheel) -> Option<[Point; 2]> {
+fn tangent(from: &BeltWheel, to: &BeltWheel) -> Option<[Point; 2]> {
     let line = to.centre - from.centre;
     let [cos, sin] = belt::normal([from.radius_mm, -to.radius_mm], line.norm())?;
     let m = Vec2::new(cos, sin).rotate_by(line.unit()?);

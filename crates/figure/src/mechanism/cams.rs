@@ -3,19 +3,19 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use hodograph_base::cam::{Segment, Station};
+use hodograph_base::cam::{CamStation, ProfileSegment};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
-use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_mechanism::mechanism::Opened;
 use hodograph_mechanism::position::Path;
 use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::{LabelRequest, Reads};
 use hodograph_paper::paper::symbols as sym;
-use hodograph_scene::{Asked, Cam, DiagramKind, Direction, Follows, GuideId, GuidePath, LinkId, Pieces, PointId, Turning};
+use hodograph_scene::{Asked, Cam, DiagramKind, Follows, GuideDirection, GuideId, GuidePath, LinkId, Pieces, PointId, TurningCam};
 
-use super::Draft;
+use super::MechanismDraft;
 use super::letters::NumberPlace;
 
 /// Points of a profile: one for each degree.
@@ -38,7 +38,7 @@ const NUMBER_FROM_RAD: f64 = 3.6;
 /// Beyond this distance from all joints all pieces are equally good.
 const FAR_ENOUGH_MM: f64 = 22.0;
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// True if a guide only represents the contact of a cam.
     pub(super) fn is_contact(&self, g: GuideId) -> bool {
         self.scene.cams.iter().any(|c| c.contact == Some(g))
@@ -49,20 +49,21 @@ impl Draft<'_> {
     pub(super) fn is_profile(&self, l: LinkId) -> bool {
         let faced = |c: &Cam| c.follower == l && matches!(c.follows, Follows::Face(_));
         let named = self.scene.cams.iter().any(|c| c.cam == l || faced(c));
-        let joint = |p: &PointId| self.is_pin(*p) && !self.on_ground(*p) && !self.stands_for(*p);
+        let joint = |p: &PointId| self.is_pin(*p) && !self.on_ground(*p) && !self.represents_contact(*p);
         named && !self.scene.links[l.0].points.iter().any(joint)
     }
 
     /// True if a point is a pin only because it runs in the guide that represents a contact.
-    fn stands_for(&self, p: PointId) -> bool {
+    fn represents_contact(&self, p: PointId) -> bool {
         self.scene.cams.iter().any(|c| c.contact.is_some_and(|g| self.scene.guides[g.0].pin == Some(p)) && self.on_cam(c, p))
     }
 
     /// True if a flat face is named by a line through this point: tables write ∥CF.
     pub(super) fn on_face(&self, p: PointId) -> bool {
         let along = |g: GuideId| match self.scene.guides[g.0].path {
-            GuidePath::Line { direction: Direction::Along(a, b, _), .. } => a == p || b == p,
-            GuidePath::Line { direction: Direction::Own | Direction::Instant(_) | Direction::Slid(_), .. } | GuidePath::Arc { .. } => false,
+            GuidePath::Line { direction: GuideDirection::Along(a, b, _), .. } => a == p || b == p,
+            GuidePath::Line { direction: GuideDirection::Own | GuideDirection::Instant(_) | GuideDirection::Slid(_), .. }
+            | GuidePath::Arc { .. } => false,
         };
         let faced = |c: &Cam| match c.follows {
             Follows::Face(_) => c.contact.is_some_and(along),
@@ -120,7 +121,7 @@ impl Draft<'_> {
 
     /// The direction of the x axis of a cam's frame in its present position: turned with the cam in
     /// its carrier, and with the carrier.
-    fn turned(&self, t: &Turning) -> Option<Vec2> {
+    fn turned(&self, t: &TurningCam) -> Option<Vec2> {
         let carrier = match t.axis(self.scene) {
             Some([a, b]) => (self.point(b)? - self.point(a)?).unit()?,
             None => Vec2::unit_x(),
@@ -129,7 +130,7 @@ impl Draft<'_> {
     }
 
     /// The known data of the contact at the instant.
-    fn station(&self, c: &Cam) -> Option<Station> {
+    fn station(&self, c: &Cam) -> Option<CamStation> {
         let t = c.disc.as_ref()?;
         t.disc.station(t.phi, t.side)
     }
@@ -152,8 +153,10 @@ impl Draft<'_> {
         }
         let pieces = c.posed.as_ref()?;
         match pieces.segments[pieces.touched] {
-            Segment::Arc { centre, radius, .. } => self.of_pieces(pieces).filter(|_| self.mm(radius.abs()) < FAR_MM).map(|at| at(centre)),
-            Segment::Line { .. } => None,
+            ProfileSegment::Arc { centre, radius, .. } => {
+                self.of_pieces(pieces).filter(|_| self.mm(radius.abs()) < FAR_MM).map(|at| at(centre))
+            }
+            ProfileSegment::Line { .. } => None,
         }
     }
 
@@ -253,7 +256,7 @@ impl Draft<'_> {
         }
         let asked =
             |find: usize| self.scene.find.get(find).is_some_and(|f| matches!(f.what, Asked::RollerSpin(q) if q.follower == c.follower));
-        let Some(Value::Scalar(rate)) = self.worked.results.iter().find(|r| asked(r.find)).map(|r| r.computed) else { return };
+        let Some(AnswerValue::Scalar(rate)) = self.worked.results.iter().find(|r| asked(r.find)).map(|r| r.computed) else { return };
         if rate == 0.0 {
             return;
         }

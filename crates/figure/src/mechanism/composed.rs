@@ -3,16 +3,16 @@
 
 use hodograph_base::geom::Vec2;
 use hodograph_base::notation::Notation;
-use hodograph_paper::paper::drawing::Part;
-use hodograph_paper::paper::item::{Colour, Dash, Shape, Stroke};
+use hodograph_paper::paper::drawing::DrawingPart;
+use hodograph_paper::paper::item::{Colour, Dash, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_paper::paper::shown::Shown;
+use hodograph_paper::paper::shown::ShownQuantity;
 use hodograph_paper::paper::style::Style;
 use hodograph_scene::{PointId, Scene};
 use hodograph_worked::worked::Worked;
 
-use super::{Course, Draft};
+use super::{MechanismDraft, SeriesFeatures};
 
 /// Below this length a vector has neither a visible head nor a visible direction.
 pub const SHORTEST_MM: f64 = 0.4;
@@ -22,13 +22,13 @@ const BARS: Colour = Colour::grey(165);
 
 /// A vector on paper.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Vector {
+pub struct ComposedVector {
     /// The symbol in the label language.
     pub symbol: String,
     /// The key, for ids.
     pub key: String,
     /// The quantity that the vector shows.
-    pub shown: Shown,
+    pub shown: ShownQuantity,
     /// The components (mm).
     pub mm: Vec2,
     /// True for the absolute vector, the sum of the others.
@@ -41,26 +41,26 @@ pub struct Composed {
     /// The moving point.
     pub at: PointId,
     /// The absolute vector and its components.
-    pub vectors: Vec<Vector>,
+    pub vectors: Vec<ComposedVector>,
     /// True if dashed lines close the parallelogram of two components.
     pub parallelogram: bool,
 }
 
 /// Draws the mechanism with the vectors.
-pub fn composed(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, what: &Composed) -> Part {
-    let alone = Course::default();
+pub fn composed(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, what: &Composed) -> DrawingPart {
+    let alone = SeriesFeatures::default();
     // A vector along a bar would be invisible on a dark bar.
     let style = &Style { link: style.link.coloured(BARS), ..style.clone() };
-    let mut draft = Draft::new(style, scene, worked, notation, &alone);
+    let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
     draft.everything();
     draft.vectors_at(what);
     draft.d.finish()
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     fn vectors_at(&mut self, what: &Composed) {
         let (Some(from), style) = (self.point(what.at), self.style) else { return };
-        let parts: Vec<&Vector> = what.vectors.iter().filter(|v| !v.absolute).collect();
+        let parts: Vec<&ComposedVector> = what.vectors.iter().filter(|v| !v.absolute).collect();
         if let (true, [a, b]) = (what.parallelogram, &parts[..]) {
             let stroke = style.thin.dashed(Dash::Dashed);
             for (start, along) in [(a.mm, b.mm), (b.mm, a.mm)] {
@@ -73,7 +73,7 @@ impl Draft<'_> {
         }
         for v in what.vectors.iter().filter(|v| v.mm.norm() > SHORTEST_MM) {
             let to = from + v.mm;
-            let stroke = if v.absolute { style.vector } else { Stroke { width_mm: style.vector.width_mm * 0.7, ..style.vector } };
+            let stroke = if v.absolute { style.vector } else { LineStroke { width_mm: style.vector.width_mm * 0.7, ..style.vector } };
             let (name, class) = (format!("vector-{}", v.key), if v.absolute { "absolute" } else { "part" });
             let owner = self.d.vector(&name, class, Shape::Arrow { from, to, stroke, head: style.head }, v.shown.clone());
             // Near its tip, where the vectors of one point are farthest apart.

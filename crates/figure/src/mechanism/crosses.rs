@@ -2,10 +2,10 @@
 //! rigid body with an arm along each slot, and no joint where the arms meet.
 
 use hodograph_base::geom::{Vec2, cross_lines};
-use hodograph_paper::paper::item::{Colour, Dash, Item, Shape};
+use hodograph_paper::paper::item::{Colour, Dash, FigureItem, Shape};
 use hodograph_scene::{Guide, GuideId, GuidePath, PointId};
 
-use super::Draft;
+use super::MechanismDraft;
 use super::letters::NumberPlace;
 
 /// Half the length of an arm: this part of an arm shows beyond the width of the other one.
@@ -13,7 +13,7 @@ pub(super) const ARM_MM: f64 = 6.0;
 /// Slots that cross at a smaller angle (sine) have no separate arms.
 const SQUARE_SINE: f64 = 0.8;
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// The other slot of a block that runs in two.
     pub(super) fn crossing(&self, g: GuideId) -> Option<GuideId> {
         let guide = &self.scene.guides[g.0];
@@ -58,9 +58,9 @@ impl Draft<'_> {
         let outline = Shape::Polyline { points, closed: true, stroke: Some(self.style.outline), fill: Some(Colour::WHITE) };
         let hidden = [u, v].map(|along| {
             let (from, to) = (at - along * ARM_MM, at + along * ARM_MM);
-            Item::new("slider hidden", Shape::Line { from, to, stroke: self.style.thin.dashed(Dash::Dashed) })
+            FigureItem::new("slider hidden", Shape::Line { from, to, stroke: self.style.thin.dashed(Dash::Dashed) })
         });
-        let items = [Item::new("slider", outline)].into_iter().chain(hidden).collect();
+        let items = [FigureItem::new("slider", outline)].into_iter().chain(hidden).collect();
         self.d.draw(&id, "", items);
         self.d.of_link(None);
         self.number_at[slider.0] = Some(NumberPlace::Around(at, None));

@@ -13,13 +13,13 @@ use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::drawing::{Drawing, id};
 use hodograph_paper::paper::extent::turned_corners;
-use hodograph_paper::paper::item::{COARSE, Colour, Item, PLACED, Shape};
+use hodograph_paper::paper::item::{COARSE, Colour, FigureItem, PLACED, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::place::{Obstacles, Raster, is_coarse};
+use hodograph_paper::paper::place::{InkRaster, Obstacles, is_coarse};
 use hodograph_paper::paper::symbols as sym;
-use hodograph_scene::{Given, GuidePath, Kind, Place, PointId, Scene, Through, Told};
+use hodograph_scene::{GivenQuantity, GuidePath, Kind, PointId, PointPlace, QuantityText, Scene, Through};
 
-use super::{Draft, form};
+use super::{MechanismDraft, form};
 
 /// Distance of the nearest dimension line, clear of the letters of the joints, distance of the next
 /// ones, and their number.
@@ -56,17 +56,17 @@ pub fn id_of(scene: &Scene, a: PointId, b: PointId) -> String {
 }
 
 /// The two end points of a dimension, its name, and its number.
-type Wanted = (Point, Point, String, String);
+type DimensionRequest = (Point, Point, String, String);
 
 /// A placed dimension.
-struct Placed {
-    lines: Vec<Item>,
-    number: Item,
+struct PlacedDimension {
+    lines: Vec<FigureItem>,
+    number: FigureItem,
 }
 
 /// A place of a number: its base point and its direction, its cost, and the line that continues
 /// under it if it is beyond an end.
-struct Spot {
+struct NumberSpot {
     at: Point,
     angle_rad: f64,
     cost: f64,
@@ -86,33 +86,33 @@ impl Bodies {
 }
 
 /// The method that finds obstacles.
-enum Ways {
+enum ObstacleSearch {
     /// By comparison with everything drawn.
     Each(Bodies),
     /// By occupied cells.
-    Cells(Raster),
+    Cells(InkRaster),
 }
 
-impl Ways {
-    fn new(d: &Drawing, bodies: Bodies, dimensions: usize) -> Ways {
+impl ObstacleSearch {
+    fn new(d: &Drawing, bodies: Bodies, dimensions: usize) -> ObstacleSearch {
         if !is_coarse(dimensions) {
-            return Ways::Each(bodies);
+            return ObstacleSearch::Each(bodies);
         }
-        let mut raster = Raster::of(d.obstacles(), d.bounds().grown(FIRST_MM + NEXT_MM * f64::from(LEVELS) + BORDER_MM));
+        let mut raster = InkRaster::of(d.obstacles(), d.bounds().grown(FIRST_MM + NEXT_MM * f64::from(LEVELS) + BORDER_MM));
         bodies.areas.iter().for_each(|a| raster.add_area(a));
         bodies.discs.iter().for_each(|(c, r)| raster.add_disc(*c, *r));
-        Ways::Cells(raster)
+        ObstacleSearch::Cells(raster)
     }
 
     /// The cost of the lines of a dimension.
-    fn crossed(&mut self, d: &Drawing, (p, q): (Point, Point), lines: &[Item]) -> f64 {
+    fn crossed(&mut self, d: &Drawing, (p, q): (Point, Point), lines: &[FigureItem]) -> f64 {
         match self {
-            Ways::Each(bodies) => {
+            ObstacleSearch::Each(bodies) => {
                 let crossed = CROSSED_COST * d.met_by(&lines[2..], AIR_MM) as f64 + d.met_by(&lines[..2], 0.1) as f64;
                 let over = (1..8).any(|k| bodies.cover(p + (q - p) * (f64::from(k) / 8.0)));
                 crossed + if over { OVER_COST } else { 0.0 }
             }
-            Ways::Cells(raster) => {
+            ObstacleSearch::Cells(raster) => {
                 let (met, over) = raster.met_on(p, q);
                 let extensions = lines[..2].iter().map(|line| {
                     let Shape::Line { from, to, .. } = line.shape else { return 0 };
@@ -128,12 +128,12 @@ impl Ways {
     fn is_free(&mut self, d: &Drawing, [a, b, c, e]: [Point; 4]) -> bool {
         let part = |p: Point, q: Point, t: f64| p + (q - p) * t;
         match self {
-            Ways::Each(bodies) => {
+            ObstacleSearch::Each(bodies) => {
                 let column = |i: i32| (part(a, b, f64::from(i) / 4.0), part(e, c, f64::from(i) / 4.0));
                 let mut grid = (0..=4).flat_map(|i| [0.0, 0.5, 1.0].map(|j| part(column(i).0, column(i).1, j)));
                 !grid.any(|p| bodies.cover(p)) && d.met(&Obstacles::of_turned([a, b, c, e]), AIR_MM) == 0
             }
-            Ways::Cells(raster) => {
+            ObstacleSearch::Cells(raster) => {
                 let [along, up] = [(a, b), (a, e)].map(|(p, q)| (q - p).unit().unwrap_or(Vec2::ZERO) * AIR_MM);
                 raster.is_free([a - along - up, b + along - up, c + along + up, e - along + up])
             }
@@ -141,8 +141,8 @@ impl Ways {
     }
 
     /// Records a dimension that has been drawn.
-    fn take(&mut self, placed: &Placed) {
-        if let Ways::Cells(raster) = self {
+    fn take(&mut self, placed: &PlacedDimension) {
+        if let ObstacleSearch::Cells(raster) = self {
             raster.add(&Obstacles::of(&placed.lines));
             raster.add(&Obstacles::of(std::slice::from_ref(&placed.number)));
         }
@@ -150,23 +150,23 @@ impl Ways {
 }
 
 /// The corners of a number at a place.
-fn turned(level: &[Point; 4], spot: &Spot) -> [Point; 4] {
+fn turned(level: &[Point; 4], spot: &NumberSpot) -> [Point; 4] {
     let turn = Vec2::from_angle(spot.angle_rad);
     level.map(|corner| spot.at + corner.to_vec2().rotate_by(turn))
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// Draws all dimensions.
     pub(super) fn dimensions(&mut self) {
         let wanted = self.lengths();
-        let mut ways = Ways::new(&self.d, self.bodies(), wanted.len());
+        let mut ways = ObstacleSearch::new(&self.d, self.bodies(), wanted.len());
         self.draw_dimensions(wanted, &mut ways);
     }
 
-    fn draw_dimensions(&mut self, wanted: Vec<Wanted>, ways: &mut Ways) {
+    fn draw_dimensions(&mut self, wanted: Vec<DimensionRequest>, ways: &mut ObstacleSearch) {
         let places: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
         let middle = places.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / places.len().max(1) as f64));
-        let class = if matches!(ways, Ways::Cells(_)) { format!("dimension {COARSE} {PLACED}") } else { "dimension".to_owned() };
+        let class = if matches!(ways, ObstacleSearch::Cells(_)) { format!("dimension {COARSE} {PLACED}") } else { "dimension".to_owned() };
         for (a, b, name, text) in wanted {
             let label = Label::math(text).in_fonts(&self.style.fonts);
             let Some(placed) = self.place_dimension(a, b, &label, middle, ways) else { continue };
@@ -177,9 +177,9 @@ impl Draft<'_> {
     }
 
     /// The given lengths between two points: these points, a name, and the number.
-    fn lengths(&self) -> Vec<Wanted> {
+    fn lengths(&self) -> Vec<DimensionRequest> {
         // The longest come last, because they are farthest out.
-        let mut wanted: Vec<Wanted> = Vec::new();
+        let mut wanted: Vec<DimensionRequest> = Vec::new();
         let of_cam = |p: PointId| self.scene.cams.iter().any(|c| c.span == self.scene.points[p.0].span);
         for length in self.scene.lengths.iter().filter(|l| !of_cam(l.a) && !of_cam(l.b)) {
             let (Some(a), Some(b)) = (self.point(length.a), self.point(length.b)) else { continue };
@@ -188,12 +188,12 @@ impl Draft<'_> {
         for p in (0..self.scene.points.len()).map(PointId) {
             let Some(at) = self.point(p) else { continue };
             match &self.scene.points[p.0].place {
-                Place::InLink { base: (a, b), xy: [x, y] } => {
+                PointPlace::InLink { base: (a, b), xy: [x, y] } => {
                     let (Some(a), Some(b)) = (self.point(*a), self.point(*b)) else { continue };
                     let Some(u) = (b - a).unit() else { continue };
                     let foot = a + u * (at - a).dot(u);
                     let name = self.scene.point_name(p);
-                    let mut add = |from: Point, to: Point, axis: &str, given: &Given| {
+                    let mut add = |from: Point, to: Point, axis: &str, given: &GivenQuantity| {
                         if from.distance(to) > super::SAME_MM {
                             wanted.push((
                                 from,
@@ -206,11 +206,11 @@ impl Draft<'_> {
                     add(a, foot, "x", x);
                     add(foot, at, "y", y);
                 }
-                Place::Polar { base: (a, _), length, .. } => {
+                PointPlace::Polar { base: (a, _), length, .. } => {
                     let Some(from) = self.point(*a) else { continue };
                     wanted.push((from, at, name_of(self.scene, *a, p), self.dimension(length)));
                 }
-                Place::At(_) | Place::Unknown => {}
+                PointPlace::At(_) | PointPlace::Unknown => {}
             }
         }
         wanted.extend(self.offsets());
@@ -220,7 +220,7 @@ impl Draft<'_> {
 
     /// The offsets of guides, measured from the point that the guide would pass through without an
     /// offset.
-    fn offsets(&self) -> Vec<Wanted> {
+    fn offsets(&self) -> Vec<DimensionRequest> {
         let mut out = Vec::new();
         for (g, guide) in self.scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
             let GuidePath::Line { through, offset: Some(offset), .. } = &guide.path else { continue };
@@ -264,11 +264,11 @@ impl Draft<'_> {
         Bodies { areas, discs }
     }
 
-    fn place_dimension(&self, a: Point, b: Point, label: &Label, middle: Point, ways: &mut Ways) -> Option<Placed> {
+    fn place_dimension(&self, a: Point, b: Point, label: &Label, middle: Point, ways: &mut ObstacleSearch) -> Option<PlacedDimension> {
         let along = (b - a).unit()?;
         let level = turned_corners(Point::ORIGIN, 0.0, label, self.style.small_mm)?;
         let inside = along.cross(middle - a).signum();
-        let mut best: Option<(f64, f64, Spot)> = None;
+        let mut best: Option<(f64, f64, NumberSpot)> = None;
         for step in 0..LEVELS {
             for side in [-inside, inside] {
                 let side = if side == 0.0 { 1.0 } else { side };
@@ -277,7 +277,7 @@ impl Draft<'_> {
                 let ends = sym::dimension_line(a, b, offset);
                 let mut crossed = None;
                 for spot in self.spots(ends, &level) {
-                    let dearer = |best: &Option<(f64, f64, Spot)>, cost: f64| best.as_ref().is_some_and(|(least, ..)| *least <= cost);
+                    let dearer = |best: &Option<(f64, f64, NumberSpot)>, cost: f64| best.as_ref().is_some_and(|(least, ..)| *least <= cost);
                     if dearer(&best, base + spot.cost) || !ways.is_free(&self.d, turned(&level, &spot)) {
                         continue;
                     }
@@ -291,7 +291,7 @@ impl Draft<'_> {
         }
         let (_, offset, spot) = best?;
         let mut lines = sym::dimension(self.style, a, b, offset);
-        let beyond = |[from, to]: [Point; 2]| Item::new("dimension", Shape::Line { from, to, stroke: self.style.thin });
+        let beyond = |[from, to]: [Point; 2]| FigureItem::new("dimension", Shape::Line { from, to, stroke: self.style.thin });
         lines.extend(spot.beyond.map(beyond));
         let shape = Shape::Turned {
             at: spot.at,
@@ -300,12 +300,12 @@ impl Draft<'_> {
             size_mm: self.style.small_mm,
             colour: Colour::BLACK,
         };
-        Some(Placed { lines, number: Item::new("", shape) })
+        Some(PlacedDimension { lines, number: FigureItem::new("", shape) })
     }
 
     /// The places of a number along its line; `level` has the corners of its box in horizontal
     /// position.
-    fn spots(&self, (p, q): (Point, Point), level: &[Point; 4]) -> Vec<Spot> {
+    fn spots(&self, (p, q): (Point, Point), level: &[Point; 4]) -> Vec<NumberSpot> {
         let length = p.distance(q);
         let Some(along) = (q - p).unit() else { return Vec::new() };
         // Readable from below, or from the right.
@@ -318,7 +318,7 @@ impl Draft<'_> {
         let up = Vec2::from_angle(angle_rad).perp();
         let [c0, c1, ..] = level;
         let (wide, below) = (c1.x - c0.x, -c0.y);
-        let spot = |at: Point, cost: f64, beyond| Spot { at: at + up * (GAP_MM + below.max(0.0)), angle_rad, cost, beyond };
+        let spot = |at: Point, cost: f64, beyond| NumberSpot { at: at + up * (GAP_MM + below.max(0.0)), angle_rad, cost, beyond };
         let heads = 2.0 * self.style.thin_head.length_mm;
         let mut out = Vec::new();
         for (k, part) in STATIONS.into_iter().enumerate() {
@@ -334,12 +334,12 @@ impl Draft<'_> {
 
     /// A given length at its dimension line: millimetres, rounded to a micrometre, without their
     /// name; all else with its unit.
-    fn dimension(&self, given: &Given) -> String {
+    fn dimension(&self, given: &GivenQuantity) -> String {
         let number = |value: f64| inked(&shortest((value * 1e3).round() / 1e3));
         match self.scene.told(Kind::Length, &given.text, given.value) {
-            Told::AsWritten(number, unit) if unit.name() != "mm" => unit.label(&inked(&number)),
-            Told::Computed(value, unit) if unit.name() != "mm" => unit.label(&number(value)),
-            Told::AsWritten(..) | Told::Computed(..) | Told::Usual => shortest((given.value * 1e6).round() / 1e3),
+            QuantityText::AsWritten(number, unit) if unit.name() != "mm" => unit.label(&inked(&number)),
+            QuantityText::Computed(value, unit) if unit.name() != "mm" => unit.label(&number(value)),
+            QuantityText::AsWritten(..) | QuantityText::Computed(..) | QuantityText::Usual => shortest((given.value * 1e6).round() / 1e3),
         }
     }
 }
@@ -372,19 +372,19 @@ mod tests {
     #[test]
     fn work_grows_with_the_number_of_dimensions() {
         let (style, notation, course) =
-            (Style::default(), Notation::of_language(hodograph_scene::Lang::En), super::super::Course::default());
+            (Style::default(), Notation::of_language(hodograph_scene::Lang::En), super::super::SeriesFeatures::default());
         let mut last: Option<f64> = None;
         for n in [60, 120, 240, 480] {
             let scene = scene_of(n);
             let worked = work(&scene, Scope::Figure).unwrap().value;
-            let mut draft = Draft::new(&style, &scene, &worked, &notation, &course);
+            let mut draft = MechanismDraft::new(&style, &scene, &worked, &notation, &course);
             draft.everything();
             let wanted = draft.lengths();
             let count = wanted.len() as f64;
-            let mut ways = Ways::new(&draft.d, draft.bodies(), wanted.len());
-            let before = if let Ways::Cells(raster) = &ways { raster.touched() } else { panic!("{n} are few") };
+            let mut ways = ObstacleSearch::new(&draft.d, draft.bodies(), wanted.len());
+            let before = if let ObstacleSearch::Cells(raster) = &ways { raster.touched() } else { panic!("{n} are few") };
             draft.draw_dimensions(wanted, &mut ways);
-            let Ways::Cells(raster) = &ways else { panic!("{n} are few") };
+            let ObstacleSearch::Cells(raster) = &ways else { panic!("{n} are few") };
             let each = (raster.touched() - before) as f64 / count;
             assert!(last.is_none_or(|last| each < 1.2 * last), "{n} points: {each} cells for each dimension, {last:?} before");
             let coarse = draft.d.finish().items.iter().filter(|i| i.class.contains("dimension coarse label")).count();

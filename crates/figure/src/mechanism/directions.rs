@@ -1,8 +1,8 @@
 //! Marks directions that the equation tables name t: guides that are not along a line of two named
 //! points.
 
-use super::Draft;
-use hodograph_board::plan::text::Writer;
+use super::MechanismDraft;
+use hodograph_board::plan::text::PlanWriter;
 use hodograph_paper::paper::item::Shape;
 use hodograph_scene::{DiagramKind, GuideId, Lang};
 
@@ -10,11 +10,11 @@ use hodograph_scene::{DiagramKind, GuideId, Lang};
 const FROM_MM: f64 = 9.0;
 const TO_MM: f64 = 17.0;
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// Marks the guides with a direction that an equation names t.
     pub(super) fn directions(&mut self) {
         let plan = &self.worked.plan;
-        let w = Writer { scene: self.scene, plan, notation: self.notation, lang: Lang::En };
+        let w = PlanWriter { scene: self.scene, plan, notation: self.notation, lang: Lang::En };
         let named: Vec<(GuideId, String)> = (0..self.scene.guides.len())
             .map(GuideId)
             .filter(|g| plan.steps(DiagramKind::Velocity).iter().flat_map(|s| s.steps(0)).any(|s| s.slides_along(*g)))

@@ -5,11 +5,11 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::Path;
 use hodograph_scene::{GuideId, GuidePath, LinkId};
 
-use super::Draft;
+use super::MechanismDraft;
 
 /// A link on paper.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Form {
+pub(super) struct LinkForm {
     /// Corners of the plate of a link with three or more points that are not collinear; otherwise
     /// empty.
     pub plate: Vec<Point>,
@@ -25,7 +25,7 @@ pub(super) struct Form {
     pub corners: Vec<(Point, Point, Point)>,
 }
 
-impl Form {
+impl LinkForm {
     /// Returns all straight lines of the form, including the edges of plates.
     pub fn segments(&self) -> Vec<(Point, Point)> {
         let mut all: Vec<(Point, Point)> = self.bars.iter().chain(&self.guide_bars).copied().collect();
@@ -72,13 +72,13 @@ pub(super) fn sweeps(from: f64, sweep: f64, angle: f64) -> bool {
     turned < sweep.abs() + half || turned > TAU - half
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// The form of a link; `None` for the ground, for blocks and cylinder parts, and for links
     /// without a position.
-    pub(super) fn form(&self, l: LinkId) -> Option<Form> {
+    pub(super) fn form(&self, l: LinkId) -> Option<LinkForm> {
         let (rods, blocks): (Vec<_>, Vec<_>) = self.swings().into_iter().filter(|s| s.rod == l || s.block == l).partition(|s| s.rod == l);
         if !rods.is_empty() {
-            return Some(Form { bars: rods.into_iter().map(|s| s.ends).collect(), ..Form::default() });
+            return Some(LinkForm { bars: rods.into_iter().map(|s| s.ends).collect(), ..LinkForm::default() });
         }
         if !blocks.is_empty() {
             return None;
@@ -100,7 +100,7 @@ impl Draft<'_> {
                 && own_guides.iter().any(|g| matches!(self.scene.guides[g.0].path, GuidePath::Arc { centre, .. } if centre == p))
         };
         let points: Vec<Point> = link.points.iter().filter(|p| !centre_only(**p)).filter_map(|p| self.point(*p)).collect();
-        let mut form = Form::default();
+        let mut form = LinkForm::default();
         if points.len() >= 3 && !in_line(&points) {
             let corners = hull(&points);
             match self.spider(l, &points, &corners) {
@@ -126,7 +126,7 @@ impl Draft<'_> {
             }
         }
         // A yoke slides on its own rods, which `slides` draws.
-        let empty = form == Form::default();
+        let empty = form == LinkForm::default();
         (!empty).then_some(form)
     }
 
@@ -148,7 +148,7 @@ impl Draft<'_> {
     }
 
     /// A straight guide: a bar for a block, a slot for a bare pin.
-    fn straight(&self, form: &mut Form, g: GuideId, u: Vec2, points: &[Point]) {
+    fn straight(&self, form: &mut LinkForm, g: GuideId, u: Vec2, points: &[Point]) {
         let guide = &self.scene.guides[g.0];
         let Some((at, _)) = self.runner(g) else { return };
         let along = |p: Point| (p - at).dot(u);
@@ -195,7 +195,7 @@ impl Draft<'_> {
     }
 
     /// A slot along a circle, and the arm that holds it.
-    fn arc(&self, form: &mut Form, g: GuideId, centre: Point, radius: f64, points: &[Point]) {
+    fn arc(&self, form: &mut LinkForm, g: GuideId, centre: Point, radius: f64, points: &[Point]) {
         let Some((at, _)) = self.runner(g) else { return };
         let middle = (at - centre).angle();
         let half = (SLOT_HALF_MM / radius).min(std::f64::consts::FRAC_PI_2);

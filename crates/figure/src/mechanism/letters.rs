@@ -6,7 +6,7 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::{LabelRequest, Reads, free_places, roomiest};
 use hodograph_scene::PointId;
 
-use super::Draft;
+use super::MechanismDraft;
 
 /// The place for the number of a block, a yoke or a cylinder's part.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +27,7 @@ const NEAR_CORNER: f64 = 0.4;
 /// Directions with a resultant below this leave no preferred side.
 const NO_SIDE: f64 = 0.2;
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// Places link numbers: beside the longest bar, inside a plate, beside a block; the ground's
     /// number beside a support.
     pub(super) fn numbers(&mut self) {
@@ -68,7 +68,7 @@ impl Draft<'_> {
                         let label = Label::math(name_label(&name));
                         let request = |at: Point| LabelRequest::at_point(label.clone(), self.style.label_mm, at, 0.0);
                         let requests: Vec<LabelRequest> = std::iter::once(middle).chain(places).map(request).collect();
-                        self.label_with_room(&id, requests);
+                        self.label_with_space(&id, requests);
                     }
                 }
             }
@@ -114,7 +114,7 @@ impl Draft<'_> {
         };
         let request = |(end, out): (Point, Vec2)| number(end, self.style.hatch_depth_mm / 2.0, out);
         if !beside.is_empty() {
-            self.label_with_room(id, beside.into_iter().map(request).collect());
+            self.label_with_space(id, beside.into_iter().map(request).collect());
         } else {
             let guide = (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on == self.scene.ground);
             let at = guide.filter_map(|g| self.runner(hodograph_scene::GuideId(g))).next();
@@ -128,7 +128,7 @@ impl Draft<'_> {
 
     /// Requests a number at the first of these places with enough space, or else at the one with
     /// the most space.
-    fn label_with_room(&mut self, id: &str, requests: Vec<LabelRequest>) {
+    fn label_with_space(&mut self, id: &str, requests: Vec<LabelRequest>) {
         if let Some(request) = roomiest(requests, |r| free_places(&r, self.d.obstacles())) {
             self.d.label(id, "number", request.read_as(Reads::Number));
         }

@@ -7,15 +7,15 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::broken::seen;
 use hodograph_paper::paper::extent::on_circle;
-use hodograph_paper::paper::item::{Item, Shape};
+use hodograph_paper::paper::item::{FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::{LabelRequest, Reads};
 use hodograph_paper::paper::symbols as sym;
-use hodograph_report::given::Givens;
+use hodograph_report::given::GivenSentences;
 use hodograph_scene::{Driver, DriverKind, GuideId, Lang, LinkId, PointId};
 
-use super::rates::{ARROW_MM, Slides, Turns};
-use super::{Draft, form};
+use super::rates::{ARROW_MM, Slides, TurnArrows};
+use super::{MechanismDraft, form};
 
 /// Radius of a given angle's arc: as a part of the crank, and between a readable and an unobtrusive
 /// radius.
@@ -63,7 +63,7 @@ pub(super) struct Called<'a> {
     pub class: &'a str,
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// Draws all drivers.
     pub(super) fn drivers(&mut self) {
         let mut centres: Vec<Point> = Vec::new();
@@ -143,13 +143,13 @@ impl Draft<'_> {
             let round = self.scene.cams.iter().any(|c| c.cam == link && c.circle.is_some());
             if own.cross(u).abs() > OWN_LINE || self.is_profile(link) && !round {
                 let (from, to) = (at + own * self.style.pin_radius_mm, at + own * (radius * 4.0 / 3.0));
-                arc.insert(0, Item::new("angle own", Shape::Line { from, to, stroke: self.style.thin }));
+                arc.insert(0, FigureItem::new("angle own", Shape::Line { from, to, stroke: self.style.thin }));
             }
             let id = format!("angle-{}", index.replace('/', "-"));
             let owner = self.d.draw(&id, "driver", self.behind_hatching(arc, at, radius, [reference, reference + sweep]));
             let mut symbol = format!("\\varphi_{{{}}}", name_label(&index));
             if let Some(given) = angle.as_ref().filter(|_| self.dimensioned) {
-                symbol += &format!(" = {}", Givens { scene: self.scene, lang: Lang::default() }.angle(given));
+                symbol += &format!(" = {}", GivenSentences { scene: self.scene, lang: Lang::default() }.angle(given));
             }
             self.arc_label(Called { id: &id, symbol: &symbol, class: "angle" }, at, radius, [reference, reference + sweep], owner);
         }
@@ -163,7 +163,7 @@ impl Draft<'_> {
             None => ROTATION_RAD.map(|a| outward.angle() + side * a),
         };
         self.d.of_link(Some(link.0));
-        self.rotations(driver, &index, Turns { centre, radius, angles, mirror: outward.angle() });
+        self.rotations(driver, &index, TurnArrows { centre, radius, angles, mirror: outward.angle() });
         self.d.of_link(None);
     }
 
@@ -191,16 +191,16 @@ impl Draft<'_> {
     }
 
     /// An angle's items, with its arc broken where hatching hides it.
-    fn behind_hatching(&self, mut items: Vec<Item>, at: Point, radius: f64, [from, to]: [f64; 2]) -> Vec<Item> {
+    fn behind_hatching(&self, mut items: Vec<FigureItem>, at: Point, radius: f64, [from, to]: [f64; 2]) -> Vec<FigureItem> {
         let parts = self.seen_parts(at, radius, [from, to]);
         let angle = |t: f64| from + (to - from) * t;
-        if let (Some((last, before)), Some(Item { shape: Shape::ArcArrow { from_rad, stroke, .. }, class, .. })) =
+        if let (Some((last, before)), Some(FigureItem { shape: Shape::ArcArrow { from_rad, stroke, .. }, class, .. })) =
             (parts.split_last(), items.last_mut())
         {
             *from_rad = angle(last[0]);
             let (stroke, class) = (*stroke, class.clone());
             items.extend(before.iter().map(|[a, b]| {
-                Item::new(class.clone(), Shape::Arc { centre: at, radius_mm: radius, from_rad: angle(*a), to_rad: angle(*b), stroke })
+                FigureItem::new(class.clone(), Shape::Arc { centre: at, radius_mm: radius, from_rad: angle(*a), to_rad: angle(*b), stroke })
             }));
         }
         items

@@ -35,15 +35,15 @@ use hodograph_mechanism::position::Path;
 use hodograph_scene::{Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through};
 use hodograph_worked::worked::Worked;
 
-pub use composed::{Composed, SHORTEST_MM, Vector, composed};
-use form::Form;
-use hodograph_paper::paper::drawing::{Drawing, Part};
-use hodograph_paper::paper::item::{Colour, Item, Shape, Stroke};
+pub use composed::{Composed, ComposedVector, SHORTEST_MM, composed};
+use form::LinkForm;
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
+use hodograph_paper::paper::item::{Colour, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 
-pub use apart::{Piece, apart, links};
-pub use overlay::{Overlay, Track, overlaid};
+pub use apart::{MechanismPiece, apart, links};
+pub use overlay::{Overlay, PointTrack, overlaid};
 
 /// Two places closer than this on paper are one: a tenth of a link's width.
 const SAME_MM: f64 = 0.07;
@@ -56,14 +56,14 @@ const CROSSING_SINE: f64 = 0.25;
 const CROSSING_FREE_MM: f64 = 5.0;
 
 /// Draws the mechanism with the diagram's origin at the origin.
-pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Part {
-    drawing(style, scene, worked, notation, &Course::default()).finish()
+pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> DrawingPart {
+    drawing(style, scene, worked, notation, &SeriesFeatures::default()).finish()
 }
 
 /// Features that a drawing takes from the whole series, so that the ground remains unchanged and no
 /// link changes its form; each list may be empty.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Course {
+pub struct SeriesFeatures {
     /// For each guide, the travel (mm) of its runner behind and ahead of its present position,
     /// along the guide: the first ≤ 0, the second ≥ 0.
     pub travel_mm: Vec<[f64; 2]>,
@@ -73,20 +73,20 @@ pub struct Course {
     pub hatched: Vec<Option<Vec2>>,
 }
 
-impl Course {
+impl SeriesFeatures {
     /// Returns the sides that a single drawing chooses.
-    pub fn of_one(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Course {
-        let alone = Course::default();
-        let mut draft = Draft::new(style, scene, worked, notation, &alone);
+    pub fn of_one(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> SeriesFeatures {
+        let alone = SeriesFeatures::default();
+        let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
         draft.ground_guides();
         let supports = (0..scene.points.len()).map(|p| draft.support_side(PointId(p))).collect();
-        Course { travel_mm: Vec::new(), supports, hatched: draft.hatched }
+        SeriesFeatures { travel_mm: Vec::new(), supports, hatched: draft.hatched }
     }
 }
 
 /// Draws the mechanism, before its labels are placed.
-pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, course: &Course) -> Drawing {
-    let mut draft = Draft::new(style, scene, worked, notation, course);
+pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, course: &SeriesFeatures) -> Drawing {
+    let mut draft = MechanismDraft::new(style, scene, worked, notation, course);
     draft.everything();
     draft.d
 }
@@ -94,8 +94,8 @@ pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
 /// Draws the mechanism with its links numbered, and without special points and directions, which
 /// belong to the polygons; labels are not yet placed.
 pub fn numbered(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Drawing {
-    let alone = Course::default();
-    let mut draft = Draft::new(style, scene, worked, notation, &alone);
+    let alone = SeriesFeatures::default();
+    let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
     draft.constructed = false;
     draft.everything();
     draft.numbers();
@@ -105,8 +105,8 @@ pub fn numbered(style: &Style, scene: &Scene, worked: &Worked, notation: &Notati
 /// Draws the mechanism without the contours on which one of its links rolls on another, which are
 /// its centrodes; labels are not yet placed.
 pub fn rolling(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, links: [LinkId; 2]) -> Drawing {
-    let alone = Course::default();
-    let mut draft = Draft::new(style, scene, worked, notation, &alone);
+    let alone = SeriesFeatures::default();
+    let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
     draft.constructed = false;
     draft.rolling = Some(links);
     draft.everything();
@@ -115,14 +115,14 @@ pub fn rolling(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
 }
 
 /// The diagram under construction.
-struct Draft<'a> {
+struct MechanismDraft<'a> {
     style: &'a Style,
     scene: &'a Scene,
     worked: &'a Worked,
     notation: &'a Notation,
     d: Drawing,
     /// The form of each link; `None` for the ground and for links without a position.
-    forms: Vec<Option<Form>>,
+    forms: Vec<Option<LinkForm>>,
     /// The displacement of the bars of each link that overlap those of another.
     parted: Vec<Vec<Vec2>>,
     /// The side of the support of each point, used for fixed pivots.
@@ -134,7 +134,7 @@ struct Draft<'a> {
     /// The arrows of rotations: their centres, and the places of their names.
     turned_at: Vec<(Point, Point)>,
     /// The features shared by a whole series.
-    course: &'a Course,
+    course: &'a SeriesFeatures,
     /// True if the diagram belongs to a construction: links are numbered, special points and
     /// directions named.
     constructed: bool,
@@ -146,11 +146,11 @@ struct Draft<'a> {
     only: Option<apart::Only>,
 }
 
-impl<'a> Draft<'a> {
-    fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked, notation: &'a Notation, course: &'a Course) -> Self {
+impl<'a> MechanismDraft<'a> {
+    fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked, notation: &'a Notation, course: &'a SeriesFeatures) -> Self {
         let d = Drawing::new("mechanism", style.clone());
         let (number_at, hatched) = (vec![None; scene.links.len()], vec![None; scene.guides.len()]);
-        let mut draft = Draft {
+        let mut draft = MechanismDraft {
             style,
             scene,
             worked,
@@ -239,7 +239,7 @@ impl<'a> Draft<'a> {
     }
 
     /// Items of a pair, dashed if the pair is redundant.
-    fn as_opened(&self, what: Opened, items: Vec<Item>) -> Vec<Item> {
+    fn as_opened(&self, what: Opened, items: Vec<FigureItem>) -> Vec<FigureItem> {
         if self.worked.mechanism.is_opened(&what) { sym::dashed(items) } else { items }
     }
 
@@ -318,7 +318,7 @@ impl<'a> Draft<'a> {
     /// blocks that they are pinned to.
     fn plates(&mut self, with_guides: bool) {
         for l in 0..self.forms.len() {
-            let Some(Form { plate, .. }) = &self.forms[l] else { continue };
+            let Some(LinkForm { plate, .. }) = &self.forms[l] else { continue };
             if plate.is_empty() || with_guides != self.scene.guides.iter().any(|g| g.on.0 == l) {
                 continue;
             }
@@ -369,7 +369,7 @@ impl<'a> Draft<'a> {
         }
         self.d.of_link(None);
         for (from, to) in gaps {
-            let stroke = Stroke::new(width * 1.5).coloured(Colour::WHITE);
+            let stroke = LineStroke::new(width * 1.5).coloured(Colour::WHITE);
             self.d.frame(&format!("{}-over", self.link_id(l)), "link gap", Shape::Line { from, to, stroke });
         }
     }

@@ -3,22 +3,22 @@
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
-use hodograph_board::plan::text::Writer;
-use hodograph_board::plan::{Spot, VertexId};
+use hodograph_board::plan::text::PlanWriter;
+use hodograph_board::plan::{VertexId, VertexPlace};
 use hodograph_mechanism::position::Configuration;
-use hodograph_paper::paper::drawing::Part;
-use hodograph_paper::paper::item::{Colour, Dash, Shape, Stroke};
+use hodograph_paper::paper::drawing::DrawingPart;
+use hodograph_paper::paper::item::{Colour, Dash, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_paper::paper::shown::Shown;
+use hodograph_paper::paper::shown::ShownQuantity;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::{DiagramKind, PointId, Scene};
-use hodograph_sweep::follow::Follower;
+use hodograph_sweep::follow::PoseFollower;
 use hodograph_sweep::points::at_equal_steps;
 use hodograph_worked::worked::{Worked, work_motion};
 
-use super::{Course, Draft};
+use super::{MechanismDraft, SeriesFeatures};
 
 /// Positions along a path: for a full circle a chord then deviates by less than a thousandth of the
 /// radius.
@@ -40,12 +40,12 @@ pub struct Overlay {
     /// True if the given lengths are drawn as dimensions.
     pub dimensions: bool,
     /// Paths of points (m).
-    pub paths: Vec<Track>,
+    pub paths: Vec<PointTrack>,
 }
 
 /// The path of a point.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Track {
+pub struct PointTrack {
     /// The point.
     pub point: PointId,
     /// The places on the path (m).
@@ -63,11 +63,11 @@ impl Overlay {
     pub fn with_motion(mut self, scene: &Scene, worked: &Worked, poses: usize, points: &[PointId]) -> Overlay {
         let motion_of_cams = work_motion(scene).ok().flatten();
         let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
-        let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0);
+        let follower = PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0);
         let sweep = follower.sweep(PATH_STEPS);
         self.poses = at_equal_steps(&follower, &sweep, poses).into_iter().map(|pose| pose.configuration).collect();
         let places = |p: PointId| sweep.poses.iter().filter_map(|pose| pose.configuration.points[p.0]).collect();
-        let track = |&point: &PointId| Track { point, places: places(point), closed: sweep.full, marks: Vec::new() };
+        let track = |&point: &PointId| PointTrack { point, places: places(point), closed: sweep.full, marks: Vec::new() };
         self.paths = points.iter().map(track).collect();
         self
     }
@@ -85,15 +85,15 @@ fn shown(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = (VertexId, Ve
     let images = worked.construction.polygon(on).into_iter().flat_map(|p| p.images.iter().enumerate());
     images.filter_map(|(v, at)| {
         let vertex = worked.plan.vertex(VertexId(v));
-        let own = !vertex.fixed && vertex.trial.is_none() && matches!(vertex.spot, Spot::Point(_));
+        let own = !vertex.fixed && vertex.trial.is_none() && matches!(vertex.spot, VertexPlace::Point(_));
         Some((VertexId(v), at.filter(|_| own)?.to_vec2()))
     })
 }
 
 /// Draws the mechanism with the additions over and behind it.
-pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &Writer, overlay: &Overlay) -> Part {
-    let alone = Course::default();
-    let mut draft = Draft::new(style, scene, worked, w.notation, &alone);
+pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &PlanWriter, overlay: &Overlay) -> DrawingPart {
+    let alone = SeriesFeatures::default();
+    let mut draft = MechanismDraft::new(style, scene, worked, w.notation, &alone);
     // Numbers of positions and numbers of links would be confused.
     draft.constructed = overlay.paths.iter().all(|path| path.marks.is_empty());
     draft.dimensioned = overlay.dimensions;
@@ -107,14 +107,14 @@ pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &Writer, overl
     draft.d.finish()
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// Draws other positions and paths, thin and grey.
     fn behind(&mut self, overlay: &Overlay) {
         let thin = self.style.thin.coloured(BEHIND);
         for (k, configuration) in overlay.poses.iter().enumerate() {
             let there = Worked { configuration: configuration.clone(), ..self.worked.clone() };
-            let alone = Course::default();
-            let other = Draft::new(self.style, self.scene, &there, self.notation, &alone);
+            let alone = SeriesFeatures::default();
+            let other = MechanismDraft::new(self.style, self.scene, &there, self.notation, &alone);
             for (l, form) in other.forms.iter().enumerate() {
                 let Some(form) = form else { continue };
                 for (from, to) in form.segments() {
@@ -131,10 +131,10 @@ impl Draft<'_> {
     }
 
     /// Draws a path: thin behind the mechanism, or thick over it as the subject of the figure.
-    fn path(&mut self, path: &Track) {
+    fn path(&mut self, path: &PointTrack) {
         let behind = path.marks.is_empty();
         let points: Vec<Point> = path.places.iter().map(|p| self.paper(*p)).collect();
-        let thin = Stroke { width_mm: self.style.outline.width_mm, dash: Dash::DashDot, ..self.style.thin };
+        let thin = LineStroke { width_mm: self.style.outline.width_mm, dash: Dash::DashDot, ..self.style.thin };
         let stroke = if behind { thin } else { self.style.vector };
         self.d.of_link(self.scene.mover(path.point).map(|l| l.0).filter(|_| !behind));
         let shape = Shape::Polyline { points, closed: path.closed, stroke: Some(stroke), fill: None };
@@ -157,7 +157,7 @@ impl Draft<'_> {
         self.d.of_link(None);
     }
 
-    fn vectors(&mut self, w: &Writer, overlay: &Overlay) {
+    fn vectors(&mut self, w: &PlanWriter, overlay: &Overlay) {
         let (Some(on), Some(mu)) = (overlay.vectors, overlay.mu(self.scene, self.worked)) else { return };
         let Some(p) = self.worked.construction.polygon(on) else { return };
         let (worked, style) = (self.worked, self.style);
@@ -167,7 +167,7 @@ impl Draft<'_> {
             let to = from + vector;
             let symbol = w.vector(on, v);
             let key = format!("{}-{}", on.prefix(), w.vector_key(v));
-            let shown = Shown::vector(w.vector_quantity(on, v), from, to, mu);
+            let shown = ShownQuantity::vector(w.vector_quantity(on, v), from, to, mu);
             self.d.of_link(worked.plan.vertex(v).link(self.scene).map(|l| l.0));
             let owner = self.d.vector(&key, "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head }, shown);
             let request = LabelRequest::along(Label::math(&symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);

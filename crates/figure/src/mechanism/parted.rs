@@ -7,7 +7,7 @@
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_scene::LinkId;
 
-use super::Draft;
+use super::MechanismDraft;
 
 /// Clear space between two bars side by side: with less they merge in print.
 const AIR_MM: f64 = 0.4;
@@ -18,7 +18,7 @@ const OVER_MM: f64 = 4.0;
 const IN_JOINT: f64 = 0.78;
 
 /// A straight line of a link on paper.
-struct Bar {
+struct PartedBar {
     link: usize,
     /// The index among the link's bars, those along guides last; `None` for a line that is not
     /// displaced (the edge of a plate, a slot).
@@ -27,11 +27,11 @@ struct Bar {
     b: Point,
 }
 
-impl Bar {
+impl PartedBar {
     /// The offset of the other bar to the left of this one, where the two are farthest apart;
     /// `None` if they do not overlap: their centre lines are `apart_mm` or more apart, or they share
     /// less than [`OVER_MM`].
-    fn over(&self, other: &Bar, apart_mm: f64) -> Option<f64> {
+    fn over(&self, other: &PartedBar, apart_mm: f64) -> Option<f64> {
         let u = (self.b - self.a).unit()?;
         let [mut p, mut q] = [other.a, other.b].map(|e| ((e - self.a).dot(u), u.cross(e - self.a)));
         if p.0 > q.0 {
@@ -48,7 +48,7 @@ impl Bar {
     }
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// For each link, the displacement of each of its bars: plain ones first, then those along
     /// guides.
     pub(super) fn parted(&self) -> Vec<Vec<Vec2>> {
@@ -103,17 +103,17 @@ impl Draft<'_> {
         out
     }
 
-    fn all_bars(&self) -> Vec<Bar> {
+    fn all_bars(&self) -> Vec<PartedBar> {
         let mut bars = Vec::new();
         for (link, form) in self.forms.iter().enumerate() {
             let Some(form) = form else { continue };
             let straight = form.bars.iter().chain(&form.guide_bars).enumerate();
             bars.extend(straight.map(|(k, &(a, b))| {
                 let slotted = k >= form.bars.len() && !form.slots.is_empty();
-                Bar { link, index: (!slotted).then_some(k), a, b }
+                PartedBar { link, index: (!slotted).then_some(k), a, b }
             }));
             let n = form.plate.len();
-            bars.extend((0..n).map(|k| Bar { link, index: None, a: form.plate[k], b: form.plate[(k + 1) % n] }));
+            bars.extend((0..n).map(|k| PartedBar { link, index: None, a: form.plate[k], b: form.plate[(k + 1) % n] }));
         }
         bars
     }
@@ -128,8 +128,8 @@ impl Draft<'_> {
 mod tests {
     use super::*;
 
-    fn bar(a: [f64; 2], b: [f64; 2]) -> Bar {
-        Bar { link: 0, index: Some(0), a: Point::new(a[0], a[1]), b: Point::new(b[0], b[1]) }
+    fn bar(a: [f64; 2], b: [f64; 2]) -> PartedBar {
+        PartedBar { link: 0, index: Some(0), a: Point::new(a[0], a[1]), b: Point::new(b[0], b[1]) }
     }
 
     #[test]

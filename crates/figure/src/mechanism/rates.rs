@@ -7,12 +7,12 @@ use std::f64::consts::TAU;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::extent::on_circle;
-use hodograph_paper::paper::item::{Item, Shape};
+use hodograph_paper::paper::item::{FigureItem, Shape};
 use hodograph_paper::paper::place::{Obstacles, free_places, roomiest};
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::Driver;
 
-use super::Draft;
+use super::MechanismDraft;
 use super::marks::{Called, NEXT_MM};
 
 /// Places for the arrow of a rotation: number of turned positions about its centre, number of
@@ -44,7 +44,7 @@ pub(super) const ARROW_MM: f64 = 12.0;
 const IN_LINE_MM: f64 = 3.0;
 
 /// The candidate places for the arrows of a link that turns.
-pub(super) struct Turns {
+pub(super) struct TurnArrows {
     pub centre: Point,
     pub radius: f64,
     /// Start and end angle of the first arrow (rad), in either sense.
@@ -66,16 +66,16 @@ pub(super) struct Slides {
 }
 
 /// The rate given in the file; 0 if the file leaves it free.
-fn told_rate(driver: &Driver) -> f64 {
+fn given_rate(driver: &Driver) -> f64 {
     if driver.rate_told { driver.rate.value } else { 0.0 }
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// Draws the arrows of ω and α.
-    pub(super) fn rotations(&mut self, driver: &Driver, index: &str, t: Turns) {
+    pub(super) fn rotations(&mut self, driver: &Driver, index: &str, t: TurnArrows) {
         let name = name_label(index);
-        let given = [("rotation", "omega", told_rate(driver)), ("angular-acceleration", "alpha", acceleration(driver))];
-        let mut first: Option<Vec<Item>> = None;
+        let given = [("rotation", "omega", given_rate(driver)), ("angular-acceleration", "alpha", acceleration(driver))];
+        let mut first: Option<Vec<FigureItem>> = None;
         for (thing, letter, value) in given.into_iter().filter(|g| g.2 != 0.0) {
             let [low, high] = sorted(t.angles);
             let (low, high) = if first.is_some() { (2.0 * t.mirror - high, 2.0 * t.mirror - low) } else { (low, high) };
@@ -96,7 +96,13 @@ impl Draft<'_> {
     /// requested, or else turned about its centre or farther out by as little as possible. In a
     /// series the space for the name is ignored, because the arrow would jump from one figure to
     /// the next.
-    fn clear_arc(&self, symbol: &str, centre: Point, (radius, [from, to]): (f64, [f64; 2]), beside: Option<&[Item]>) -> (f64, [f64; 2]) {
+    fn clear_arc(
+        &self,
+        symbol: &str,
+        centre: Point,
+        (radius, [from, to]): (f64, [f64; 2]),
+        beside: Option<&[FigureItem]>,
+    ) -> (f64, [f64; 2]) {
         let beside = beside.map(Obstacles::of);
         let place = |out: usize, turn: i32| {
             let by = f64::from(turn) * TAU / f64::from(TURNS);
@@ -126,7 +132,7 @@ impl Draft<'_> {
 
     /// Draws the arrows of a velocity and an acceleration along a line, with their symbols.
     pub(super) fn translations(&mut self, driver: &Driver, symbols: &[String; 2], s: Slides) {
-        let (rate, acceleration) = (told_rate(driver), acceleration(driver));
+        let (rate, acceleration) = (given_rate(driver), acceleration(driver));
         if rate != 0.0 {
             self.straight_arrow(s.from, s.along * rate.signum(), &format!("driver-vel-{}", s.who), &symbols[0]);
         }
@@ -148,8 +154,8 @@ impl Draft<'_> {
         self.straight_arrow(from, towards, &format!("driver-acc-{}", s.who), &symbols[1]);
     }
 
-    fn arrow(&self, from: Point, along: Vec2) -> Item {
-        Item::new("", Shape::Arrow { from, to: from + along * ARROW_MM, stroke: self.style.vector, head: self.style.head })
+    fn arrow(&self, from: Point, along: Vec2) -> FigureItem {
+        FigureItem::new("", Shape::Arrow { from, to: from + along * ARROW_MM, stroke: self.style.vector, head: self.style.head })
     }
 
     fn straight_arrow(&mut self, from: Point, along: Vec2, id: &str, symbol: &str) {

@@ -7,7 +7,7 @@ use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::{GuideId, GuidePath, LinkId, PointId, Through};
 
-use super::Draft;
+use super::MechanismDraft;
 use super::letters::NumberPlace;
 use super::wheels::RACK_HALF_MM;
 
@@ -29,7 +29,7 @@ const STEEP: f64 = 0.35;
 /// Half the length of a fixed curved slot.
 const FIXED_SLOT_HALF_MM: f64 = 13.0;
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// The guides that are drawn as guides: rolling pairs have their own drawing.
     fn guides(&self) -> impl Iterator<Item = GuideId> + use<> {
         let drawn: Vec<GuideId> = (0..self.scene.guides.len()).map(GuideId).filter(|g| self.scene.guides[g.0].rolling.is_none()).collect();
@@ -73,7 +73,7 @@ impl Draft<'_> {
         self.hatched[g.0] = Some(-u.perp());
         let [back, on] = self.travel(g);
         let middle = at + self.raised(g, direction) + direction * ((back + on) / 2.0);
-        let items = sym::guide(self.style, middle, u.angle(), GUIDE_MM + on - back, sym::Guide::OneSided);
+        let items = sym::guide(self.style, middle, u.angle(), GUIDE_MM + on - back, sym::GuideForm::OneSided);
         let items = self.as_opened(Opened::Guide(g), items);
         self.d.draw(&format!("guide-{}", self.scene.point_name(p)), "", items);
     }
@@ -133,7 +133,7 @@ impl Draft<'_> {
         let end = root + u * (on - back + before + BUSHING_LENGTH_MM + 8.0);
         let root = root + u * taken;
         let name = self.scene.links[slider.0].name.clone();
-        let items = sym::guide(self.style, centre, u.angle(), BUSHING_LENGTH_MM, sym::Guide::TwoSided);
+        let items = sym::guide(self.style, centre, u.angle(), BUSHING_LENGTH_MM, sym::GuideForm::TwoSided);
         self.d.draw(&format!("guide-{name}"), "", items);
         self.d.of_link(Some(slider.0));
         let owner = self.d.draw(&format!("link-{name}"), "", sym::link(self.style, &[root, end]));
@@ -190,7 +190,7 @@ impl Draft<'_> {
     }
 
     /// Extends the slotted bar of a yoke to its rod.
-    fn extend_yoke(&self, l: usize, form: &mut super::Form) {
+    fn extend_yoke(&self, l: usize, form: &mut super::LinkForm) {
         let glides = |g: &GuideId| self.scene.guides[g.0].slider.is_some_and(|s| s.0 == l) && self.scene.guides[g.0].pin.is_none();
         let Some(g) = self.guides().find(glides) else { return };
         let Some(Path::Line { direction, .. }) = self.guide(g) else { return };

@@ -1,10 +1,10 @@
 //! Draws special points: the intersections of two lines along which a link is held.
 
-use super::Draft;
+use super::MechanismDraft;
 use hodograph_base::geom::Point;
 use hodograph_board::construct::Polygon;
 use hodograph_board::plan::names::{point_label, special_name};
-use hodograph_board::plan::{SpecialLine, Spot};
+use hodograph_board::plan::{SpecialLine, VertexPlace};
 use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::DiagramKind;
@@ -13,12 +13,12 @@ use hodograph_scene::DiagramKind;
 /// A farther one is only described in words, because it would reduce the scale of the mechanism.
 pub(crate) const REACH: f64 = 0.8;
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// Draws every special point that the construction used, with its two lines.
     pub(super) fn special_points(&mut self) {
         let worked = self.worked;
         for (v, vertex) in worked.plan.vertices.iter().enumerate() {
-            let (Spot::Special(k), Some(at)) = (vertex.spot, worked.construction.diagram.spots[v]) else { continue };
+            let (VertexPlace::Special(k), Some(at)) = (vertex.spot, worked.construction.diagram.spots[v]) else { continue };
             let here = |v: &usize| worked.plan.vertices[*v].spot == vertex.spot;
             let drawn = |p: &Polygon| (0..p.images.len()).filter(here).any(|v| p.images[v].is_some());
             let drawn = worked.construction.polygon(DiagramKind::Velocity).is_some_and(drawn);

@@ -4,7 +4,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_scene::PointId;
 
-use super::{Draft, form};
+use super::{MechanismDraft, form};
 
 /// A link nearer to the direction of a support's triangle than this (cosine) would cover it.
 const OVER_SUPPORT: f64 = 0.6;
@@ -21,7 +21,7 @@ const NEAR_MM: f64 = 22.0;
 /// The direction in which readers look for the ground.
 const DOWN: Vec2 = Vec2::new(0.0, -1.0);
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// The direction from a fixed pivot to its ground: down, unless something is in the way and
     /// another side is freer.
     pub(super) fn support_side(&self, p: PointId) -> Vec2 {

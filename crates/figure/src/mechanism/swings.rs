@@ -11,14 +11,14 @@ use hodograph_mechanism::position::Path;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::{GuideId, GuidePath, LinkId, PointId};
 
-use super::Draft;
+use super::MechanismDraft;
 use super::letters::NumberPlace;
 
 /// Extension of the rod beyond the block.
 const BEYOND_MM: f64 = 6.0;
 
 /// A swinging block on paper.
-pub(super) struct Swing {
+pub(super) struct SwingingBlock {
     /// The block.
     pub block: LinkId,
     /// The link that slides through the block.
@@ -29,7 +29,7 @@ pub(super) struct Swing {
     pub ends: (Point, Point),
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// True if a guide is the bore of a swinging block: its carrier has one point, which is on the
     /// guide.
     pub(super) fn is_bore(&self, g: GuideId) -> bool {
@@ -52,11 +52,11 @@ impl Draft<'_> {
     }
 
     /// All swinging blocks.
-    pub(super) fn swings(&self) -> Vec<Swing> {
+    pub(super) fn swings(&self) -> Vec<SwingingBlock> {
         (0..self.scene.guides.len()).map(GuideId).filter(|g| self.is_bore(*g)).filter_map(|g| self.swing(g)).collect()
     }
 
-    fn swing(&self, g: GuideId) -> Option<Swing> {
+    fn swing(&self, g: GuideId) -> Option<SwingingBlock> {
         let guide = &self.scene.guides[g.0];
         let (pin, centre) = (self.point(guide.pin?)?, self.point(self.scene.links[guide.on.0].points[0])?);
         // A pin in the middle of the block leaves the guide's own direction.
@@ -65,7 +65,7 @@ impl Draft<'_> {
         let [back, on] = self.travel(g);
         let farther = if u.dot(along) > 0.0 { -back } else { on };
         let length = pin.distance(centre) + farther + self.style.block_length_mm / 2.0 + BEYOND_MM;
-        Some(Swing { block: guide.on, rod: guide.slider?, centre, ends: (pin, pin + u * length) })
+        Some(SwingingBlock { block: guide.on, rod: guide.slider?, centre, ends: (pin, pin + u * length) })
     }
 
     /// The directions in which rods leave the joint of a block.
@@ -77,7 +77,7 @@ impl Draft<'_> {
 
     /// Draws the blocks, over their rods and supports.
     pub(super) fn swinging(&mut self) {
-        let shown: Vec<Swing> = self.swings().into_iter().filter(|s| self.shows(s.block)).collect();
+        let shown: Vec<SwingingBlock> = self.swings().into_iter().filter(|s| self.shows(s.block)).collect();
         for s in shown {
             let Some(u) = (s.ends.1 - s.ends.0).unit() else { continue };
             let id = self.link_id(s.block.0);

@@ -10,13 +10,13 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::mechanism::Opened;
 use hodograph_paper::paper::extent::{Rect, on_circle};
-use hodograph_paper::paper::item::{Dash, Piece, Shape, Stroke};
+use hodograph_paper::paper::item::{Dash, LineStroke, PathPiece, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::{GuideId, LinkId, Normal, PointId, Rolling, RollingId, Touch};
 
-use super::Draft;
+use super::MechanismDraft;
 use super::letters::NumberPlace;
 use super::slides::GUIDE_MM;
 
@@ -45,7 +45,7 @@ struct Round {
     teeth: Option<u32>,
 }
 
-impl Draft<'_> {
+impl MechanismDraft<'_> {
     /// The round contours of a pair.
     fn rounds(&self, pair: &Rolling) -> Vec<Round> {
         let teeth = pair.flanks.as_ref().map(|f| f.teeth);
@@ -116,7 +116,7 @@ impl Draft<'_> {
     }
 
     /// The stroke of a contour: a chain line for the pitch line of teeth, otherwise a full line.
-    pub(super) fn contour_stroke(&self, pair: &Rolling) -> Stroke {
+    pub(super) fn contour_stroke(&self, pair: &Rolling) -> LineStroke {
         if pair.kind.is_toothed() { self.style.outline.dashed(Dash::DashDot) } else { self.style.outline }
     }
 
@@ -185,7 +185,7 @@ impl Draft<'_> {
             let out = (p - round.centre).unit().unwrap_or(Vec2::ZERO);
             p + (out * sign + out.perp()) * self.style.hatch_depth_mm
         };
-        let pieces = feet.iter().flat_map(|p| [Piece::Move(*p), Piece::Line(depth(*p))]).skip(1).collect();
+        let pieces = feet.iter().flat_map(|p| [PathPiece::Move(*p), PathPiece::Line(depth(*p))]).skip(1).collect();
         let id = format!("track-{}", self.scene.point_name(at));
         self.d.shape(&id, "ground hatch", Shape::Path { start: feet[0], pieces, closed: false, stroke: Some(self.style.thin), fill: None });
         let (from_rad, to_rad) = (middle - half, middle + half);
@@ -222,7 +222,7 @@ impl Draft<'_> {
         let owner = if toothed {
             let stroke = self.style.outline;
             self.d.shape(&id, "wheel", Shape::Line { from, to, stroke: stroke.dashed(Dash::DashDot) });
-            let pieces = vec![Piece::Line(from + behind), Piece::Line(to + behind), Piece::Line(to)];
+            let pieces = vec![PathPiece::Line(from + behind), PathPiece::Line(to + behind), PathPiece::Line(to)];
             self.d.shape(&id, "wheel", Shape::Path { start: from, pieces, closed: false, stroke: Some(stroke), fill: None })
         } else {
             self.d.draw(&id, "", sym::link(self.style, &[from, to]))
@@ -248,7 +248,7 @@ impl Draft<'_> {
                 let Some(at) = self.point(p) else { continue };
                 let normal = self.rounds(pair).first().map_or(0.0, |r| (at - r.centre).angle());
                 let arm = |k: f64| Vec2::from_angle(normal + FRAC_PI_4 + FRAC_PI_2 * k) * CROSS_MM;
-                let pieces = vec![Piece::Line(at - arm(0.0)), Piece::Move(at + arm(1.0)), Piece::Line(at - arm(1.0))];
+                let pieces = vec![PathPiece::Line(at - arm(0.0)), PathPiece::Move(at + arm(1.0)), PathPiece::Line(at - arm(1.0))];
                 let shape = Shape::Path { start: at + arm(0.0), pieces, closed: false, stroke: Some(self.style.outline), fill: None };
                 self.d.shape(&format!("contact-{}", scene.point_name(p)), "contact", shape);
             }

@@ -1,11 +1,11 @@
 //! Draws a pursuit: the course from the start to the meeting, and the polygons at the instant.
 
-use super::{Maker, View, step};
+use super::{ParticleDrafter, ParticleView, step};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;
-use hodograph_methods::particle::board::{Arrow, Drawn, FINE, SIGHTS, Views};
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_methods::particle::board::{Arrow, FINE, MotionDrawing, SIGHTS, Views};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::{Colour, Dash, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
@@ -30,11 +30,11 @@ fn caption(until: f64, meets: bool) -> Both {
 /// Distance from a lettered point within which a number would be read with the letter.
 const BESIDE_MM: f64 = 3.0;
 
-impl Maker<'_> {
+impl ParticleDrafter<'_> {
     /// Draws the course of pursuer and target from the start to the meeting, with lines of sight at
     /// equal times, and the two points at the instant if `with_now` is true (in a lesson they move:
-    /// [`Maker::pair`]).
-    pub fn course(&self, drawn: &Drawn, with_now: bool) -> Option<View> {
+    /// [`ParticleDrafter::pair`]).
+    pub fn course(&self, drawn: &MotionDrawing, with_now: bool) -> Option<ParticleView> {
         let motion = &self.problem.motions[drawn.motion];
         let Views::Chase { course, until, meets, places, .. } = &drawn.views else { return None };
         let (_, target) = self.problem.chase(motion)?;
@@ -56,7 +56,7 @@ impl Maker<'_> {
         if let Some([_, p]) = course.last().filter(|_| *meets) {
             self.named(&mut d, "P", *p);
         }
-        Some(View {
+        Some(ParticleView {
             part: d.finish(),
             caption: caption(*until, *meets),
             scales: vec![(DiagramKind::Plane, drawn.scale(DiagramKind::Plane))],
@@ -64,7 +64,7 @@ impl Maker<'_> {
     }
 
     /// Draws pursuer and target at the start, with the path of the target.
-    pub(super) fn start(&self, drawn: &Drawn) -> Option<View> {
+    pub(super) fn start(&self, drawn: &MotionDrawing) -> Option<ParticleView> {
         let Views::Chase { course, .. } = &drawn.views else { return None };
         let motion = &self.problem.motions[drawn.motion];
         let (_, target) = self.problem.chase(motion)?;
@@ -75,11 +75,11 @@ impl Maker<'_> {
         self.named(&mut d, &motion.point, a);
         self.named(&mut d, target, b);
         let caption = both!("At the start, $t = 0$, with the path of ${target}$", "$t = 0$ 时的起始位置及 ${target}$ 的轨迹");
-        Some(View { part: d.finish(), caption, scales: vec![(DiagramKind::Plane, drawn.scale(DiagramKind::Plane))] })
+        Some(ParticleView { part: d.finish(), caption, scales: vec![(DiagramKind::Plane, drawn.scale(DiagramKind::Plane))] })
     }
 
     /// Draws the two points at the instant and the line between them.
-    pub fn pair(&self, drawn: &Drawn) -> Part {
+    pub fn pair(&self, drawn: &MotionDrawing) -> DrawingPart {
         let mut d = Drawing::new("course", self.style.clone());
         let motion = &self.problem.motions[drawn.motion];
         if let (Views::Chase { places, .. }, Some((_, target))) = (&drawn.views, self.problem.chase(motion)) {
@@ -114,7 +114,7 @@ impl Maker<'_> {
     }
 
     /// Draws both polygons from their poles.
-    pub fn polygons(&self, drawn: &Drawn) -> Vec<View> {
+    pub fn polygons(&self, drawn: &MotionDrawing) -> Vec<ParticleView> {
         let Views::Chase { velocities, foot, accelerations, .. } = &drawn.views else { return Vec::new() };
         vec![
             self.polygon(drawn, DiagramKind::Velocity, velocities, Some(*foot)),
@@ -122,7 +122,7 @@ impl Maker<'_> {
         ]
     }
 
-    fn polygon(&self, drawn: &Drawn, on: DiagramKind, arrows: &[Arrow], foot: Option<Point>) -> View {
+    fn polygon(&self, drawn: &MotionDrawing, on: DiagramKind, arrows: &[Arrow], foot: Option<Point>) -> ParticleView {
         let style = self.style;
         let mut d = Drawing::new("polygon", style.clone());
         let prime = on.prime();
@@ -150,6 +150,6 @@ impl Maker<'_> {
             DiagramKind::Acceleration => both!("Acceleration of the pursuer", "追踪点的加速度"),
             DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => both!("Velocities at the instant", "此瞬时的速度"),
         };
-        View { part: d.finish(), caption, scales: vec![(on, mu)] }
+        ParticleView { part: d.finish(), caption, scales: vec![(on, mu)] }
     }
 }

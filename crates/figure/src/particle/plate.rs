@@ -1,11 +1,11 @@
 //! Draws the two views of a plate that turns in space: perpendicular to it, and along its axis.
 
-use super::{Maker, View, step};
+use super::{ParticleDrafter, ParticleView, step};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_methods::particle::Kind;
-use hodograph_methods::particle::board::{Arrow, Drawn, Views};
-use hodograph_methods::particle::law::Way;
+use hodograph_methods::particle::ParticleMotionKind;
+use hodograph_methods::particle::board::{Arrow, MotionDrawing, Views};
+use hodograph_methods::particle::law::PathLaw;
 use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::item::{Colour, Dash, Shape};
 use hodograph_paper::paper::label::Label;
@@ -16,13 +16,13 @@ use hodograph_scene::DiagramKind;
 /// Colour of a plate seen edge-on, in the background of the vectors along it.
 const PLATE: Colour = Colour::grey(175);
 
-impl Maker<'_> {
+impl ParticleDrafter<'_> {
     /// Draws the view on the plate: its axis upwards, the path, v_r or a_r at the point.
-    pub(super) fn on_plate(&self, drawn: &Drawn, on: DiagramKind, arrows: &[Arrow]) -> Result<View, Diagnostic> {
+    pub(super) fn on_plate(&self, drawn: &MotionDrawing, on: DiagramKind, arrows: &[Arrow]) -> Result<ParticleView, Diagnostic> {
         let style = self.style;
         let mut d = Drawing::new("front", style.clone());
         let motion = &self.problem.motions[drawn.motion];
-        let (Views::Plate { places, .. }, Kind::OnPlate(k, way)) = (&drawn.views, &motion.kind) else {
+        let (Views::Plate { places, .. }, ParticleMotionKind::OnPlate(k, way)) = (&drawn.views, &motion.kind) else {
             return Err(Diagnostic::error("plate", both!("`{}` moves on no plate", "`{}` 不在平板上运动", motion.point)));
         };
         let plate = &self.problem.plates[*k];
@@ -51,12 +51,12 @@ impl Maker<'_> {
                 both!("View on the plate (calculated)", "板面视图（计算所得）")
             }
         };
-        Ok(View { part: d.finish(), caption, scales: self.scales(drawn, on) })
+        Ok(ParticleView { part: d.finish(), caption, scales: self.scales(drawn, on) })
     }
 
     /// The path on the plate (mm): a line beyond the point and its start, a full circle, or part of
     /// another path.
-    fn path(&self, way: &Way, mu: f64) -> Result<Vec<Point>, Diagnostic> {
+    fn path(&self, way: &PathLaw, mu: f64) -> Result<Vec<Point>, Diagnostic> {
         let t = self.problem.instant();
         let place = |t: f64| -> Result<Point, Diagnostic> {
             let [r, z] = way.at(t)?;
@@ -64,7 +64,7 @@ impl Maker<'_> {
         };
         let now = place(t)?;
         Ok(match way {
-            Way::Line { from, angle, .. } => {
+            PathLaw::Line { from, angle, .. } => {
                 let (s, c) = hodograph_methods::particle::law::sine_cosine(angle, t)?;
                 let along = Vec2::new(s.0[0], c.0[0]);
                 let value = |k: usize| hodograph_methods::particle::law::jet(&from[k], t).map(|j| j.0[0] / mu);
@@ -72,13 +72,13 @@ impl Maker<'_> {
                 let there = along.dot(now - start);
                 vec![start + along * there.min(0.0), start + along * (there.max(0.0) + 8.0)]
             }
-            Way::Circle { centre, .. } => {
+            PathLaw::Circle { centre, .. } => {
                 let value = |k: usize| hodograph_methods::particle::law::jet(&centre[k], t).map(|j| j.0[0] / mu);
                 let centre = Point::new(value(0)?, value(1)?);
                 let arm = now - centre;
                 (0..=120).map(|k| centre + arm.rotate_by(Vec2::from_angle(std::f64::consts::TAU * f64::from(k) / 120.0))).collect()
             }
-            Way::Polar { .. } | Way::Free(_) => {
+            PathLaw::Polar { .. } | PathLaw::Free(_) => {
                 let span = if t > 0.0 { 2.0 * t } else { 1.0 };
                 (0..=60).filter_map(|k| place(span * f64::from(k) / 60.0).ok()).collect()
             }
@@ -87,12 +87,12 @@ impl Maker<'_> {
 
     /// Draws the view along the axis: the plate as a line, and all components perpendicular to the
     /// axis.
-    pub(super) fn along_axis(&self, drawn: &Drawn, on: DiagramKind, arrows: &[Arrow]) -> View {
+    pub(super) fn along_axis(&self, drawn: &MotionDrawing, on: DiagramKind, arrows: &[Arrow]) -> ParticleView {
         let style = self.style;
         let mut d = Drawing::new("top", style.clone());
         let motion = &self.problem.motions[drawn.motion];
-        let (Views::Plate { places, along, .. }, Kind::OnPlate(k, _)) = (&drawn.views, &motion.kind) else {
-            return View { part: d.finish(), caption: both!("", ""), scales: Vec::new() };
+        let (Views::Plate { places, along, .. }, ParticleMotionKind::OnPlate(k, _)) = (&drawn.views, &motion.kind) else {
+            return ParticleView { part: d.finish(), caption: both!("", ""), scales: Vec::new() };
         };
         let plate = &self.problem.plates[*k];
         let (m, o) = (places[1], Point::ORIGIN);
@@ -152,6 +152,6 @@ impl Maker<'_> {
                 both!("View along the axis (calculated; $v'$, $a'$ as they are seen there)", "沿轴视图（计算所得；$v'$、$a'$ 为其投影）")
             }
         };
-        View { part: d.finish(), caption, scales: self.scales(drawn, on) }
+        ParticleView { part: d.finish(), caption, scales: self.scales(drawn, on) }
     }
 }

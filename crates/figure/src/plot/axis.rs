@@ -19,7 +19,7 @@ const SHORTEST: f64 = 1e-290;
 
 /// A range with ticks.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Axis {
+pub(crate) struct PlotAxis {
     /// The value at the start, on the left or below; the value at the end may be less.
     pub from: f64,
     /// The value at the end.
@@ -29,9 +29,9 @@ pub(crate) struct Axis {
     powers: bool,
 }
 
-impl Axis {
+impl PlotAxis {
     /// Returns the range of these values, extended to ticks, with at most `most` steps.
-    pub fn of(values: &[f64], degrees: bool, most: usize) -> Axis {
+    pub fn of(values: &[f64], degrees: bool, most: usize) -> PlotAxis {
         let finite = || values.iter().copied().filter(|v| v.is_finite()).map(|v| v.clamp(-FARTHEST, FARTHEST));
         let lo = finite().fold(f64::INFINITY, f64::min);
         let hi = finite().fold(f64::NEG_INFINITY, f64::max);
@@ -58,13 +58,13 @@ impl Axis {
             end != 0.0 && there > STAYS.max(values.len() / 10)
         };
         let (from, to) = (if stays(from) { from - step } else { from }, if stays(to) { to + step } else { to });
-        Axis { from, to, step, powers: false }
+        PlotAxis { from, to, step, powers: false }
     }
 
     /// Returns an axis from one power of ten to another.
-    pub fn powers(from: f64, to: f64) -> Axis {
+    pub fn powers(from: f64, to: f64) -> PlotAxis {
         let step = if (to - from).abs() > DECADES_MAX { 5.0 } else { 1.0 };
-        Axis { from: libm::pow(10.0, from), to: libm::pow(10.0, to), step, powers: true }
+        PlotAxis { from: libm::pow(10.0, from), to: libm::pow(10.0, to), step, powers: true }
     }
 
     /// A value in the units of the axis: itself, or its power of ten.
@@ -118,27 +118,27 @@ mod tests {
 
     #[test]
     fn powers_of_ten() {
-        let names = |axis: &Axis| axis.ticks().map(|t| axis.name(t)).collect::<Vec<_>>();
-        let few = Axis::powers(-2.0, 1.0);
+        let names = |axis: &PlotAxis| axis.ticks().map(|t| axis.name(t)).collect::<Vec<_>>();
+        let few = PlotAxis::powers(-2.0, 1.0);
         assert_eq!(names(&few), ["10^{−2}", "10^{−1}", "1", "10^{1}"]);
         assert!((few.part(0.1) - 1.0 / 3.0).abs() < 1e-12 && few.part(0.0) == 0.0 && few.part(1e9) == 1.0);
         // Decreasing to the right.
-        let back = Axis::powers(0.0, -14.0);
+        let back = PlotAxis::powers(0.0, -14.0);
         assert_eq!(names(&back), ["10^{−10}", "10^{−5}", "1"]);
         assert!(back.part(1.0) == 0.0 && back.part(1e-14) == 1.0 && back.holds(1e-3) && !back.holds(2.0));
     }
 
     #[test]
     fn ticks_that_people_read() {
-        let degrees = Axis::of(&[0.0, 360.000_000_000_000_06], true, 12);
+        let degrees = PlotAxis::of(&[0.0, 360.000_000_000_000_06], true, 12);
         assert_eq!((degrees.from, degrees.to, degrees.step), (0.0, 360.0, 30.0));
-        let y = Axis::of(&[-0.31, 0.58], false, 6);
+        let y = PlotAxis::of(&[-0.31, 0.58], false, 6);
         assert_eq!((y.name(y.from), y.name(y.to), y.ticks().count()), ("−0.4".into(), "0.6".into(), 6));
-        assert_eq!(Axis::of(&[2.0], false, 6).ticks().count(), 5);
+        assert_eq!(PlotAxis::of(&[2.0], false, 6).ticks().count(), 5);
         let constant: Vec<f64> = (0..20).map(|k| 0.06 * f64::from(k)).chain([1.2; 20]).collect();
-        assert!((Axis::of(&constant, false, 6).to - 1.4).abs() < 1e-12);
-        assert_eq!(Axis::of(&[[0.0; 20], [1.2; 20]].concat()[..21], false, 6).from, 0.0);
-        assert!(Axis::of(&[], false, 6).ticks().all(f64::is_finite));
+        assert!((PlotAxis::of(&constant, false, 6).to - 1.4).abs() < 1e-12);
+        assert_eq!(PlotAxis::of(&[[0.0; 20], [1.2; 20]].concat()[..21], false, 6).from, 0.0);
+        assert!(PlotAxis::of(&[], false, 6).ticks().all(f64::is_finite));
         // Values that differ by rounding only, numbers at the ends of their range, and no numbers.
         for [a, b] in [
             [7.000000000007, 7.000000000007001],
@@ -149,11 +149,11 @@ mod tests {
             [1e300, 1.0000000000000002e300],
             [f64::MIN, f64::MIN],
         ] {
-            let axis = Axis::of(&[a, b], false, 6);
+            let axis = PlotAxis::of(&[a, b], false, 6);
             let all = [a, b, axis.from, axis.to, 0.0].map(|v| axis.part(v));
             assert!(axis.from < axis.to && all.iter().all(|p| (0.0..=1.0).contains(p)), "{a} {b}: {axis:?} {all:?}");
             assert!((2..20).contains(&axis.ticks().count()) && axis.ticks().all(f64::is_finite), "{a} {b}: {axis:?}");
         }
-        assert_eq!(Axis::of(&[0.0, 1e-9], false, 5).name(4e-10), "4.00 \\times 10^{−10}");
+        assert_eq!(PlotAxis::of(&[0.0, 1e-9], false, 5).name(4e-10), "4.00 \\times 10^{−10}");
     }
 }

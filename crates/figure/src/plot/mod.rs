@@ -7,11 +7,11 @@
 
 mod axis;
 
-pub(super) use axis::Axis;
+pub(super) use axis::PlotAxis;
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Colour, Item, PLACED, Shape, Stroke};
+use hodograph_paper::paper::item::{Anchor, Colour, FigureItem, LineStroke, PLACED, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
 use hodograph_paper::paper::style::Style;
@@ -24,7 +24,7 @@ const UNIT_MM: f64 = 3.0;
 /// Space for the numbers of a vertical axis.
 const NUMBERS_MM: f64 = 14.0;
 /// Stroke of grid and leader lines.
-const GRID: Stroke = Stroke::new(0.12);
+const GRID: LineStroke = LineStroke::new(0.12);
 /// Distance between the baselines of names on the right (em).
 const NAME_EM: f64 = 1.4;
 /// Distance from the frame to the names on its right: space for their leader lines.
@@ -43,16 +43,16 @@ pub(super) struct Plot<'a> {
     /// The frame.
     pub frame: Rect,
     /// The horizontal and the vertical axis.
-    pub axes: [Axis; 2],
+    pub axes: [PlotAxis; 2],
     /// The first word of the items' ids.
     name: String,
-    items: Vec<Item>,
+    items: Vec<FigureItem>,
     /// Labels to be placed, and the link of each.
     wanted: Vec<(LabelRequest, Option<usize>)>,
 }
 
 impl<'a> Plot<'a> {
-    pub fn new(name: String, style: &'a Style, frame: Rect, axes: [Axis; 2]) -> Plot<'a> {
+    pub fn new(name: String, style: &'a Style, frame: Rect, axes: [PlotAxis; 2]) -> Plot<'a> {
         Plot { style, frame, axes, name, items: Vec::new(), wanted: Vec::new() }
     }
 
@@ -65,11 +65,11 @@ impl<'a> Plot<'a> {
     /// Draws a shape for a link, or for none.
     pub fn draw(&mut self, class: &str, shape: Shape, link: Option<usize>) {
         let id = format!("{}-{class}-{}", self.name, self.items.len());
-        let item = Item { link, ..Item::new(class, shape).with_id(id) };
+        let item = FigureItem { link, ..FigureItem::new(class, shape).with_id(id) };
         self.items.push(item.in_fonts(&self.style.fonts));
     }
 
-    pub fn line(&mut self, class: &str, from: Point, to: Point, stroke: Stroke) {
+    pub fn line(&mut self, class: &str, from: Point, to: Point, stroke: LineStroke) {
         self.draw(class, Shape::Line { from, to, stroke }, None);
     }
 
@@ -139,14 +139,14 @@ impl<'a> Plot<'a> {
     }
 
     /// Places the labels within `bounds` and returns all items.
-    pub fn finish(mut self, bounds: Rect) -> Vec<Item> {
-        let ink: Vec<Item> = self.items.iter().filter(|i| i.class != "grid").cloned().collect();
+    pub fn finish(mut self, bounds: Rect) -> Vec<FigureItem> {
+        let ink: Vec<FigureItem> = self.items.iter().filter(|i| i.class != "grid").cloned().collect();
         let (requests, links): (Vec<LabelRequest>, Vec<Option<usize>>) = std::mem::take(&mut self.wanted).into_iter().unzip();
         let placed = place(&requests, &Obstacles::of(&ink), bounds);
         for ((request, place), link) in requests.iter().zip(&placed).zip(links) {
             for item in place.items(request, PLACED, self.style.thin) {
                 let id = format!("{}-label-{}", self.name, self.items.len());
-                self.items.push(Item { link, ..item.with_id(id) });
+                self.items.push(FigureItem { link, ..item.with_id(id) });
             }
         }
         self.items

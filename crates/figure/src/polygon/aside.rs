@@ -7,7 +7,7 @@
 
 use hodograph_base::geom::{Point, Vec2};
 
-use super::{Arrow, Draft, LABEL_ROOM_MM, SAME_MM, covers, is_one};
+use super::{LABEL_ROOM_MM, PolygonArrow, PolygonDraft, SAME_MM, covers, is_one};
 
 /// Clear space between two vectors side by side: with less they merge in print.
 const AIR_MM: f64 = 0.7;
@@ -21,17 +21,17 @@ const OVER_PART: f64 = 0.6;
 const LANES: i32 = 3;
 
 /// A straight line on paper.
-type Ends = (Point, Point);
+type LineEnds = (Point, Point);
 
-impl Draft<'_> {
+impl PolygonDraft<'_> {
     /// Displaces vectors that would cover others; those from the pole and the long ones keep their
     /// places.
     pub(super) fn side_by_side(&mut self, width_mm: f64) {
-        let length = |a: &Arrow| a.from.distance(a.to);
+        let length = |a: &PolygonArrow| a.from.distance(a.to);
         let mut order: Vec<usize> = (0..self.arrows.len()).collect();
         let rank = |k: usize| (!is_one(self.arrows[k].from, Point::ORIGIN), -length(&self.arrows[k]));
         order.sort_by(|&i, &j| rank(i).0.cmp(&rank(j).0).then(rank(i).1.total_cmp(&rank(j).1)));
-        let mut placed: Vec<Ends> = Vec::new();
+        let mut placed: Vec<LineEnds> = Vec::new();
         for k in order {
             self.arrows[k].aside = lane((self.arrows[k].from, self.arrows[k].to), &placed, width_mm);
             placed.push(self.arrows[k].drawn());
@@ -40,8 +40,8 @@ impl Draft<'_> {
 }
 
 /// The perpendicular displacement of a line that makes it overlap none of the others.
-pub(crate) fn lane(line: Ends, others: &[Ends], width_mm: f64) -> Vec2 {
-    let over = |by: Vec2| others.iter().find_map(|other| lies_over((line.0 + by, line.1 + by), *other, width_mm));
+pub(crate) fn lane(line: LineEnds, others: &[LineEnds], width_mm: f64) -> Vec2 {
+    let over = |by: Vec2| others.iter().find_map(|other| overlap_offset((line.0 + by, line.1 + by), *other, width_mm));
     let (Some(left_mm), Some(along)) = (over(Vec2::ZERO), (line.1 - line.0).unit()) else { return Vec2::ZERO };
     // Towards the side on which it already is.
     let side = along.perp() * if left_mm < -SAME_MM { -1.0 } else { 1.0 };
@@ -49,14 +49,14 @@ pub(crate) fn lane(line: Ends, others: &[Ends], width_mm: f64) -> Vec2 {
     lanes.find(|by| over(*by).is_none()).unwrap_or(Vec2::ZERO)
 }
 
-impl Arrow {
+impl PolygonArrow {
     /// The ends between which the vector is drawn.
-    pub(super) fn drawn(&self) -> Ends {
+    pub(super) fn drawn(&self) -> LineEnds {
         (self.from + self.aside, self.to + self.aside)
     }
 
     /// The lines from the true ends to the drawn ones; empty if they coincide.
-    pub(super) fn joins(&self) -> Vec<Ends> {
+    pub(super) fn joins(&self) -> Vec<LineEnds> {
         let ends = if self.aside == Vec2::ZERO { vec![] } else { vec![self.from, self.to] };
         ends.into_iter().map(|p| (p, p + self.aside)).collect()
     }
@@ -65,7 +65,7 @@ impl Arrow {
 /// The signed offset (mm, positive to the left in its own direction) of a line `one` that overlaps
 /// `other`; `None` if both are visible. A line that starts where a longer one starts, and runs the
 /// same way, is visible by its head.
-fn lies_over(one: Ends, other: Ends, width_mm: f64) -> Option<f64> {
+fn overlap_offset(one: LineEnds, other: LineEnds, width_mm: f64) -> Option<f64> {
     let near = width_mm + CLOSED_MM;
     // Most are far apart, which needs no square root to detect.
     let apart = |a: f64, b: f64, c: f64, d: f64| a.max(b) + near < c.min(d) || c.max(d) + near < a.min(b);
@@ -112,14 +112,14 @@ fn lies_over(one: Ends, other: Ends, width_mm: f64) -> Option<f64> {
 mod tests {
     use super::*;
 
-    fn line(a: [f64; 2], b: [f64; 2]) -> Ends {
+    fn line(a: [f64; 2], b: [f64; 2]) -> LineEnds {
         (Point::new(a[0], a[1]), Point::new(b[0], b[1]))
     }
 
     #[test]
     fn lines_over_one_another() {
         let level = line([0.0, 0.0], [40.0, 0.0]);
-        let over = |other: Ends| lies_over(other, level, 0.4);
+        let over = |other: LineEnds| overlap_offset(other, level, 0.4);
         assert_eq!(over(line([40.0, 0.0], [0.0, 0.0])), Some(0.0), "back again");
         assert_eq!(over(line([40.0, 0.0], [0.0, 0.4])), Some(-0.2), "and a little to the right of the way back");
         assert_eq!(over(line([0.0, 0.0], [40.0, 0.4])), Some(0.2));

@@ -15,7 +15,7 @@ use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::style::Style;
 use hodograph_scene::{LinkId, PointId};
 
-use super::{Draft, SAME_MM};
+use super::{PolygonDraft, SAME_MM};
 
 /// A smaller circle is hidden by the letters at its centre.
 const LEAST_MM: f64 = 4.0;
@@ -57,7 +57,7 @@ impl Circle {
     }
 }
 
-impl Draft<'_> {
+impl PolygonDraft<'_> {
     /// The image circles of a polygon, each once.
     pub(super) fn image_circles(&self) -> Vec<Circle> {
         let scene = self.w.scene;
@@ -117,7 +117,7 @@ impl Draft<'_> {
 mod tests {
     use super::*;
     use hodograph_base::notation::Notation;
-    use hodograph_board::plan::text::Writer;
+    use hodograph_board::plan::text::PlanWriter;
     use hodograph_scene::{DiagramKind, Lang, read};
     use hodograph_worked::worked::{Scope, work};
 
@@ -135,9 +135,9 @@ mod tests {
         let scene = read(text).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let notation = Notation::of_language(Lang::En);
-        let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+        let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
         let p = worked.construction.polygon(on).unwrap();
-        let all = Draft::of(&w, p).image_circles();
+        let all = PolygonDraft::of(&w, p).image_circles();
         (all.into_iter().map(|c| (scene.link_name(c.link).to_owned(), c)).collect(), p.mu)
     }
 

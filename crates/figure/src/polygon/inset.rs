@@ -9,8 +9,8 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::style::Style;
 use hodograph_report::amount::scale_formula;
 
-use super::names::Shown;
-use super::{Draft, SAME_MM, ZERO_MM, middle};
+use super::names::VectorPlace;
+use super::{PolygonDraft, SAME_MM, ZERO_MM, middle};
 
 /// A longer vector has space for its name.
 const SHORT_MM: f64 = 10.0;
@@ -45,7 +45,7 @@ pub(super) struct Inset {
 
 impl Inset {
     /// Returns true if a point belongs to the cluster and to no vector outside it.
-    pub fn has_alone(&self, draft: &Draft, p: Point) -> bool {
+    pub fn has_alone(&self, draft: &PolygonDraft, p: Point) -> bool {
         let ends = |k: usize| {
             let a = &draft.arrows[k];
             a.from.distance(p) < SAME_MM || a.to.distance(p) < SAME_MM
@@ -62,7 +62,7 @@ impl Inset {
     }
 }
 
-impl Draft<'_> {
+impl PolygonDraft<'_> {
     /// The clusters that need an inset because the names of some of their vectors found no place:
     /// the largest [`INSETS_MAX`].
     pub(super) fn insets(&self, unnamed: impl Fn(usize) -> bool) -> Vec<Inset> {
@@ -160,7 +160,7 @@ impl Draft<'_> {
             let shape = Shape::Arrow { from, to, stroke: a.stroke(style), head: style.head };
             let shown = a.shown(self.p.mu, inset.times);
             let owner = d.vector(&format!("inset-{}", a.key()), &format!("inset {}", a.classes()), shape, shown);
-            self.name(d, style, a, Shown { ends: (from, to), owner, middle: inner, within: "inset" });
+            self.name(d, style, a, VectorPlace { ends: (from, to), owner, middle: inner, within: "inset" });
         }
         d.of_link(None);
         // Marks that the enlargement separates have separate names.

@@ -15,20 +15,20 @@ mod names;
 mod plates;
 
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_board::construct::{Action, Mark, Polygon};
-use hodograph_board::plan::text::Writer;
-use hodograph_board::plan::{Body, By, Spot, Step, Term, TermKind, VertexId};
+use hodograph_board::construct::{Action, Polygon, PolygonMark};
+use hodograph_board::plan::text::PlanWriter;
+use hodograph_board::plan::{PlanStep, Term, TermConnection, TermKind, TurningBody, VertexId, VertexPlace};
 use hodograph_scene::quantity::Meaning;
 
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::{Colour, Shape};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 use inset::Inset;
 pub use marks::mark_id;
 use marks::{marks, shown_by};
-use names::{Letter, Name, Shown};
-pub use plates::{Plate, Share, is_full_share, plates, share_drawing, shares};
+use names::{PointLetter, VectorName, VectorPlace};
+pub use plates::{GroupPlate, Share, is_full_share, plates, share_drawing, shares};
 
 /// Below this length a vector has neither a visible head nor a visible direction: it is a dot with
 /// a note that says zero.
@@ -43,13 +43,13 @@ const BEYOND_MM: f64 = 4.0;
 const LABEL_ROOM_MM: f64 = 5.0;
 
 /// A vector to be drawn, with all its names.
-struct Arrow {
+struct PolygonArrow {
     from: Point,
     to: Point,
     /// All names; the last one is that of a total vector, if it is one.
-    symbols: Vec<Name>,
+    symbols: Vec<VectorName>,
     /// Names of vectors that coincide with it only within the precision of the paper.
-    nearly: Vec<Name>,
+    nearly: Vec<VectorName>,
     class: &'static str,
     /// The actions that draw it; two vectors at one place are one arrow.
     steps: Vec<usize>,
@@ -69,11 +69,11 @@ struct Zero {
     step: usize,
 }
 
-struct Draft<'a> {
-    w: &'a Writer<'a>,
+struct PolygonDraft<'a> {
+    w: &'a PlanWriter<'a>,
     p: &'a Polygon,
-    arrows: Vec<Arrow>,
-    letters: Vec<Letter>,
+    arrows: Vec<PolygonArrow>,
+    letters: Vec<PointLetter>,
     zeros: Vec<Zero>,
     lines: Vec<(Point, Point, usize)>,
     copies: Vec<([VertexId; 3], usize)>,
@@ -86,8 +86,8 @@ struct Draft<'a> {
 const MANY_ARROWS: usize = 16;
 
 /// Draws a polygon with its pole at the origin. A cluster too small for its names gets an inset.
-pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
-    let (mut draft, style) = Draft::new(style, w, p, false);
+pub fn polygon(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
+    let (mut draft, style) = PolygonDraft::new(style, w, p, false);
     draft.side_by_side(style.vector.width_mm);
     let finished = |mut drawing: Drawing| {
         marks(w, p).iter().for_each(|(mark, at)| drawing.mark(&marks::key(w, p.on, mark), shown_by(w, p.on, mark), *at));
@@ -101,29 +101,29 @@ pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
 
 /// Draws a polygon without insets and before its labels are placed, for series of drawings: with
 /// `full` ([`is_full`] for any of the series) all are lettered alike.
-pub fn drawing(style: &Style, w: &Writer, p: &Polygon, full: bool) -> Drawing {
-    let (draft, style) = Draft::new(style, w, p, full);
+pub fn drawing(style: &Style, w: &PlanWriter, p: &Polygon, full: bool) -> Drawing {
+    let (draft, style) = PolygonDraft::new(style, w, p, full);
     draft.draw(&style, &[]).0
 }
 
 /// Returns true if a polygon has so many vectors that only some are named, in smaller type.
-pub fn is_full(w: &Writer, p: &Polygon) -> bool {
-    Draft::of(w, p).arrows.len() > MANY_ARROWS
+pub fn is_full(w: &PlanWriter, p: &Polygon) -> bool {
+    PolygonDraft::of(w, p).arrows.len() > MANY_ARROWS
 }
 
-impl<'a> Draft<'a> {
+impl<'a> PolygonDraft<'a> {
     /// The elements of a polygon.
-    fn of(w: &'a Writer<'a>, p: &'a Polygon) -> Draft<'a> {
+    fn of(w: &'a PlanWriter<'a>, p: &'a Polygon) -> PolygonDraft<'a> {
         let rounding_mm = ROUNDING * p.largest() / p.mu;
-        let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![], rounding_mm };
-        draft.letter(Point::ORIGIN, Mark::Pole, 0);
+        let mut draft = PolygonDraft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![], rounding_mm };
+        draft.letter(Point::ORIGIN, PolygonMark::Pole, 0);
         draft.follow();
         draft
     }
 
     /// The elements of a polygon that are drawn, and the style that suits their number.
-    fn new(style: &Style, w: &'a Writer<'a>, p: &'a Polygon, full: bool) -> (Draft<'a>, Style) {
-        let mut draft = Draft::of(w, p);
+    fn new(style: &Style, w: &'a PlanWriter<'a>, p: &'a Polygon, full: bool) -> (PolygonDraft<'a>, Style) {
+        let mut draft = PolygonDraft::of(w, p);
         let mut style = style.clone();
         if full || draft.arrows.len() > MANY_ARROWS {
             let needed = draft.needed();
@@ -134,7 +134,7 @@ impl<'a> Draft<'a> {
     }
 }
 
-impl Draft<'_> {
+impl PolygonDraft<'_> {
     /// Symbols of the vectors from the pole that a question requests or that an equation starts
     /// with.
     fn needed(&self) -> Vec<String> {
@@ -144,7 +144,7 @@ impl Draft<'_> {
             Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Place(_) => None,
         });
         let steps = w.plan.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
-        let starts = steps.flat_map(Step::chains).map(|c| c.start);
+        let starts = steps.flat_map(PlanStep::chains).map(|c| c.start);
         asked.chain(starts).map(|v| w.vector(on, v)).collect()
     }
 
@@ -170,7 +170,7 @@ impl Draft<'_> {
                 Action::Nothing { terms, at, target } => {
                     let symbols = terms.iter().map(|t| format!("{} = ", self.w.symbol(p.on, t)));
                     let note = format!("{}0", symbols.collect::<String>());
-                    self.zeros.push(Zero { at: *at, key: Name::sum(self.w, p.on, terms).key, note, step });
+                    self.zeros.push(Zero { at: *at, key: VectorName::sum(self.w, p.on, terms).key, note, step });
                     target.iter().for_each(|v| self.image(*v, step));
                 }
                 Action::Trials { target, lines, .. } => {
@@ -201,7 +201,7 @@ impl Draft<'_> {
 
     fn edge(&mut self, index: usize, step: usize) {
         let edge = &self.p.edges[index];
-        let name = Name::sum(self.w, self.p.on, &edge.terms);
+        let name = VectorName::sum(self.w, self.p.on, &edge.terms);
         if edge.from.1.distance(edge.to.1) < ZERO_MM {
             let sign = self.zero_sign(edge.from.1.distance(edge.to.1));
             let note = format!("{} {sign} 0", name.symbol);
@@ -211,14 +211,14 @@ impl Draft<'_> {
             self.arrow((edge.from.1, edge.to.1), name, self.class_of(edge), step, link);
         }
         match edge.to.0 {
-            Mark::Image(v) if edge.known => self.image(v, step),
-            Mark::Part(t) | Mark::Again(t)
+            PolygonMark::Image(v) if edge.known => self.image(v, step),
+            PolygonMark::Part(t) | PolygonMark::Again(t)
                 if matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis)
                     && edge.from.1.distance(edge.to.1) >= ZERO_MM =>
             {
                 self.letter(edge.to.1, edge.to.0, step);
             }
-            Mark::Pole | Mark::Image(_) | Mark::Part(_) | Mark::Again(_) => {}
+            PolygonMark::Pole | PolygonMark::Image(_) | PolygonMark::Part(_) | PolygonMark::Again(_) => {}
         }
     }
 
@@ -226,21 +226,23 @@ impl Draft<'_> {
     fn link_of_term(&self, term: &Term) -> Option<usize> {
         let scene = self.w.scene;
         match term.by {
-            By::Turning(Body::Link(l)) => Some(l.0),
-            By::Turning(Body::Cylinder(d)) | By::Cylinder(d) => scene.drivers[d].kind.parts().first().map(|l| l.0),
-            By::Guide { guide, .. } => {
+            TermConnection::Turning(TurningBody::Link(l)) => Some(l.0),
+            TermConnection::Turning(TurningBody::Cylinder(d)) | TermConnection::Cylinder(d) => {
+                scene.drivers[d].kind.parts().first().map(|l| l.0)
+            }
+            TermConnection::Guide { guide, .. } => {
                 let g = &scene.guides[guide.0];
                 if g.on == scene.ground { g.slider.map(|l| l.0) } else { Some(g.on.0) }
             }
-            By::Contact(_) => self.w.plan.vertex(term.of).on.map(|l| l.0),
-            By::Frame { body: Some(Body::Link(l)), .. } => Some(l.0),
-            By::Frame { .. } | By::Apart => None,
+            TermConnection::Contact(_) => self.w.plan.vertex(term.of).on.map(|l| l.0),
+            TermConnection::Frame { body: Some(TurningBody::Link(l)), .. } => Some(l.0),
+            TermConnection::Frame { .. } | TermConnection::Apart => None,
         }
     }
 
-    fn arrow(&mut self, (from, to): (Point, Point), name: Name, class: &'static str, step: usize, link: Option<usize>) {
+    fn arrow(&mut self, (from, to): (Point, Point), name: VectorName, class: &'static str, step: usize, link: Option<usize>) {
         let rounding = self.rounding_mm;
-        let same = |a: &&mut Arrow| is_one(a.from, from) && is_one(a.to, to);
+        let same = |a: &&mut PolygonArrow| is_one(a.from, from) && is_one(a.to, to);
         match self.arrows.iter_mut().find(same) {
             Some(a) => {
                 if !a.symbols.contains(&name) && !a.nearly.contains(&name) {
@@ -254,7 +256,7 @@ impl Draft<'_> {
                     a.class = class;
                 }
             }
-            None => self.arrows.push(Arrow {
+            None => self.arrows.push(PolygonArrow {
                 from,
                 to,
                 symbols: vec![name],
@@ -275,12 +277,12 @@ impl Draft<'_> {
         if vertex.fixed {
             return;
         }
-        self.letter(at, Mark::Image(v), step);
+        self.letter(at, PolygonMark::Image(v), step);
         // The special point belongs to the construction: its vector answers no question.
-        if matches!(vertex.spot, Spot::Special(_)) || vertex.trial.is_some() {
+        if matches!(vertex.spot, VertexPlace::Special(_)) || vertex.trial.is_some() {
             return;
         }
-        let name = Name::whole(self.w, self.p.on, v);
+        let name = VectorName::whole(self.w, self.p.on, v);
         if at.distance(Point::ORIGIN) >= ZERO_MM {
             self.arrow((Point::ORIGIN, at), name, "absolute", step, self.w.plan.vertex(v).link(self.w.scene).map(|l| l.0));
         } else if !self.zeros.iter().any(|zero| zero.note.starts_with(&name.symbol)) {
@@ -332,7 +334,7 @@ impl Draft<'_> {
                 d.shape(&format!("aside-{}", a.key()), &class, Shape::Line { from, to, stroke: style.thin.coloured(a.colour) });
             }
             if !insets.iter().any(|i| i.arrows.contains(&k)) {
-                names[k] = self.name(&mut d, style, a, Shown { ends: (self.own_part(a), to), owner, middle, within: "" });
+                names[k] = self.name(&mut d, style, a, VectorPlace { ends: (self.own_part(a), to), owner, middle, within: "" });
             }
         }
         d.of_link(None);
@@ -359,7 +361,7 @@ impl Draft<'_> {
     }
 }
 
-impl Arrow {
+impl PolygonArrow {
     /// The class of the vector, with the steps that draw it.
     fn classes(&self) -> String {
         self.steps.iter().fold(self.class.to_owned(), |class, step| format!("{class} step-{step}"))
@@ -407,7 +409,7 @@ mod tests {
         let scene = read(text).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let notation = Notation::of_language(Lang::En);
-        let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+        let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
         let part = polygon(&Style::default(), &w, worked.construction.polygon(on).unwrap());
         part.items.into_iter().map(|i| (i.id, i.shape)).collect()
     }

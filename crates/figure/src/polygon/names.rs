@@ -5,24 +5,24 @@
 //! in an inset that separates them.
 
 use hodograph_base::geom::Point;
-use hodograph_board::construct::{Edge, Mark};
-use hodograph_board::plan::text::Writer;
+use hodograph_board::construct::{Edge, PolygonMark};
+use hodograph_board::plan::text::PlanWriter;
 use hodograph_board::plan::{Term, VertexId};
 use hodograph_paper::paper::drawing::Drawing;
-use hodograph_paper::paper::item::Stroke;
+use hodograph_paper::paper::item::LineStroke;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_paper::paper::shown::{Length, Shown as Quantity};
+use hodograph_paper::paper::shown::{ShownLength, ShownQuantity as Quantity};
 use hodograph_paper::paper::style::Style;
 use hodograph_report::construction::mark as mark_name;
 use hodograph_scene::DiagramKind;
 
 use super::marks;
-use super::{Arrow, Draft, LABEL_ROOM_MM, covers, is_one};
+use super::{LABEL_ROOM_MM, PolygonArrow, PolygonDraft, covers, is_one};
 
 /// The name of a vector on paper and for programs.
 #[derive(Clone)]
-pub(super) struct Name {
+pub(super) struct VectorName {
     /// The name on paper, in the notation of the figure.
     pub symbol: String,
     /// The name in ids.
@@ -31,28 +31,32 @@ pub(super) struct Name {
     pub quantity: String,
 }
 
-impl PartialEq for Name {
+impl PartialEq for VectorName {
     /// One vector has one key, independent of the notation.
-    fn eq(&self, other: &Name) -> bool {
+    fn eq(&self, other: &VectorName) -> bool {
         self.key == other.key
     }
 }
 
-impl Name {
+impl VectorName {
     /// The name of a vector from the pole.
-    pub fn whole(w: &Writer, on: DiagramKind, v: VertexId) -> Name {
-        Name { symbol: w.vector(on, v), key: w.vector_key(v), quantity: w.vector_quantity(on, v) }
+    pub fn whole(w: &PlanWriter, on: DiagramKind, v: VertexId) -> VectorName {
+        VectorName { symbol: w.vector(on, v), key: w.vector_key(v), quantity: w.vector_quantity(on, v) }
     }
 
     /// The name of terms drawn as one.
-    pub fn sum(w: &Writer, on: DiagramKind, terms: &[Term]) -> Name {
+    pub fn sum(w: &PlanWriter, on: DiagramKind, terms: &[Term]) -> VectorName {
         let all = |of: &dyn Fn(&Term) -> String, sign: &str| terms.iter().map(of).collect::<Vec<_>>().join(sign);
-        Name { symbol: all(&|t| w.symbol(on, t), " + "), key: all(&|t| w.key(on, t), "-and-"), quantity: all(&|t| w.quantity(on, t), "+") }
+        VectorName {
+            symbol: all(&|t| w.symbol(on, t), " + "),
+            key: all(&|t| w.key(on, t), "-and-"),
+            quantity: all(&|t| w.quantity(on, t), "+"),
+        }
     }
 }
 
 /// A point to be marked.
-pub(super) struct Letter {
+pub(super) struct PointLetter {
     /// The position.
     pub at: Point,
     name: String,
@@ -61,7 +65,7 @@ pub(super) struct Letter {
 }
 
 /// All points that coincide in a drawing.
-pub(super) struct Spot<'a> {
+pub(super) struct LetterSpot<'a> {
     /// The position of the first one.
     pub at: Point,
     /// The letters.
@@ -71,7 +75,7 @@ pub(super) struct Spot<'a> {
     step: usize,
 }
 
-impl Spot<'_> {
+impl LetterSpot<'_> {
     /// Returns the class of the spot, with the step that marks it; the first spot of a polygon is
     /// the pole.
     pub fn class(&self, index: usize) -> String {
@@ -80,7 +84,7 @@ impl Spot<'_> {
 }
 
 /// The place where a vector is shown.
-pub(super) struct Shown {
+pub(super) struct VectorPlace {
     /// The part that carries the name.
     pub ends: (Point, Point),
     /// The owner of the line.
@@ -91,42 +95,43 @@ pub(super) struct Shown {
     pub within: &'static str,
 }
 
-impl Draft<'_> {
+impl PolygonDraft<'_> {
     /// Marks a point, once.
-    pub(super) fn letter(&mut self, at: Point, mark: Mark, step: usize) {
+    pub(super) fn letter(&mut self, at: Point, mark: PolygonMark, step: usize) {
         let (name, key) = (mark_name(self.w, self.p.on, &mark), marks::key(self.w, self.p.on, &mark));
         if !self.letters.iter().any(|l| l.name == name && is_one(l.at, at)) {
-            self.letters.push(Letter { at, name, key, step });
+            self.letters.push(PointLetter { at, name, key, step });
         }
     }
 
     /// Returns the marked points; points closer than `one_mm` are joined.
-    pub(super) fn letters(&self, one_mm: f64) -> Vec<Spot<'_>> {
-        let mut spots: Vec<Spot> = Vec::new();
-        for Letter { at, name, key, step } in &self.letters {
+    pub(super) fn letters(&self, one_mm: f64) -> Vec<LetterSpot<'_>> {
+        let mut spots: Vec<LetterSpot> = Vec::new();
+        for PointLetter { at, name, key, step } in &self.letters {
             match spots.iter_mut().find(|s| s.at.distance(*at) < one_mm) {
                 Some(s) => {
                     s.names.push(name);
                     s.keys.push(key);
                 }
-                None => spots.push(Spot { at: *at, names: vec![name], keys: vec![key], step: *step }),
+                None => spots.push(LetterSpot { at: *at, names: vec![name], keys: vec![key], step: *step }),
             }
         }
         spots
     }
 
     /// The start of the part of a vector that no shorter one covers: the place of its name.
-    pub(super) fn own_part(&self, a: &Arrow) -> Point {
+    pub(super) fn own_part(&self, a: &PolygonArrow) -> Point {
         let (from, to) = a.drawn();
         let inside = |b: &(Point, Point)| is_one(b.0, from) && covers((from, to), b.1) && b.1.distance(to) > LABEL_ROOM_MM;
-        let far = self.arrows.iter().map(Arrow::drawn).filter(inside).max_by(|b, c| from.distance(b.1).total_cmp(&from.distance(c.1)));
+        let far =
+            self.arrows.iter().map(PolygonArrow::drawn).filter(inside).max_by(|b, c| from.distance(b.1).total_cmp(&from.distance(c.1)));
         far.map_or(from, |b| b.1)
     }
 
     /// Requests a vector's name along a line that shows it; the name may be left out if both ends
     /// are lettered.
-    pub(super) fn name(&self, d: &mut Drawing, style: &Style, a: &Arrow, shown: Shown) -> String {
-        let Shown { ends: (from, to), owner, middle, within } = shown;
+    pub(super) fn name(&self, d: &mut Drawing, style: &Style, a: &PolygonArrow, shown: VectorPlace) -> String {
+        let VectorPlace { ends: (from, to), owner, middle, within } = shown;
         let lettered = |p: Point| self.letters.iter().any(|l| is_one(l.at, p));
         let request = LabelRequest::along(Label::math(a.name()), style.label_mm, from, to, style.vector.width_mm / 2.0);
         let outward = (from + (to - from) * 0.5) - middle;
@@ -136,7 +141,7 @@ impl Draft<'_> {
     }
 }
 
-impl Draft<'_> {
+impl PolygonDraft<'_> {
     /// The class of a vector in a figure.
     pub(super) fn class_of(&self, edge: &Edge) -> &'static str {
         match (edge.known, edge.terms.iter().any(|t| self.w.plan.vertex(t.of).trial.is_some())) {
@@ -148,15 +153,15 @@ impl Draft<'_> {
     }
 }
 
-impl Arrow {
+impl PolygonArrow {
     /// Returns true for a vector that only trial polygons contain.
     pub(super) fn is_tried(&self) -> bool {
         self.class.ends_with("trial")
     }
 
     /// The stroke of the vector; thin in a trial polygon.
-    pub(super) fn stroke(&self, style: &Style) -> Stroke {
-        if self.is_tried() { Stroke { width_mm: style.thin.width_mm, ..style.vector } } else { style.vector }
+    pub(super) fn stroke(&self, style: &Style) -> LineStroke {
+        if self.is_tried() { LineStroke { width_mm: style.thin.width_mm, ..style.vector } } else { style.vector }
     }
 
     /// The key: that of the first name.
@@ -169,7 +174,7 @@ impl Arrow {
     pub(super) fn shown(&self, mu: f64, times: f64) -> Quantity {
         let mm = self.from.distance(self.to);
         let names = self.symbols.iter().map(|n| n.quantity.clone()).collect();
-        Quantity { names, length: Some(Length { mm: mm * times, si: mm * mu }) }
+        Quantity { names, length: Some(ShownLength { mm: mm * times, si: mm * mu }) }
     }
 
     /// The names: one sign between names of the same vector, another one before those that coincide

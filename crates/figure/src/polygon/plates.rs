@@ -4,15 +4,15 @@
 use std::collections::HashMap;
 
 use hodograph_base::geom::Point;
-use hodograph_board::construct::{Action, Mark, Polygon, scale};
-use hodograph_board::plan::text::Writer;
+use hodograph_board::construct::{Action, Polygon, PolygonMark, scale};
+use hodograph_board::plan::text::PlanWriter;
 use hodograph_board::plan::{GroupSteps, VertexId};
 use hodograph_mechanism::mechanism::Mechanism;
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::Colour;
 use hodograph_paper::paper::style::Style;
 
-use super::{Draft, MANY_ARROWS, is_one};
+use super::{MANY_ARROWS, PolygonDraft, is_one};
 
 /// Space for a plate: beside its equations on an A4 page in landscape.
 const ROOM_MM: [f64; 2] = [125.0, 120.0];
@@ -23,14 +23,14 @@ const KNOWN: Colour = Colour::grey(150);
 const MOST_TOGETHER: usize = 10;
 
 /// The vectors that a group adds to a polygon.
-pub struct Plate {
+pub struct GroupPlate {
     /// The group, by its index in the mechanism's list, followed by pins that only belong to its
     /// links.
     pub groups: Vec<usize>,
     /// The scale (SI units per mm).
     pub mu: f64,
     /// The drawing, with its pole at the origin.
-    pub part: Part,
+    pub part: DrawingPart,
 }
 
 /// A selected part of a split polygon.
@@ -63,7 +63,7 @@ impl Share<'_> {
 /// Returns the part that each action of a polygon belongs to, counted from 0. The polygon is split
 /// so that about ten vectors at most are together: groups are combined, in solving order, to as few
 /// parts as possible. A single part is no split.
-pub fn shares(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<usize> {
+pub fn shares(w: &PlanWriter, mechanism: &Mechanism, p: &Polygon) -> Vec<usize> {
     let heads = heads(w, mechanism, p);
     let of: Vec<usize> = groups_of_actions(w, p)
         .into_iter()
@@ -87,8 +87,8 @@ pub fn shares(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<usize> {
 
 /// Draws a part of a split polygon before its labels are placed; `None` if it has no vector. `full`
 /// as for [`super::drawing`].
-pub fn share_drawing(style: &Style, w: &Writer, p: &Polygon, share: Share, full: bool) -> Option<Drawing> {
-    let draft = Draft::of(w, p).only(&|step| share.holds(step))?;
+pub fn share_drawing(style: &Style, w: &PlanWriter, p: &Polygon, share: Share, full: bool) -> Option<Drawing> {
+    let draft = PolygonDraft::of(w, p).only(&|step| share.holds(step))?;
     let mut style = style.clone();
     if full {
         style.label_mm = style.small_mm;
@@ -98,12 +98,12 @@ pub fn share_drawing(style: &Style, w: &Writer, p: &Polygon, share: Share, full:
 
 /// Returns true if a part of a split polygon has more vectors than can be named in type of the
 /// usual size.
-pub fn is_full_share(w: &Writer, p: &Polygon, share: Share) -> bool {
-    Draft::of(w, p).only(&|step| share.holds(step)).is_some_and(|draft| draft.arrows.len() > MANY_ARROWS)
+pub fn is_full_share(w: &PlanWriter, p: &Polygon, share: Share) -> bool {
+    PolygonDraft::of(w, p).only(&|step| share.holds(step)).is_some_and(|draft| draft.arrows.len() > MANY_ARROWS)
 }
 
 /// The groups that start a plate, each followed by the pins that only belong to its links.
-fn heads(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Vec<usize>> {
+fn heads(w: &PlanWriter, mechanism: &Mechanism, p: &Polygon) -> Vec<Vec<usize>> {
     let mut heads: Vec<Vec<usize>> = Vec::new();
     for group in w.plan.steps(p.on).iter().map(|g| g.group) {
         match heads.last_mut() {
@@ -115,19 +115,19 @@ fn heads(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Vec<usize>> {
 }
 
 /// Returns the plates of a polygon in solving order; groups that add no vector have none.
-pub fn plates(style: &Style, w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Plate> {
+pub fn plates(style: &Style, w: &PlanWriter, mechanism: &Mechanism, p: &Polygon) -> Vec<GroupPlate> {
     let heads = heads(w, mechanism, p);
     let of = groups_of_actions(w, p);
     let of_head = |groups: Vec<usize>| {
         let mine = |step: usize| of.get(step).copied().flatten().is_some_and(|g| groups.contains(&g));
         let (mu, part) = plate(style, w, p, &mine)?;
-        Some(Plate { groups, mu, part })
+        Some(GroupPlate { groups, mu, part })
     };
     heads.into_iter().filter_map(of_head).collect()
 }
 
-fn plate(style: &Style, w: &Writer, p: &Polygon, mine: &dyn Fn(usize) -> bool) -> Option<(f64, Part)> {
-    let (draft, _) = Draft::new(style, w, p, false);
+fn plate(style: &Style, w: &PlanWriter, p: &Polygon, mine: &dyn Fn(usize) -> bool) -> Option<(f64, DrawingPart)> {
+    let (draft, _) = PolygonDraft::new(style, w, p, false);
     let shown = draft.only(mine)?;
     let ends: Vec<Point> = shown.arrows.iter().flat_map(|a| [a.from, a.to]).chain([Point::ORIGIN]).collect();
     let over = |f: fn(&Point) -> f64| {
@@ -136,7 +136,7 @@ fn plate(style: &Style, w: &Writer, p: &Polygon, mine: &dyn Fn(usize) -> bool) -
     };
     let mu = scale::choose_in(w.scene.book.size(p.on.kind()), [over(|q| q.x) * p.mu, over(|q| q.y) * p.mu], ROOM_MM);
     let own = p.to_scale(mu);
-    let mut draft = Draft::of(w, &own).only(mine)?;
+    let mut draft = PolygonDraft::of(w, &own).only(mine)?;
     draft.side_by_side(style.vector.width_mm);
     let (drawing, names) = draft.draw(style, &[]);
     let part = drawing.finish();
@@ -147,7 +147,7 @@ fn plate(style: &Style, w: &Writer, p: &Polygon, mine: &dyn Fn(usize) -> bool) -
 
 /// The group of the image point that each action finds or helps to find; an action that reads
 /// between image points belongs to the group before it.
-fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
+fn groups_of_actions(w: &PlanWriter, p: &Polygon) -> Vec<Option<usize>> {
     let mut of: HashMap<VertexId, usize> = HashMap::new();
     for GroupSteps { group, alternatives, further, .. } in w.plan.steps(p.on) {
         for step in alternatives.iter().flatten().chain(further) {
@@ -157,8 +157,8 @@ fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
     let laid = |action: &Action| {
         let Action::LayOff(e) = action else { return None };
         match p.edges[*e].to.0 {
-            Mark::Image(v) => Some(v),
-            Mark::Pole | Mark::Part(_) | Mark::Again(_) => None,
+            PolygonMark::Image(v) => Some(v),
+            PolygonMark::Pole | PolygonMark::Part(_) | PolygonMark::Again(_) => None,
         }
     };
     let found: Vec<Option<usize>> =
@@ -173,7 +173,7 @@ fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
     out
 }
 
-impl Draft<'_> {
+impl PolygonDraft<'_> {
     /// Keeps the elements that these steps draw, and in grey the vectors from which they start;
     /// `None` if they draw no vector.
     fn only(mut self, mine: &dyn Fn(usize) -> bool) -> Option<Self> {

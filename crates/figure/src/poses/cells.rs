@@ -3,17 +3,17 @@
 //! only the first drawing of a column with enough space has all its names; the others have the
 //! letters of their points.
 
-use super::{Row, Table, text};
+use super::{PoseRow, PoseTable, text};
 use crate::course::courses;
 use crate::hodograph::runs;
-use crate::sheet::Options;
+use crate::sheet::SheetOptions;
 use crate::{mechanism, polygon};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::Polygon;
-use hodograph_board::plan::text::Writer;
-use hodograph_paper::paper::drawing::{Drawing, Habits, Part};
+use hodograph_board::plan::text::PlanWriter;
+use hodograph_paper::paper::drawing::{Drawing, DrawingPart, Habits};
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Item, Shape, Stroke};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::shown::escaped;
@@ -25,35 +25,35 @@ const BEHIND: Colour = Colour::grey(150);
 
 /// A column: a diagram for each row, and the box that holds each of them with ground or pole at the
 /// same place.
-pub(super) struct Column {
+pub(super) struct PoseColumn {
     pub on: DiagramKind,
-    pub parts: Vec<Part>,
+    pub parts: Vec<DrawingPart>,
     pub bounds: Rect,
 }
 
-impl Table<'_> {
+impl PoseTable<'_> {
     /// The columns that the scales allow.
-    pub(super) fn columns(&self) -> Vec<Column> {
+    pub(super) fn columns(&self) -> Vec<PoseColumn> {
         let drawn = DiagramKind::OF_MOTION.into_iter().filter(|on| self.scales.mu.get(on.kind()).is_some());
         drawn
             .map(|on| {
                 let parts = self.parts(on);
                 let all = parts.iter().filter(|p| !p.items.is_empty()).map(|p| p.bounds).reduce(Rect::union);
-                Column { on, parts, bounds: all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)) }
+                PoseColumn { on, parts, bounds: all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)) }
             })
             .collect()
     }
 
     /// A row's polygon, if it is on the paper, and the writer of its letters.
-    fn polygon<'a>(&'a self, row: &'a Row, on: DiagramKind) -> Option<(Writer<'a>, &'a Polygon)> {
+    fn polygon<'a>(&'a self, row: &'a PoseRow, on: DiagramKind) -> Option<(PlanWriter<'a>, &'a Polygon)> {
         let shown = !row.unbounded() && row.shown.contains(&on);
         let p = row.worked.construction.polygon(on).filter(|_| shown)?;
-        let Options { notation, lang, .. } = self.options;
-        Some((Writer { scene: &row.scene, plan: &row.worked.plan, notation, lang: *lang }, p))
+        let SheetOptions { notation, lang, .. } = self.options;
+        Some((PlanWriter { scene: &row.scene, plan: &row.worked.plan, notation, lang: *lang }, p))
     }
 
-    fn parts(&self, on: DiagramKind) -> Vec<Part> {
-        let Options { style, notation, .. } = self.options;
+    fn parts(&self, on: DiagramKind) -> Vec<DrawingPart> {
+        let SheetOptions { style, notation, .. } = self.options;
         let poses: Vec<(&Scene, &Worked)> = self.rows.iter().map(|r| (&r.scene, &r.worked)).collect();
         let courses = courses(&poses, style, notation);
         let behind = self.behind(on);
@@ -81,12 +81,12 @@ impl Table<'_> {
                 DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => match self.polygon(row, on) {
                     // An inset would take more space than the pose.
                     Some((w, p)) if self.still => polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon),
-                    Some((w, p)) => with_names(polygon::drawing(style, &w, p, full), has_room(p)).finish(),
-                    None => Part::of(self.absent(row)),
+                    Some((w, p)) => with_names(polygon::drawing(style, &w, p, full), fits_names(p)).finish(),
+                    None => DrawingPart::of(self.absent(row)),
                 },
             };
             if !behind.is_empty() {
-                part = Part::of(behind.iter().cloned().chain(part.items).collect());
+                part = DrawingPart::of(behind.iter().cloned().chain(part.items).collect());
             }
             for item in &mut part.items {
                 let word = if item.id == "absent" { format!("absent-{}", on.word()) } else { item.id.clone() };
@@ -98,7 +98,7 @@ impl Table<'_> {
     }
 
     /// The text in place of a missing polygon.
-    fn absent(&self, row: &Row) -> Vec<Item> {
+    fn absent(&self, row: &PoseRow) -> Vec<FigureItem> {
         let lang = self.options.lang;
         let said = if row.unbounded() {
             tr(lang, "limit: unbounded", "极限位置：无穷大")
@@ -111,9 +111,9 @@ impl Table<'_> {
     }
 
     /// Paths behind the mechanism, hodographs behind the polygons; they are the same in all rows.
-    fn behind(&self, on: DiagramKind) -> Vec<Item> {
+    fn behind(&self, on: DiagramKind) -> Vec<FigureItem> {
         let (Some(moved), Some(first)) = (self.moved, self.rows.first()) else { return Vec::new() };
-        let stroke = Stroke { dash: Dash::Solid, ..self.options.style.thin.coloured(BEHIND) };
+        let stroke = LineStroke { dash: Dash::Solid, ..self.options.style.thin.coloured(BEHIND) };
         let mut items = Vec::new();
         for (k, point) in moved.points.iter().enumerate() {
             let name = first.scene.point_name(*point);
@@ -135,7 +135,7 @@ impl Table<'_> {
             };
             for (n, points) in lines.into_iter().enumerate() {
                 let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None };
-                items.push(Item::new("curve", shape).with_id(format!("{}-curve-{}-{n}", on.prefix(), escaped(name))));
+                items.push(FigureItem::new("curve", shape).with_id(format!("{}-curve-{}-{n}", on.prefix(), escaped(name))));
             }
         }
         items
@@ -143,7 +143,7 @@ impl Table<'_> {
 }
 
 /// True if the vectors of a polygon are long enough for their names.
-fn has_room(p: &Polygon) -> bool {
+fn fits_names(p: &Polygon) -> bool {
     let lengths = p.edges.iter().map(|e| e.from.1.distance(e.to.1));
     lengths.sum::<f64>() >= NAMED_MM * p.edges.len() as f64
 }

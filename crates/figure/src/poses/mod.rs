@@ -8,20 +8,20 @@ mod cells;
 mod page;
 mod turn;
 
-pub use turn::{Turn, turn};
+pub use turn::{PoseFrames, turn};
 
 use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_base::geom::Point;
 use hodograph_board::construct::scale::Boxes;
 use hodograph_scene::{DiagramKind, PointId, Scene, Swept};
-use hodograph_sweep::follow::{Follower, Pose};
-use hodograph_sweep::points::{Motion, at_equal_steps, motion};
+use hodograph_sweep::follow::{PoseFollower, TravelPose};
+use hodograph_sweep::points::{PathMotion, at_equal_steps, motion};
 use hodograph_sweep::station;
 use hodograph_worked::worked::{Worked, work_motion, work_placed, work_pose};
 
-use super::series::Scales;
-use super::sheet::Options;
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use super::series::SeriesScales;
+use super::sheet::SheetOptions;
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::style::Style;
 
@@ -33,7 +33,7 @@ const BOXES: Boxes = Boxes { diagram: [48.0, 44.0], polygon: [44.0, 44.0] };
 
 /// The content of the sheet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wanted {
+pub struct PosesContent {
     /// Number of poses, at equal steps of the driver or of time: from the scene's own pose through
     /// a full turn, or from one end of the travel to the other.
     pub count: usize,
@@ -51,47 +51,48 @@ pub struct Wanted {
 /// does not hold one row.
 ///
 /// ```
-/// use hodograph_figure::{poses, sheet::Options};
+/// use hodograph_figure::{poses, sheet::SheetOptions};
 /// use hodograph_scene::{self as scene, Lang, Swept, templates};
 /// use hodograph_worked::worked::{Scope, work};
 /// let scene = scene::read(templates::get("slider-crank").unwrap())?.value;
 /// let worked = work(&scene, Scope::Figure)?.value;
-/// let wanted = poses::Wanted { count: 4, swept: Swept::Driver(0), points: Vec::new() };
-/// let pages = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted)?.value;
+/// let wanted = poses::PosesContent { count: 4, swept: Swept::Driver(0), points: Vec::new() };
+/// let pages = poses::sheets(&scene, &worked, &SheetOptions::of_language(Lang::En), &wanted)?.value;
 /// assert_eq!(pages.len(), 2); // a page of A4 holds two or three rows
 /// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
-pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Vec<Figure>>, Faults> {
+pub fn sheets(scene: &Scene, worked: &Worked, options: &SheetOptions, wanted: &PosesContent) -> Result<Warned<Vec<Figure>>, Faults> {
     let poses = Poses::of(scene, worked, wanted, BOXES)?;
     let style = Style { label_mm: options.style.small_mm, ..options.style.clone() };
-    let options = Options { style, ..options.clone() };
+    let options = SheetOptions { style, ..options.clone() };
     let pages = poses.table(&options, wanted.swept, false).pages(scene.paper.size_mm)?;
     Ok(Warned { value: pages, notes: poses.notes(scene, wanted) })
 }
 
 /// All poses, solved and drawn to one set of scales.
 struct Poses {
-    rows: Vec<Row>,
+    rows: Vec<PoseRow>,
     full: bool,
-    moved: Option<Motion>,
-    scales: Scales,
+    moved: Option<PathMotion>,
+    scales: SeriesScales,
 }
 
 impl Poses {
-    fn of(scene: &Scene, worked: &Worked, wanted: &Wanted, boxes: Boxes) -> Result<Poses, Faults> {
+    fn of(scene: &Scene, worked: &Worked, wanted: &PosesContent, boxes: Boxes) -> Result<Poses, Faults> {
         let motion_of_cams = work_motion(scene)?;
         let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
-        let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
+        let follower = PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
         let sweep = follower.sweep(STEPS);
         let poses = at_equal_steps(&follower, &sweep, wanted.count);
         follower.proved(poses.iter().map(|p| &p.configuration))?;
         // First to their own scales, which give the sizes.
-        let work = |p: &Pose| work_pose(&follower.scene_at(scene, p.travel), (&worked.mechanism, &worked.demand), &p.configuration).ok();
-        let trials: Vec<(&Pose, (Scene, Worked))> = poses.iter().filter_map(|p| Some((p, work(p)?))).collect();
+        let work =
+            |p: &TravelPose| work_pose(&follower.scene_at(scene, p.travel), (&worked.mechanism, &worked.demand), &p.configuration).ok();
+        let trials: Vec<(&TravelPose, (Scene, Worked))> = poses.iter().filter_map(|p| Some((p, work(p)?))).collect();
         let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, (_, w))| (p.travel, w)).collect();
-        let scales = Scales::of(&scene.paper, &sized, sweep.is_unlimited(), boxes);
+        let scales = SeriesScales::of(&scene.paper, &sized, sweep.is_unlimited(), boxes);
         let now = station::now(scene, &worked.configuration, wanted.swept);
-        let rows: Vec<Row> = trials
+        let rows: Vec<PoseRow> = trials
             .iter()
             .filter_map(|(pose, (scene, trial))| {
                 let end = sweep.limits.iter().flatten().any(|limit| *limit == pose.travel);
@@ -100,7 +101,7 @@ impl Poses {
                 let Worked { mechanism, demand, configuration, .. } = trial;
                 let worked = work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone()).ok()?.value;
                 let shown = DiagramKind::POLYGONS.into_iter().filter(|on| scales.holds(trial, *on)).collect();
-                Some(Row { scene, worked, shown, end, place: now + pose.travel })
+                Some(PoseRow { scene, worked, shown, end, place: now + pose.travel })
             })
             .collect();
         // A table has at least two rows, unless a single pose is requested.
@@ -113,13 +114,13 @@ impl Poses {
         Ok(Poses { rows, full: sweep.full, moved, scales })
     }
 
-    fn table<'a>(&'a self, options: &'a Options, swept: Swept, still: bool) -> Table<'a> {
+    fn table<'a>(&'a self, options: &'a SheetOptions, swept: Swept, still: bool) -> PoseTable<'a> {
         let Poses { rows, full, moved, scales } = self;
-        Table { options, rows, full: *full, swept, moved: moved.as_ref(), scales: scales.clone(), still }
+        PoseTable { options, rows, full: *full, swept, moved: moved.as_ref(), scales: scales.clone(), still }
     }
 
     /// Notes about the requested poses.
-    fn notes(&self, scene: &Scene, wanted: &Wanted) -> Vec<Diagnostic> {
+    fn notes(&self, scene: &Scene, wanted: &PosesContent) -> Vec<Diagnostic> {
         let rows = &self.rows;
         let mut notes = Vec::new();
         if rows.len() < wanted.count {
@@ -140,7 +141,7 @@ impl Poses {
 }
 
 /// A pose to the common scales.
-struct Row {
+struct PoseRow {
     scene: Scene,
     worked: Worked,
     shown: Vec<DiagramKind>,
@@ -151,25 +152,25 @@ struct Row {
     place: f64,
 }
 
-impl Row {
+impl PoseRow {
     fn unbounded(&self) -> bool {
         self.end || !self.worked.solution.refused.is_empty()
     }
 }
 
 /// All poses, ready for layout.
-struct Table<'a> {
-    options: &'a Options,
-    rows: &'a [Row],
+struct PoseTable<'a> {
+    options: &'a SheetOptions,
+    rows: &'a [PoseRow],
     full: bool,
     swept: Swept,
-    moved: Option<&'a Motion>,
-    scales: Scales,
+    moved: Option<&'a PathMotion>,
+    scales: SeriesScales,
     /// True if names keep their places from pose to pose, because the poses follow one another in
     /// time.
     still: bool,
 }
 
-fn text(class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor) -> Item {
-    Item::new(class, Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })
+fn text(class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor) -> FigureItem {
+    FigureItem::new(class, Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })
 }

@@ -1,16 +1,16 @@
 //! Forms pages from the rows of a sheet of poses: the number of rows side by side, their rules,
 //! heads and names.
 
-use super::cells::Column;
-use super::{Table, text};
+use super::cells::PoseColumn;
+use super::{PoseTable, text};
 use crate::path::turned;
 use crate::plot::over;
-use crate::sheet::{MARGIN_MM, Maker, swept_symbol};
+use crate::sheet::{MARGIN_MM, SheetDrafter, swept_symbol};
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Figure, Item, Shape, Stroke};
+use hodograph_paper::paper::item::{Anchor, Figure, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, fill, formula, tr};
 use hodograph_report::amount::scale_formula;
@@ -28,7 +28,7 @@ const ROWS_LEAST: usize = 2;
 /// Space below the title.
 const TITLE_MM: f64 = 14.0;
 
-impl Table<'_> {
+impl PoseTable<'_> {
     /// Returns the place of the driver in a pose, with its unit.
     pub(super) fn position(&self, row: usize) -> String {
         let scene = &self.rows[0].scene;
@@ -41,13 +41,13 @@ impl Table<'_> {
     }
 
     /// Titles and captions are the same for all poses, and no results are shown.
-    fn maker(&self) -> Maker<'_> {
+    fn maker(&self) -> SheetDrafter<'_> {
         let first = &self.rows[0];
-        Maker { scene: &first.scene, worked: &first.worked, options: self.options, certified: Vec::new() }
+        SheetDrafter { scene: &first.scene, worked: &first.worked, options: self.options, certified: Vec::new() }
     }
 
     /// The name and the scale above a column.
-    fn head(&self, column: &Column) -> (Label, String) {
+    fn head(&self, column: &PoseColumn) -> (Label, String) {
         let (maker, on) = (self.maker(), column.on);
         let (words, mu) = maker.caption(on);
         // The first pose may have no polygon.
@@ -57,7 +57,7 @@ impl Table<'_> {
     }
 
     /// The two lines of a head, below the middle of its upper edge.
-    fn head_items(&self, (words, mu): (Label, String), top: Point) -> [Item; 2] {
+    fn head_items(&self, (words, mu): (Label, String), top: Point) -> [FigureItem; 2] {
         let style = &self.options.style;
         let line =
             |down: f64, label, size_mm| text("head", top - Vec2::new(0.0, down), label, size_mm, Anchor::Middle).in_fonts(&style.fonts);
@@ -65,9 +65,9 @@ impl Table<'_> {
     }
 
     /// The width of a column: space for its drawings and its head.
-    fn wide_mm(&self, column: &Column) -> f64 {
+    fn wide_mm(&self, column: &PoseColumn) -> f64 {
         let head =
-            self.head_items(self.head(column), Point::ORIGIN).iter().filter_map(Item::bounds).map(Rect::width_mm).fold(0.0, f64::max);
+            self.head_items(self.head(column), Point::ORIGIN).iter().filter_map(FigureItem::bounds).map(Rect::width_mm).fold(0.0, f64::max);
         column.bounds.width_mm().max(head) + 2.0 * AIR_MM
     }
 
@@ -117,7 +117,7 @@ impl Table<'_> {
         let per_page = across * down;
         let pages = (0..count).step_by(per_page).map(|first| {
             let rows = first..count.min(first + per_page);
-            let page = Page { table: self, columns: &columns, row_mm, width_mm, size_mm, across, down: down.min(rows.len()) };
+            let page = PosePage { table: self, columns: &columns, row_mm, width_mm, size_mm, across, down: down.min(rows.len()) };
             page.figure(rows, count.div_ceil(per_page))
         });
         Ok(pages.collect())
@@ -142,9 +142,9 @@ fn choose(size: &dyn Fn(usize, usize) -> [f64; 2], width_mm: f64, row_mm: f64, c
 }
 
 /// A page under construction.
-struct Page<'a> {
-    table: &'a Table<'a>,
-    columns: &'a [Column],
+struct PosePage<'a> {
+    table: &'a PoseTable<'a>,
+    columns: &'a [PoseColumn],
     row_mm: f64,
     width_mm: f64,
     size_mm: [f64; 2],
@@ -152,7 +152,7 @@ struct Page<'a> {
     down: usize,
 }
 
-impl Page<'_> {
+impl PosePage<'_> {
     fn figure(&self, rows: std::ops::Range<usize>, pages: usize) -> Figure {
         let table = self.table;
         let maker = table.maker();
@@ -201,14 +201,14 @@ impl Page<'_> {
     }
 
     /// The rules and the head of a block of rows.
-    fn head(&self, block: usize, x: f64, top: f64, rows: usize) -> Vec<Item> {
+    fn head(&self, block: usize, x: f64, top: f64, rows: usize) -> Vec<FigureItem> {
         let table = self.table;
         let (style, lang) = (&table.options.style, table.options.lang);
         let bottom = top - HEAD_MM - rows as f64 * self.row_mm;
         let mut items = Vec::new();
-        let mut line = |from: Point, to: Point, stroke: Stroke| {
+        let mut line = |from: Point, to: Point, stroke: LineStroke| {
             let id = format!("rule-{block}-{}", items.len());
-            items.push(Item::new("rule", Shape::Line { from, to, stroke }).with_id(id));
+            items.push(FigureItem::new("rule", Shape::Line { from, to, stroke }).with_id(id));
         };
         let mut edges = vec![x, x + NAME_MM];
         for column in self.columns {
@@ -239,7 +239,7 @@ impl Page<'_> {
     }
 
     /// The name of the pose in a row.
-    fn name(&self, row: usize, at: Point) -> Vec<Item> {
+    fn name(&self, row: usize, at: Point) -> Vec<FigureItem> {
         let style = &self.table.options.style;
         let value = self.table.position(row);
         vec![

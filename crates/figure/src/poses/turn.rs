@@ -4,13 +4,13 @@
 //! This module arranges a frame. The conversion of frames to an animation is in `render::gif` and
 //! `render::moving`.
 
-use super::cells::Column;
-use super::{Poses, Table, Wanted, text};
-use crate::sheet::{MARGIN_MM, Maker, Options, swept_symbol};
+use super::cells::PoseColumn;
+use super::{PoseTable, Poses, PosesContent, text};
+use crate::sheet::{MARGIN_MM, SheetDrafter, SheetOptions, swept_symbol};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Point;
 use hodograph_board::construct::scale::Boxes;
-use hodograph_paper::paper::item::{Anchor, Figure, Item};
+use hodograph_paper::paper::item::{Anchor, Figure, FigureItem};
 use hodograph_paper::paper::label::Label;
 use hodograph_report::amount::scale_formula;
 use hodograph_scene::{DiagramKind, Scene, Swept};
@@ -28,7 +28,7 @@ const SCALE_MM: f64 = 5.6;
 
 /// A motion as figures.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Turn {
+pub struct PoseFrames {
     /// One figure for each pose, all of one size.
     pub frames: Vec<Figure>,
     /// True if the first frame follows the last one: after a full turn, and where time advances.
@@ -36,7 +36,7 @@ pub struct Turn {
     pub full: bool,
 }
 
-impl Turn {
+impl PoseFrames {
     /// Returns the frames of one period, in the order of time.
     pub fn period(&self) -> Vec<&Figure> {
         let back = self.frames.iter().rev().skip(1).take(self.frames.len().saturating_sub(2));
@@ -49,7 +49,13 @@ impl Turn {
 ///
 /// # Errors
 /// `no-motion` if the mechanism cannot be followed from its pose.
-pub fn turn(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted, step_mm: f64) -> Result<Warned<Turn>, Faults> {
+pub fn turn(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    wanted: &PosesContent,
+    step_mm: f64,
+) -> Result<Warned<PoseFrames>, Faults> {
     let poses = Poses::of(scene, worked, wanted, BOXES)?;
     let table = poses.table(options, wanted.swept, true);
     let columns = table.columns();
@@ -58,12 +64,12 @@ pub fn turn(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted, 
     let even = |mm: f64| (mm / (2.0 * step_mm)).ceil() * 2.0 * step_mm;
     let size = [even(width + 2.0 * MARGIN_MM), even(height + TITLE_MM + CAPTION_MM + SCALE_MM + 2.0 * MARGIN_MM)];
     let frames = (0..poses.rows.len()).map(|k| frame(&table, &columns, k, size)).collect();
-    Ok(Warned { value: Turn { frames, full: poses.full || wanted.swept == Swept::Time }, notes: poses.notes(scene, wanted) })
+    Ok(Warned { value: PoseFrames { frames, full: poses.full || wanted.swept == Swept::Time }, notes: poses.notes(scene, wanted) })
 }
 
-fn frame(table: &Table, columns: &[Column], k: usize, size: [f64; 2]) -> Figure {
+fn frame(table: &PoseTable, columns: &[PoseColumn], k: usize, size: [f64; 2]) -> Figure {
     let (options, row) = (table.options, &table.rows[k]);
-    let maker = Maker { scene: &row.scene, worked: &row.worked, options, certified: Vec::new() };
+    let maker = SheetDrafter { scene: &row.scene, worked: &row.worked, options, certified: Vec::new() };
     let foot = MARGIN_MM + SCALE_MM + CAPTION_MM;
     let room = size[1] - MARGIN_MM - TITLE_MM - foot;
     let mut items = Vec::new();
@@ -80,7 +86,7 @@ fn frame(table: &Table, columns: &[Column], k: usize, size: [f64; 2]) -> Figure 
     put("position", corner, Label::math(format!("{symbol} = {value}")), style.caption_mm, Anchor::End);
     let used: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>() + GAP_MM * columns.len().saturating_sub(1) as f64;
     let mut edge = (size[0] - used) / 2.0;
-    let mut drawn: Vec<Item> = Vec::new();
+    let mut drawn: Vec<FigureItem> = Vec::new();
     for column in columns {
         let middle = Point::new(edge + column.bounds.width_mm() / 2.0, foot + room / 2.0);
         let mut part = column.parts[k].clone();

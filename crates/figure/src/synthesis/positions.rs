@@ -2,23 +2,23 @@
 //! error of a function.
 
 use super::{ROOM_MM, Set, around, laid_out, page, scale_of};
-use crate::plot::{Axis, Plot};
+use crate::plot::{Plot, PlotAxis};
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::choose;
 use hodograph_paper::paper::extent::{Rect, bounds};
-use hodograph_paper::paper::item::{Colour, Dash, Figure, Item, PLACED, Shape, tag};
+use hodograph_paper::paper::item::{Colour, Dash, Figure, FigureItem, PLACED, Shape, tag};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
-use hodograph_report::synthesis::{Posed, positions, traced};
-use hodograph_synthesis::{Candidate, Task};
+use hodograph_report::synthesis::{LinkagePosition, positions, traced};
+use hodograph_synthesis::{DesignCandidate, Task};
 
 /// Draws the linkage in all prescribed positions, the first one in full ink, and the path of E with
 /// its target points.
-pub fn linkage(task: &Task, candidate: &Candidate, set: Set) -> Figure {
+pub fn linkage(task: &Task, candidate: &DesignCandidate, set: Set) -> Figure {
     scaled(task, candidate, set).figure
 }
 
@@ -43,7 +43,7 @@ impl Scaled {
 
 /// Draws the linkage in all prescribed positions; returns it with its scale and its position on the
 /// paper.
-pub fn scaled(task: &Task, candidate: &Candidate, set: Set) -> Scaled {
+pub fn scaled(task: &Task, candidate: &DesignCandidate, set: Set) -> Scaled {
     let Set { style, lang, .. } = set;
     let all = positions(candidate);
     let path = traced(candidate, "E");
@@ -57,7 +57,7 @@ pub fn scaled(task: &Task, candidate: &Candidate, set: Set) -> Scaled {
     for piece in path.iter().filter(|p| p.len() > 2) {
         let points = piece.iter().map(|p| at(*p)).collect();
         let shape = Shape::Polyline { points, closed: false, stroke: Some(style.thin.dashed(Dash::DashDot)), fill: None };
-        items.push(Item::new("path", shape));
+        items.push(FigureItem::new("path", shape));
     }
     for (k, p) in all.iter().enumerate().rev() {
         let stroke = if k == 0 { style.link } else { style.thin };
@@ -66,7 +66,7 @@ pub fn scaled(task: &Task, candidate: &Candidate, set: Set) -> Scaled {
             let closed = places.len() > 2;
             let shape = Shape::Polyline { points: places, closed, stroke: Some(stroke), fill: None };
             let moves = if k == 0 { MOVES } else { "" };
-            items.push(Item { link: Some(*link), ..Item::new(format!("position-{k} {moves}").trim_end(), shape) });
+            items.push(FigureItem { link: Some(*link), ..FigureItem::new(format!("position-{k} {moves}").trim_end(), shape) });
         }
         for (name, x) in p.links.iter().flat_map(|l| &l.1) {
             if k == 0 && !p.fixed.iter().any(|f| f.0 == *name) {
@@ -93,7 +93,10 @@ pub fn scaled(task: &Task, candidate: &Candidate, set: Set) -> Scaled {
         wanted.push(LabelRequest::at_point(Label::math(name.as_str()).in_fonts(&style.fonts), style.label_mm, at(*x), 2.2));
     }
     for target in &candidate.draft.targets {
-        items.push(Item::new("target", Shape::Circle { centre: at(*target), radius_mm: 0.8, stroke: Some(style.outline), fill: None }));
+        items.push(FigureItem::new(
+            "target",
+            Shape::Circle { centre: at(*target), radius_mm: 0.8, stroke: Some(style.outline), fill: None },
+        ));
     }
     let room = bounds(&items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(8.0);
     let placed = place(&wanted, &Obstacles::of(&items), room);
@@ -107,7 +110,7 @@ pub fn scaled(task: &Task, candidate: &Candidate, set: Set) -> Scaled {
 
 /// Draws the deviation of the output over the range of the function, with its extremes marked;
 /// `None` if the task is no function.
-pub fn deviation(task: &Task, candidate: &Candidate, set: Set) -> Option<Figure> {
+pub fn deviation(task: &Task, candidate: &DesignCandidate, set: Set) -> Option<Figure> {
     let Set { style, lang, .. } = set;
     let data: Vec<[f64; 2]> = candidate.draft.course.iter().map(|c| [c.x, c.deviation().to_degrees()]).collect();
     if data.is_empty() {
@@ -115,7 +118,7 @@ pub fn deviation(task: &Task, candidate: &Candidate, set: Set) -> Option<Figure>
     }
     let (xs, ys): (Vec<f64>, Vec<f64>) = data.iter().map(|p| (p[0], p[1])).unzip();
     let frame = Rect::new(Point::ORIGIN, Point::new(ROOM_MM[0], 80.0));
-    let axes = [Axis::of(&xs, false, 10), Axis::of(&ys, false, 8)];
+    let axes = [PlotAxis::of(&xs, false, 10), PlotAxis::of(&ys, false, 8)];
     let mut plot = Plot::new("deviation".to_owned(), style, frame, axes);
     plot.axes(Some(Label::math("x").in_fonts(&style.fonts)), Label::math("\\Delta\\psi/(\\degree)"));
     let points = data.iter().map(|p| plot.at(p[0], p[1])).collect();
@@ -133,7 +136,7 @@ pub fn deviation(task: &Task, candidate: &Candidate, set: Set) -> Option<Figure>
 }
 
 /// Blocks of the first position, with fixed guides under all their positions.
-fn sliders(all: &[Posed], at: &dyn Fn(Point) -> Point, style: &Style) -> Vec<Item> {
+fn sliders(all: &[LinkagePosition], at: &dyn Fn(Point) -> Point, style: &Style) -> Vec<FigureItem> {
     let mut items = Vec::new();
     for (k, slider) in all.first().into_iter().flat_map(|p| &p.sliders).enumerate() {
         let (place, way) = (at(slider.at), slider.direction);
@@ -144,7 +147,7 @@ fn sliders(all: &[Posed], at: &dyn Fn(Point) -> Point, style: &Style) -> Vec<Ite
             let length = high - low + 3.0 * style.block_length_mm;
             // Hatched below, like the ground.
             let along = if way.x < 0.0 { -way } else { way };
-            items.extend(sym::guide(style, place + way * ((low + high) / 2.0), along.angle(), length, sym::Guide::OneSided));
+            items.extend(sym::guide(style, place + way * ((low + high) / 2.0), along.angle(), length, sym::GuideForm::OneSided));
         }
         let mut block = sym::block(style, place, way.angle(), !slider.fixed);
         block.extend(sym::pin(style, place));

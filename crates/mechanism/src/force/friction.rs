@@ -12,7 +12,7 @@
 //! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4 and 5.
 
 use super::{Cause, Load, fastest};
-use crate::answer::Source;
+use crate::answer::MotionSource;
 use crate::mechanism::{Level, Mechanism};
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::{Point, Vec2};
@@ -59,7 +59,7 @@ pub fn is_determined(scene: &Scene, m: &Mechanism) -> bool {
 /// at rest friction has no sense.
 ///
 /// `None` if a position or a velocity is not known.
-pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<(Vec<Rubbing<N>>, Vec<usize>)> {
+pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl MotionSource<N>) -> Option<(Vec<Rubbing<N>>, Vec<usize>)> {
     let inputs = Inputs::<N>::of(scene);
     let zero = N::from_f64(0.0);
     let speed = fastest(scene, at);

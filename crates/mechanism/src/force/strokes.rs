@@ -5,7 +5,7 @@ use crate::position::{Configuration, Path, configure, recompute};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_base::trig::sin_cos;
-use hodograph_scene::{Along, Applied, Course, Given, GuideId, PointId, Scene, driver_position, with_driver_at};
+use hodograph_scene::{Applied, GivenQuantity, GuideId, LoadCourse, LoadTravel, PointId, Scene, driver_position, with_driver_at};
 use std::f64::consts::TAU;
 
 /// Number of positions in a turn of the first driver.
@@ -30,8 +30,8 @@ const BACK: f64 = 1e-9;
 /// # Errors
 /// `stroke`: the point has no stroke, or the file does not determine which of its two strokes is
 /// the working one.
-pub fn ends<'a>(scene: &Scene, course: &'a Course) -> Option<&'a Result<[Given; 2], Diagnostic>> {
-    let Along::Stroke { point, guide, toward, ends } = &course.along else { return None };
+pub fn ends<'a>(scene: &Scene, course: &'a LoadCourse) -> Option<&'a Result<[GivenQuantity; 2], Diagnostic>> {
+    let LoadTravel::Stroke { point, guide, toward, ends } = &course.along else { return None };
     Some(ends.0.get_or_init(|| {
         let found = Stroke::of(scene, *point, *guide).ok_or_else(|| no_stroke(scene, *point, course))?;
         let upward = match toward {
@@ -48,11 +48,11 @@ pub fn ends<'a>(scene: &Scene, course: &'a Course) -> Option<&'a Result<[Given; 
                 }
                 along > 0.0
             }
-            None => found.slower_is_upward(scene).ok_or_else(|| untold(scene, *point, course))?,
+            None => found.slower_is_upward(scene).ok_or_else(|| ambiguous_stroke(scene, *point, course))?,
         };
         let [low, high] = [found.low.1, found.high.1];
         let error = TOLD * (high - low).max(low.abs()).max(high.abs());
-        let given = |value: f64| Given { value, radius: error, text: String::new(), span: course.span };
+        let given = |value: f64| GivenQuantity { value, radius: error, text: String::new(), span: course.span };
         Ok(if upward { [given(low), given(high)] } else { [given(high), given(low)] })
     }))
 }
@@ -144,14 +144,14 @@ fn golden(mut a: f64, mut b: f64, value: impl Fn(f64) -> Option<f64>) -> Option<
     Some(if fx >= fy { (x, fx) } else { (y, fy) })
 }
 
-fn untold(scene: &Scene, point: PointId, course: &Course) -> Diagnostic {
+fn ambiguous_stroke(scene: &Scene, point: PointId, course: &LoadCourse) -> Diagnostic {
     let name = scene.point_name(point);
     let message = both!("which of the two strokes of {name} is the working one is not told", "没有说明 {name} 的哪一个行程是工作行程");
     let help = both!("add \"toward\": \"0 deg\", the direction of the working stroke", "请加上 \"toward\": \"0 deg\"（工作行程的方向）");
     Diagnostic::error("stroke", message).at(course.span).help(help)
 }
 
-fn no_stroke(scene: &Scene, point: PointId, course: &Course) -> Diagnostic {
+fn no_stroke(scene: &Scene, point: PointId, course: &LoadCourse) -> Diagnostic {
     let name = scene.point_name(point);
     let message = both!(
         "{name} has no stroke: the first driver, told by its angle, must turn fully while {name} goes to and fro",

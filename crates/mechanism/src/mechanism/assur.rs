@@ -5,7 +5,7 @@
 //! one step holds one equation of a sliding pair and a later step the other. A pair belongs to one
 //! group: steps that share a pair are one group, as are steps that then depend on one another.
 
-use super::{Core, Group, Item, Mechanism, Passive};
+use super::{Core, Group, Mechanism, PairItem, Passive};
 use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
 /// One group, or a driven part, or a pin carried by a known link.
@@ -92,7 +92,7 @@ impl Mechanism {
                 graph.update_edge(nodes[g], nodes[u], ());
             }
             for &c in &group.constraints {
-                let Item::Guide(guide) = self.constraints[c].item() else { continue };
+                let PairItem::Guide(guide) = self.constraints[c].item() else { continue };
                 for (_, other) in seat.iter().filter(|(of, at)| *of == guide && *at != g) {
                     graph.update_edge(nodes[g], nodes[*other], ());
                     graph.update_edge(nodes[*other], nodes[g], ());
@@ -160,7 +160,7 @@ impl Mechanism {
                 [true, false] | [false, true] => outer.push(letter),
                 [false, false] => {}
             };
-            for (guide, on) in steps.iter().flat_map(|g| &g.constraints).filter_map(|c| self.constraints[*c].form().lies_on()) {
+            for (guide, on) in steps.iter().flat_map(|g| &g.constraints).filter_map(|c| self.constraints[*c].form().point_guide()) {
                 scene.guides[guide.0].slider.iter().for_each(|s| pair('P', [*s, on]));
             }
             for p in (0..scene.points.len()).map(PointId) {

@@ -1,6 +1,6 @@
 //! The groups that the requests of a scene need, each with its level: only these are solved.
 
-use super::{Mechanism, Node};
+use super::{GraphNode, Mechanism};
 use hodograph_scene::quantity::{Level, Need};
 use hodograph_scene::{Find, LinkId, PointId, Rub, Scene};
 
@@ -143,16 +143,16 @@ impl Demand {
     }
 }
 
-fn group_of(m: &Mechanism, n: Node) -> Option<usize> {
+fn group_of(m: &Mechanism, n: GraphNode) -> Option<usize> {
     match n {
-        Node::Link(l) => m.group_of_link[l.0],
-        Node::Pin(p) => m.group_of_pin[p.0],
+        GraphNode::Link(l) => m.group_of_link[l.0],
+        GraphNode::Pin(p) => m.group_of_pin[p.0],
     }
 }
 
 /// Returns the nodes that must be known for a need.
-pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
-    let link_nodes = |l: LinkId| m.passive_carrier(scene, l).unwrap_or_else(|| vec![Node::Link(l)]);
+pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<GraphNode> {
+    let link_nodes = |l: LinkId| m.passive_carrier(scene, l).unwrap_or_else(|| vec![GraphNode::Link(l)]);
     match need {
         Need::Turning(l) => link_nodes(l),
         Need::Forces => Vec::new(),
@@ -165,7 +165,7 @@ pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
             let led = scene.cams.iter().filter(|c| c.is_on_course() && c.follows.point() == p).map(|c| c.cam);
             nodes.extend(led.filter(|l| *l != scene.ground).flat_map(link_nodes));
             if m.pins.contains(&p) {
-                nodes.push(Node::Pin(p));
+                nodes.push(GraphNode::Pin(p));
             } else {
                 // The position of the point follows from its own link, even if the vector of
                 // another link's point is requested; the position of a contact follows from both

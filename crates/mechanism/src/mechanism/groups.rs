@@ -10,9 +10,9 @@
 //! Sljoka, Shai, Whiteley, *Checking mobility and decomposition of linkages via pebble game
 //! algorithm*, ASME DETC 2011.
 
-use super::leg::{Entry, Hold, Leg};
+use super::leg::{CoreLoci, Hold, Leg};
 use super::mobility::Assignment;
-use super::{Form, Mechanism, Node, Passive, Runner};
+use super::{GraphNode, Mechanism, PairForm, Passive, Runner};
 use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap, HashMap};
@@ -93,10 +93,10 @@ impl Group {
             Core::Link { legs, .. } => match self.class() {
                 None => "driven link",
                 Some("III") => "triad",
-                _ => match Entry::of(legs) {
-                    Entry { angle: Some(_), pivot: Some(_), .. } => "RP",
-                    Entry { angle: Some(_), pivot: None, holds, .. } => sliding_dyad(&holds),
-                    Entry { angle: None, .. } => "RPR",
+                _ => match CoreLoci::of(legs) {
+                    CoreLoci { angle: Some(_), pivot: Some(_), .. } => "RP",
+                    CoreLoci { angle: Some(_), pivot: None, holds, .. } => sliding_dyad(&holds),
+                    CoreLoci { angle: None, .. } => "RPR",
                 },
             },
         };
@@ -107,7 +107,7 @@ impl Group {
     /// solve, and lists of groups omit it.
     pub fn is_carried(&self) -> bool {
         match &self.core {
-            Core::Pin { legs, .. } => Entry::of(legs).carrier.is_some(),
+            Core::Pin { legs, .. } => CoreLoci::of(legs).carrier.is_some(),
             Core::Link { .. } | Core::Higher => false,
         }
     }
@@ -132,14 +132,14 @@ fn sliding_dyad(holds: &[Hold]) -> &'static str {
 
 /// Splits the mechanism into groups in solving order.
 pub(crate) fn find(scene: &Scene, m: &mut Mechanism, assignment: &Assignment) {
-    let nodes: Vec<Node> = (0..scene.links.len())
+    let nodes: Vec<GraphNode> = (0..scene.links.len())
         .map(LinkId)
         .filter(|l| *l != scene.ground && m.passive[l.0].is_none())
-        .map(Node::Link)
-        .chain(m.pins.iter().map(|p| Node::Pin(*p)))
+        .map(GraphNode::Link)
+        .chain(m.pins.iter().map(|p| GraphNode::Pin(*p)))
         .collect();
     // Used for look-up only, never iterated: the order of the scene decides every output.
-    let index: HashMap<Node, usize> = nodes.iter().enumerate().map(|(i, n)| (*n, i)).collect();
+    let index: HashMap<GraphNode, usize> = nodes.iter().enumerate().map(|(i, n)| (*n, i)).collect();
     let mut graph = petgraph::graph::DiGraph::<usize, ()>::with_capacity(nodes.len(), assignment.equations.len());
     let handles: Vec<_> = (0..nodes.len()).map(|i| graph.add_node(i)).collect();
     for (_, at, other) in &assignment.equations {
@@ -166,8 +166,8 @@ pub(crate) fn find(scene: &Scene, m: &mut Mechanism, assignment: &Assignment) {
     for (n, node) in nodes.iter().enumerate() {
         let g = position[part_of[n]];
         match node {
-            Node::Link(l) => m.group_of_link[l.0] = Some(g),
-            Node::Pin(p) => m.group_of_pin[p.0] = Some(g),
+            GraphNode::Link(l) => m.group_of_link[l.0] = Some(g),
+            GraphNode::Pin(p) => m.group_of_pin[p.0] = Some(g),
         }
     }
     let mut constraints_of: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); parts.len()];
@@ -179,8 +179,8 @@ pub(crate) fn find(scene: &Scene, m: &mut Mechanism, assignment: &Assignment) {
         let mut pins: Vec<PointId> = Vec::new();
         for &n in &parts[p] {
             match nodes[n] {
-                Node::Link(l) => links.push(l),
-                Node::Pin(q) => pins.push(q),
+                GraphNode::Link(l) => links.push(l),
+                GraphNode::Pin(q) => pins.push(q),
             }
         }
         let mut upstream: Vec<usize> = parts[p]
@@ -224,7 +224,7 @@ fn topological(parts: &[Vec<usize>], part_of: &[usize], graph: &petgraph::graph:
 }
 
 fn find_core(scene: &Scene, m: &Mechanism, links: &[LinkId], pins: &[PointId], constraints: &[usize]) -> Core {
-    let cs: Vec<Form> = constraints.iter().map(|&i| m.constraints[i].form()).collect();
+    let cs: Vec<PairForm> = constraints.iter().map(|&i| m.constraints[i].form()).collect();
     if let [pin] = pins[..]
         && let Some(legs) = legs_of_pin(links, pin, &cs)
     {
@@ -239,27 +239,27 @@ fn find_core(scene: &Scene, m: &Mechanism, links: &[LinkId], pins: &[PointId], c
 }
 
 /// Returns the driver of the runner along a guide, if the group has one.
-fn slide_of(cs: &[Form], guide: GuideId) -> Option<usize> {
+fn slide_of(cs: &[PairForm], guide: GuideId) -> Option<usize> {
     cs.iter().find(|c| c.path() == Some(guide) && c.driver().is_some())?.driver()
 }
 
 /// Returns the pins that forms put on a link.
-fn on_link<'a>(cs: impl IntoIterator<Item = &'a Form>, l: LinkId) -> impl Iterator<Item = PointId> {
-    cs.into_iter().filter_map(Form::meets).filter(move |(_, link)| *link == l).map(|(pin, _)| pin)
+fn on_link<'a>(cs: impl IntoIterator<Item = &'a PairForm>, l: LinkId) -> impl Iterator<Item = PointId> {
+    cs.into_iter().filter_map(PairForm::meets).filter(move |(_, link)| *link == l).map(|(pin, _)| pin)
 }
 
 /// Returns the legs of a pin, if every link of the group is a bar from a known pin to it.
-fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[Form]) -> Option<Vec<Leg>> {
+fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[PairForm]) -> Option<Vec<Leg>> {
     let mut legs = Vec::new();
     let mut used = 0;
     for &l in links {
-        let mine: Vec<&Form> = cs.iter().filter(|c| c.joins(l)).collect();
+        let mine: Vec<&PairForm> = cs.iter().filter(|c| c.joins(l)).collect();
         let far = on_link(mine.iter().copied(), l).find(|p| *p != pin)?;
-        let near = mine.contains(&&Form::Meet { pin, link: l });
+        let near = mine.contains(&&PairForm::Meet { pin, link: l });
         if near && mine.len() == 2 {
             legs.push(Leg::Bar { link: l, near: pin, far });
             used += 2;
-        } else if let Some(guide) = mine.iter().find_map(|c| c.path().filter(|_| c.driver().is_none() && c.ends().0 == Node::Pin(pin)))
+        } else if let Some(guide) = mine.iter().find_map(|c| c.path().filter(|_| c.driver().is_none() && c.ends().0 == GraphNode::Pin(pin)))
             && let Some(driver) = slide_of(cs, guide)
             && mine.len() == 3
         {
@@ -271,11 +271,11 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[Form]) -> Option<Vec<Leg>> 
     }
     for c in cs {
         match *c {
-            Form::Meet { pin: p, link } if p == pin && !links.contains(&link) => {
+            PairForm::Meet { pin: p, link } if p == pin && !links.contains(&link) => {
                 legs.push(Leg::Carried { link });
                 used += 1;
             }
-            Form::OnPath { runner: Runner::Pin(p), guide, on } if p == pin && !links.contains(&on) => {
+            PairForm::OnPath { runner: Runner::Pin(p), guide, on } if p == pin && !links.contains(&on) => {
                 if let Some(driver) = slide_of(cs, guide) {
                     legs.push(Leg::Driven { guide, driver, pin });
                     used += 2;
@@ -284,14 +284,18 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[Form]) -> Option<Vec<Leg>> 
                     used += 1;
                 }
             }
-            Form::Distance { from, to, driver } => {
+            PairForm::Distance { from, to, driver } => {
                 legs.push(Leg::Cylinder { driver, near: pin, far: if from == pin { to } else { from } });
                 used += 1;
             }
             // The forms of bars and rams are counted with them, a driver along a guide with its
             // guide. The others are no leg of a pin; a form that stays uncounted means that the
             // group is no dyad of one pin.
-            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Angles { .. } | Form::Related { .. } => {}
+            PairForm::Meet { .. }
+            | PairForm::OnPath { .. }
+            | PairForm::AlongPath { .. }
+            | PairForm::Angles { .. }
+            | PairForm::Related { .. } => {}
         }
     }
     let freedoms: usize = legs.iter().map(Leg::freedoms).sum();
@@ -300,12 +304,12 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[Form]) -> Option<Vec<Leg>> 
 
 /// Returns the legs of a link, if every other link of the group is a bar from a known pin to one of
 /// the core's pins.
-fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId, cs: &[Form]) -> Option<Vec<Leg>> {
+fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId, cs: &[PairForm]) -> Option<Vec<Leg>> {
     let mut legs = Vec::new();
     let mut used = 0;
     // Every pin of the group must be on the core.
     for &pin in pins {
-        if !cs.contains(&Form::Meet { pin, link: core }) {
+        if !cs.contains(&PairForm::Meet { pin, link: core }) {
             return None;
         }
         used += 1;
@@ -324,14 +328,14 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
     let known = |a: LinkId, b: LinkId| Some(if a == core { b } else { a }).filter(|l| !links.contains(l));
     for c in cs {
         match *c {
-            Form::Meet { pin, link } if link == core && !pins.contains(&pin) => {
+            PairForm::Meet { pin, link } if link == core && !pins.contains(&pin) => {
                 legs.push(Leg::Pinned { pin });
                 used += 1;
             }
             // The pins of the core and of bars are counted; a driver along a guide is counted with
             // its guide.
-            Form::Meet { .. } | Form::AlongPath { .. } => {}
-            Form::OnPath { runner: Runner::Pin(pin), guide, on } => {
+            PairForm::Meet { .. } | PairForm::AlongPath { .. } => {}
+            PairForm::OnPath { runner: Runner::Pin(pin), guide, on } => {
                 if slide_of(cs, guide).is_some() {
                     return None;
                 }
@@ -344,17 +348,17 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
                 }
                 used += 1;
             }
-            Form::Angles { of, against, driver } => {
+            PairForm::Angles { of, against, driver } => {
                 legs.push(Leg::Angle { of: known(of, against)?, driver });
                 used += 1;
             }
-            Form::Related { pair, .. } => {
+            PairForm::Related { pair, .. } => {
                 let rolling = &scene.rolling[pair.0];
                 let other = rolling.other(core).filter(|l| !links.contains(l))?;
                 legs.push(Leg::Rolls { pair, other, at: rolling.at_of(core) });
                 used += 1;
             }
-            Form::OnPath { runner: Runner::Link(slider), guide, on } => {
+            PairForm::OnPath { runner: Runner::Link(slider), guide, on } => {
                 let other = known(slider, on)?;
                 if let Some(driver) = slide_of(cs, guide) {
                     legs.push(Leg::DrivenGlide { guide, other, driver });
@@ -364,7 +368,7 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
                     used += 1;
                 }
             }
-            Form::Distance { from, to, driver } => {
+            PairForm::Distance { from, to, driver } => {
                 let (near, far) = match (pins.contains(&from), pins.contains(&to)) {
                     (true, false) => (from, to),
                     (false, true) => (to, from),
@@ -382,11 +386,11 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
 impl Mechanism {
     /// Returns the nodes whose motion a passive link follows: the carrier of a block, or the pins
     /// of a driver's numbered links; `None` if the link is not passive.
-    pub fn passive_carrier(&self, scene: &Scene, l: LinkId) -> Option<Vec<Node>> {
+    pub fn passive_carrier(&self, scene: &Scene, l: LinkId) -> Option<Vec<GraphNode>> {
         Some(match self.passive[l.0]? {
-            Passive::Block(g) => vec![Node::Link(scene.guides[g.0].on), Node::Pin(scene.guides[g.0].pin?)],
-            Passive::Cylinder(d) => scene.drivers[d].kind.ends()?.map(Node::Pin).to_vec(),
-            Passive::Held(a, b) => vec![Node::Pin(a), Node::Pin(b)],
+            Passive::Block(g) => vec![GraphNode::Link(scene.guides[g.0].on), GraphNode::Pin(scene.guides[g.0].pin?)],
+            Passive::Cylinder(d) => scene.drivers[d].kind.ends()?.map(GraphNode::Pin).to_vec(),
+            Passive::Held(a, b) => vec![GraphNode::Pin(a), GraphNode::Pin(b)],
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Legs: the connections of a group's core to known bodies.
 //!
-//! This module derives from topology alone what a leg gives of the core, as a statement ([`Gives`],
+//! This module derives from topology alone what a leg gives of the core, as a statement ([`LegStatement`],
 //! [`Hold`], [`ConstraintLine`]) that is the same for legs of the same geometry; and the
 //! consequences: the freedoms that the leg takes and its letter in the name of a dyad. Positions,
 //! plan, drawing and sweep match the statements and evaluate them each in its own numbers; they do
@@ -116,7 +116,7 @@ pub enum Leg {
 
 /// The information that a leg gives about the core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Gives {
+pub enum LegStatement {
     /// The position of the core pin: a point of this known link.
     Carrier(LinkId),
     /// The known pin about which the core link turns.
@@ -229,7 +229,7 @@ pub enum ConstraintLine {
 
 /// The combined information of all legs of a core, by kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Entry {
+pub struct CoreLoci {
     /// The known link that carries the core pin.
     pub carrier: Option<LinkId>,
     /// The known pin about which the core link turns.
@@ -262,11 +262,11 @@ impl Leg {
 
     /// Returns the information that the leg gives about the core: the only place that distinguishes
     /// the kinds of leg.
-    pub fn gives(&self) -> Gives {
-        Gives::Hold(match *self {
-            Leg::Carried { link } => return Gives::Carrier(link),
-            Leg::Pinned { pin } => return Gives::Pivot(pin),
-            Leg::Angle { of, driver } => return Gives::Angle { of, driver },
+    pub fn gives(&self) -> LegStatement {
+        LegStatement::Hold(match *self {
+            Leg::Carried { link } => return LegStatement::Carrier(link),
+            Leg::Pinned { pin } => return LegStatement::Pivot(pin),
+            Leg::Angle { of, driver } => return LegStatement::Angle { of, driver },
             Leg::Bar { link, near, far } => Hold::Distance { near, far, strut: Strut::Bar(link) },
             Leg::Cylinder { driver, near, far } => Hold::Distance { near, far, strut: Strut::Cylinder(driver) },
             Leg::Ram { link, far, guide, driver, near } => Hold::Distance { near, far, strut: Strut::Ram { link, guide, driver } },
@@ -283,9 +283,9 @@ impl Leg {
     /// body, one for a direction or a locus, and one more for a driver along a guide.
     pub fn freedoms(&self) -> usize {
         match self.gives() {
-            Gives::Carrier(_) | Gives::Pivot(_) => 2,
-            Gives::Angle { .. } | Gives::Hold(Hold::Distance { .. } | Hold::Slot { .. } | Hold::Rolls { .. }) => 1,
-            Gives::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => 1 + usize::from(driver.is_some()),
+            LegStatement::Carrier(_) | LegStatement::Pivot(_) => 2,
+            LegStatement::Angle { .. } | LegStatement::Hold(Hold::Distance { .. } | Hold::Slot { .. } | Hold::Rolls { .. }) => 1,
+            LegStatement::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => 1 + usize::from(driver.is_some()),
         }
     }
 
@@ -293,9 +293,11 @@ impl Leg {
     /// prismatic, or the letter of a gear.
     pub fn letter(&self) -> &'static str {
         match self.gives() {
-            Gives::Pivot(_) | Gives::Hold(Hold::Distance { .. }) => "R",
-            Gives::Carrier(_) | Gives::Angle { .. } | Gives::Hold(Hold::Guide { .. } | Hold::Slot { .. } | Hold::Glide { .. }) => "P",
-            Gives::Hold(Hold::Rolls { .. }) => "G",
+            LegStatement::Pivot(_) | LegStatement::Hold(Hold::Distance { .. }) => "R",
+            LegStatement::Carrier(_)
+            | LegStatement::Angle { .. }
+            | LegStatement::Hold(Hold::Guide { .. } | Hold::Slot { .. } | Hold::Glide { .. }) => "P",
+            LegStatement::Hold(Hold::Rolls { .. }) => "G",
         }
     }
 
@@ -303,16 +305,20 @@ impl Leg {
     /// too, but changes its own length.
     pub fn drives(&self) -> bool {
         match self.gives() {
-            Gives::Angle { driver, .. } | Gives::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => driver.is_some(),
-            Gives::Carrier(_) | Gives::Pivot(_) | Gives::Hold(Hold::Distance { .. } | Hold::Slot { .. } | Hold::Rolls { .. }) => false,
+            LegStatement::Angle { driver, .. } | LegStatement::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => {
+                driver.is_some()
+            }
+            LegStatement::Carrier(_)
+            | LegStatement::Pivot(_)
+            | LegStatement::Hold(Hold::Distance { .. } | Hold::Slot { .. } | Hold::Rolls { .. }) => false,
         }
     }
 
     /// Returns the locus that the leg gives for a point of the core, if it gives one.
     pub fn hold(&self) -> Option<Hold> {
         match self.gives() {
-            Gives::Hold(hold) => Some(hold),
-            Gives::Carrier(_) | Gives::Pivot(_) | Gives::Angle { .. } => None,
+            LegStatement::Hold(hold) => Some(hold),
+            LegStatement::Carrier(_) | LegStatement::Pivot(_) | LegStatement::Angle { .. } => None,
         }
     }
 
@@ -368,16 +374,16 @@ impl ConstraintLine {
     }
 }
 
-impl Entry {
+impl CoreLoci {
     /// Returns the combined information of the legs of a core.
-    pub fn of(legs: &[Leg]) -> Entry {
-        let mut entry = Entry { carrier: None, pivot: None, angle: None, holds: Vec::with_capacity(legs.len()) };
+    pub fn of(legs: &[Leg]) -> CoreLoci {
+        let mut entry = CoreLoci { carrier: None, pivot: None, angle: None, holds: Vec::with_capacity(legs.len()) };
         for leg in legs {
             match leg.gives() {
-                Gives::Carrier(link) => entry.carrier = entry.carrier.or(Some(link)),
-                Gives::Pivot(pin) => entry.pivot = entry.pivot.or(Some(pin)),
-                Gives::Angle { of, driver } => entry.angle = entry.angle.or(Some((of, driver))),
-                Gives::Hold(hold) => entry.holds.push(hold),
+                LegStatement::Carrier(link) => entry.carrier = entry.carrier.or(Some(link)),
+                LegStatement::Pivot(pin) => entry.pivot = entry.pivot.or(Some(pin)),
+                LegStatement::Angle { of, driver } => entry.angle = entry.angle.or(Some((of, driver))),
+                LegStatement::Hold(hold) => entry.holds.push(hold),
             }
         }
         entry

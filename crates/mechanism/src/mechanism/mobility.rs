@@ -4,7 +4,7 @@
 //! node that lacks equations is free; an equation without a node depends on others. The diagnosis
 //! reports both.
 
-use super::{Constraint, Item, Node, Passive};
+use super::{Constraint, GraphNode, PairItem, Passive};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_scene::{LinkId, PointId, Scene};
 use std::collections::BTreeSet;
@@ -28,7 +28,7 @@ pub struct Mobility {
 /// For each equation (constraint index, its two ends): the end to which it is assigned.
 pub(crate) struct Assignment {
     /// (constraint, assigned node, other node), one entry per scalar equation.
-    pub equations: Vec<(usize, Node, Node)>,
+    pub equations: Vec<(usize, GraphNode, GraphNode)>,
 }
 
 struct Nodes {
@@ -36,17 +36,17 @@ struct Nodes {
 }
 
 impl Nodes {
-    fn index(&self, n: Node) -> usize {
+    fn index(&self, n: GraphNode) -> usize {
         match n {
-            Node::Link(l) => l.0,
-            Node::Pin(p) => self.links + p.0,
+            GraphNode::Link(l) => l.0,
+            GraphNode::Pin(p) => self.links + p.0,
         }
     }
 
-    fn at(&self, index: usize) -> Node {
+    fn at(&self, index: usize) -> GraphNode {
         match index.checked_sub(self.links) {
-            None => Node::Link(LinkId(index)),
-            Some(p) => Node::Pin(PointId(p)),
+            None => GraphNode::Link(LinkId(index)),
+            Some(p) => GraphNode::Pin(PointId(p)),
         }
     }
 }
@@ -55,7 +55,7 @@ impl Nodes {
 pub(super) struct Matched {
     nodes: Nodes,
     /// One entry per scalar equation: its constraint and the two ends of the constraint.
-    units: Vec<(usize, Node, Node)>,
+    units: Vec<(usize, GraphNode, GraphNode)>,
     owner: Vec<Option<usize>>,
     held: Vec<Vec<usize>>,
     capacity: Vec<usize>,
@@ -76,7 +76,7 @@ impl Matched {
         for p in pins {
             capacity[nodes.links + p.0] = 2;
         }
-        let units: Vec<(usize, Node, Node)> = constraints
+        let units: Vec<(usize, GraphNode, GraphNode)> = constraints
             .iter()
             .enumerate()
             .flat_map(|(i, c)| {
@@ -159,7 +159,7 @@ pub(super) fn assign(
 ) -> Result<Assignment, Faults> {
     let m = Matched::new(scene, passive, pins, constraints);
     let mut faults = Faults::default();
-    let free: Vec<Node> = (0..m.capacity.len()).filter(|&n| m.held[n].len() < m.capacity[n]).map(|n| m.nodes.at(n)).collect();
+    let free: Vec<GraphNode> = (0..m.capacity.len()).filter(|&n| m.held[n].len() < m.capacity[n]).map(|n| m.nodes.at(n)).collect();
     if !free.is_empty() {
         faults.push(too_free(scene, constraints, m.free(), &free));
     }
@@ -176,7 +176,7 @@ pub(super) fn assign(
 /// one.
 fn augment(
     u: usize,
-    units: &[(usize, Node, Node)],
+    units: &[(usize, GraphNode, GraphNode)],
     nodes: &Nodes,
     capacity: &[usize],
     owner: &mut [Option<usize>],
@@ -222,19 +222,19 @@ fn augment(
     false
 }
 
-fn describe(scene: &Scene, n: Node) -> Both {
+fn describe(scene: &Scene, n: GraphNode) -> Both {
     match n {
-        Node::Link(l) => both!("link {}", "构件 {}", scene.link_name(l)),
-        Node::Pin(p) => both!("pin {}", "销 {}", scene.point_name(p)),
+        GraphNode::Link(l) => both!("link {}", "构件 {}", scene.link_name(l)),
+        GraphNode::Pin(p) => both!("pin {}", "销 {}", scene.point_name(p)),
     }
 }
 
-fn too_free(scene: &Scene, constraints: &[Constraint], missing: usize, free: &[Node]) -> Diagnostic {
+fn too_free(scene: &Scene, constraints: &[Constraint], missing: usize, free: &[GraphNode]) -> Diagnostic {
     let names: Vec<_> = free.iter().map(|n| describe(scene, *n)).collect();
     let drivers = scene.own_drivers();
     let span = match free[0] {
-        Node::Link(l) => scene.links[l.0].span,
-        Node::Pin(p) => scene.points[p.0].span,
+        GraphNode::Link(l) => scene.links[l.0].span,
+        GraphNode::Pin(p) => scene.points[p.0].span,
     };
     Diagnostic::error(
         "too-few-constraints",
@@ -272,14 +272,14 @@ fn unlisted_pivots(scene: &Scene) -> Option<Both> {
         .filter(|(i, p)| {
             let carriers: Vec<_> = scene.carriers(PointId(*i)).collect();
             let runs = scene.guides.iter().any(|g| g.pin == Some(PointId(*i)));
-            matches!(p.place, hodograph_scene::Place::At(_)) && !runs && carriers.len() == 1 && carriers[0] != scene.ground
+            matches!(p.place, hodograph_scene::PointPlace::At(_)) && !runs && carriers.len() == 1 && carriers[0] != scene.ground
         })
         .map(|(_, p)| p.name.as_str())
         .collect();
     (!names.is_empty()).then(|| Both::names(&names))
 }
 
-fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], unmatched: &[usize]) -> Diagnostic {
+fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, GraphNode, GraphNode)], unmatched: &[usize]) -> Diagnostic {
     let mut names: Vec<Both> = Vec::new();
     let mut span = None;
     for &u in unmatched {
@@ -344,7 +344,7 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
         }
     }
     for pair in &scene.rolling {
-        let own = pair.guide().filter(|g| constraints.iter().any(|c| c.item() == Item::Guide(*g)));
+        let own = pair.guide().filter(|g| constraints.iter().any(|c| c.item() == PairItem::Guide(*g)));
         match pair.kind.is_lower() {
             // The contact is part of the pair.
             true => lower += 1,

@@ -20,15 +20,15 @@ pub use assur::Assur;
 pub use demand::Demand;
 pub use demand::nodes_of;
 pub use groups::{Core, Group};
-pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
+pub use leg::{ConstraintLine, CoreLoci, Hold, Leg, LegStatement, Strut};
 pub use mobility::Mobility;
-pub use pair::{Constraint, Form, Item, Runner, constraints_of, moved_words, mover_words, told_words, words_of};
+pub use pair::{Constraint, PairForm, PairItem, Runner, constraints_of, moved_words, mover_words, rolling_pair_words, words_of};
 pub use redundant::{Opened, Redundant};
-pub use survey::{Counts, ForDrivers, Local, Survey, compound};
+pub use survey::{Counts, ForDrivers, Local, MobilitySurvey, compound};
 
-use redundant::Opening;
+use redundant::OpenedPairs;
 
-pub use hodograph_scene::quantity::{Joined, Level, Need, joined};
+pub use hodograph_scene::quantity::{Level, Need, PointJoint, joined};
 
 use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
@@ -36,7 +36,7 @@ use hodograph_scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Sce
 /// A node with an unknown position: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
-pub enum Node {
+pub enum GraphNode {
     /// A link.
     Link(LinkId),
     /// A pin: a point at which links meet, that moves in a guide, or at which a cylinder ends.
@@ -95,7 +95,7 @@ impl Mechanism {
         if faults.has_errors() {
             return Err(faults);
         }
-        let mut opening = Opening { passive, redundant: Vec::new(), touches: None };
+        let mut opening = OpenedPairs { passive, redundant: Vec::new(), touches: None };
         if opening.matched(scene).unmatched() > 0 {
             opening = redundant::open(scene, &opening).unwrap_or(opening);
         }
@@ -104,14 +104,14 @@ impl Mechanism {
         if higher(&mechanism) {
             // Another pair of gears may keep a distance that only one pair must keep: the one is
             // chosen that leaves groups of a lower class.
-            let other = |g| Mechanism::opened(scene, Opening { touches: Some(g), ..opening.clone() }).ok().filter(|m| !higher(m));
+            let other = |g| Mechanism::opened(scene, OpenedPairs { touches: Some(g), ..opening.clone() }).ok().filter(|m| !higher(m));
             mechanism = holding(scene).take(MOST_OPTIONAL).find_map(other).unwrap_or(mechanism);
         }
         Ok(Warned { value: mechanism, notes: Vec::new() })
     }
 
     /// Creates the mechanism without the opened items.
-    fn opened(scene: &Scene, opening: Opening) -> Result<Mechanism, Faults> {
+    fn opened(scene: &Scene, opening: OpenedPairs) -> Result<Mechanism, Faults> {
         let (pins, constraints) = opening.pins_and_constraints(scene);
         let assignment = mobility::assign(scene, &opening.passive, &pins, &constraints)?;
         let mut mechanism = Mechanism {
@@ -136,7 +136,7 @@ impl Mechanism {
 
     /// Returns true if a guide constrains: a guide between gears may only repeat other pairs.
     pub fn guide_holds(&self, guide: &Guide, id: GuideId) -> bool {
-        self.keeps(id) && (guide.rolling.is_none() || self.constraints.iter().any(|c| c.item() == Item::Guide(id)))
+        self.keeps(id) && (guide.rolling.is_none() || self.constraints.iter().any(|c| c.item() == PairItem::Guide(id)))
     }
 
     /// Returns the path that keeps a rolling pair in contact, if it constrains.
@@ -207,10 +207,10 @@ impl Mechanism {
 
     /// Returns the group that determines the position of a node; `None` for ground and passive
     /// links.
-    pub fn group_of(&self, n: Node) -> Option<usize> {
+    pub fn group_of(&self, n: GraphNode) -> Option<usize> {
         match n {
-            Node::Link(l) => self.group_of_link[l.0],
-            Node::Pin(p) => self.group_of_pin[p.0],
+            GraphNode::Link(l) => self.group_of_link[l.0],
+            GraphNode::Pin(p) => self.group_of_pin[p.0],
         }
     }
 }
@@ -294,7 +294,7 @@ fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Fault
     }
 }
 
-fn find_pins(scene: &Scene, opening: &Opening) -> Vec<PointId> {
+fn find_pins(scene: &Scene, opening: &OpenedPairs) -> Vec<PointId> {
     let mut is_pin = vec![false; scene.points.len()];
     for (p, pin) in is_pin.iter_mut().enumerate() {
         let on = scene.carriers(PointId(p)).filter(|l| matches!(opening.passive[l.0], None | Some(Passive::Held(..)))).count();
@@ -315,13 +315,13 @@ fn find_pins(scene: &Scene, opening: &Opening) -> Vec<PointId> {
 
 /// Returns the constraints of all items that stay closed. An item that joins a passive link is no
 /// constraint: the link only follows.
-fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<Constraint> {
-    let on_links = pins.iter().flat_map(|&p| scene.carriers(p).map(move |l| Item::Pin(p, l)));
-    let guides = scene.guides.iter().enumerate().filter(|(_, g)| !is_optional(scene, g)).map(|(i, _)| Item::Guide(GuideId(i)));
-    let drivers = (0..scene.drivers.len()).map(Item::Driver);
-    let rolling = (0..scene.rolling.len()).map(|r| Item::Rolling(RollingId(r)));
+fn find_constraints(scene: &Scene, opening: &OpenedPairs, pins: &[PointId]) -> Vec<Constraint> {
+    let on_links = pins.iter().flat_map(|&p| scene.carriers(p).map(move |l| PairItem::Pin(p, l)));
+    let guides = scene.guides.iter().enumerate().filter(|(_, g)| !is_optional(scene, g)).map(|(i, _)| PairItem::Guide(GuideId(i)));
+    let drivers = (0..scene.drivers.len()).map(PairItem::Driver);
+    let rolling = (0..scene.rolling.len()).map(|r| PairItem::Rolling(RollingId(r)));
     let kept = on_links.chain(guides).chain(drivers).chain(rolling).filter(|item| opening.keeps_item(*item));
-    let follows = |n: Node| matches!(n, Node::Link(l) if opening.passive[l.0].is_some());
+    let follows = |n: GraphNode| matches!(n, GraphNode::Link(l) if opening.passive[l.0].is_some());
     kept.flat_map(|item| constraints_of(scene, item)).filter(|c| !follows(c.ends().0) && !follows(c.ends().1)).collect()
 }
 
@@ -339,12 +339,12 @@ fn holding(scene: &Scene) -> impl Iterator<Item = GuideId> {
 
 /// Adds the guides that keep gears in contact if nothing else does: those whose equation can be
 /// matched in addition to all others. The guide that the opening names comes first.
-fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
+fn touching(scene: &Scene, opening: &OpenedPairs, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
     let passive = &opening.passive;
     let optional = holding(scene).filter(|g| opening.touches != Some(*g));
     for g in opening.touches.into_iter().chain(optional) {
         let closed = constraints.len();
-        constraints.extend(constraints_of(scene, Item::Guide(g)));
+        constraints.extend(constraints_of(scene, PairItem::Guide(g)));
         if !mobility::all_matched(scene, passive, pins, &constraints) {
             constraints.truncate(closed);
         }

@@ -7,8 +7,8 @@
 //! opened, those are opened that leave no such circuit. A rack that slides along its own pitch line
 //! is such a circuit by itself: its gear need not hold it.
 
-use super::{Constraint, Form, Node};
-use hodograph_scene::{Direction, Guide, GuidePath, LinkId, Scene};
+use super::{Constraint, GraphNode, PairForm};
+use hodograph_scene::{Guide, GuideDirection, GuidePath, LinkId, Scene};
 use petgraph::unionfind::UnionFind;
 use std::f64::consts::PI;
 
@@ -28,12 +28,12 @@ pub(super) fn circles(scene: &Scene, constraints: &[Constraint], still: &[bool])
 }
 
 fn circles_across(scene: &Scene, (constraints, still): (&[Constraint], &[bool]), direction: f64) -> usize {
-    let index = |n: Node| match n {
-        Node::Link(l) => l.0,
-        Node::Pin(p) => scene.links.len() + p.0,
+    let index = |n: GraphNode| match n {
+        GraphNode::Link(l) => l.0,
+        GraphNode::Pin(p) => scene.links.len() + p.0,
     };
     let mut joined = UnionFind::new(scene.links.len() + scene.points.len());
-    let holds = |form: Form| match form.meets() {
+    let holds = |form: PairForm| match form.meets() {
         // A pin of a link that never turns keeps its position across the guide.
         Some((_, link)) => still[link.0],
         None => across(scene, still, form).is_some_and(|angle| parallel(angle, direction)),
@@ -43,8 +43,8 @@ fn circles_across(scene: &Scene, (constraints, still): (&[Constraint], &[bool]),
 }
 
 /// Returns the direction of a straight guide on a link that never turns.
-fn across(scene: &Scene, still: &[bool], form: Form) -> Option<f64> {
-    let (guide, on) = form.lies_on()?;
+fn across(scene: &Scene, still: &[bool], form: PairForm) -> Option<f64> {
+    let (guide, on) = form.point_guide()?;
     direction(&scene.guides[guide.0]).filter(|_| still[on.0])
 }
 
@@ -59,7 +59,7 @@ pub(super) fn runs_along(scene: &Scene, pitch: &Guide) -> bool {
 /// Returns the direction of a straight guide (rad), if it is given at the instant.
 fn direction(guide: &Guide) -> Option<f64> {
     match &guide.path {
-        GuidePath::Line { direction: Direction::Instant(angle), .. } => Some(angle.value.radians()),
+        GuidePath::Line { direction: GuideDirection::Instant(angle), .. } => Some(angle.value.radians()),
         GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
     }
 }

@@ -15,7 +15,7 @@
 //! parallel guides.
 
 use super::mobility::Matched;
-use super::{Constraint, Core, Item, Mechanism, Passive, find_constraints, find_pins, touching};
+use super::{Constraint, Core, Mechanism, PairItem, Passive, find_constraints, find_pins, touching};
 use hodograph_base::diag::Span;
 use hodograph_scene::{Guide, GuideId, LinkId, Normal, PointId, Rolling, RollingId, Scene, Touch};
 use std::cmp::Reverse;
@@ -46,7 +46,7 @@ pub struct Redundant {
 
 /// The constraints of a scene with some of them opened.
 #[derive(Clone)]
-pub(super) struct Opening {
+pub(super) struct OpenedPairs {
     pub passive: Vec<Option<Passive>>,
     pub redundant: Vec<Redundant>,
     /// The guide between gears that comes first in the selection of those that hold a distance;
@@ -54,19 +54,19 @@ pub(super) struct Opening {
     pub touches: Option<GuideId>,
 }
 
-impl Opening {
+impl OpenedPairs {
     /// Returns true if a pair stays closed.
     pub fn keeps(&self, what: &Opened) -> bool {
         self.redundant.iter().all(|r| r.opened != *what)
     }
 
     /// Returns true if an item's pair stays closed.
-    pub fn keeps_item(&self, item: Item) -> bool {
+    pub fn keeps_item(&self, item: PairItem) -> bool {
         match item {
-            Item::Pin(p, l) => self.keeps(&Opened::Pin(p, l)),
-            Item::Guide(g) => self.keeps(&Opened::Guide(g)),
-            Item::Rolling(r) => self.keeps(&Opened::Rolling(r)),
-            Item::Driver(_) => true,
+            PairItem::Pin(p, l) => self.keeps(&Opened::Pin(p, l)),
+            PairItem::Guide(g) => self.keeps(&Opened::Guide(g)),
+            PairItem::Rolling(r) => self.keeps(&Opened::Rolling(r)),
+            PairItem::Driver(_) => true,
         }
     }
 
@@ -83,7 +83,7 @@ impl Opening {
     }
 
     /// Returns the opening with one more pair opened.
-    fn with(&self, candidate: &Candidate) -> Opening {
+    fn with(&self, candidate: &OpeningCandidate) -> OpenedPairs {
         let mut opening = self.clone();
         if let (Opened::Link(l), [a, b, ..]) = (&candidate.opened, &candidate.pins[..]) {
             opening.passive[l.0] = Some(Passive::Held(*a, *b));
@@ -94,7 +94,7 @@ impl Opening {
 }
 
 /// A pair that may be opened.
-struct Candidate {
+struct OpeningCandidate {
     opened: Opened,
     /// The pins of a link.
     pins: Vec<PointId>,
@@ -112,7 +112,7 @@ const MOST_OPENED: usize = 4;
 
 /// Returns the smallest set of opened pairs that leaves as many equations as freedoms; `None` if
 /// only a driver can be omitted.
-pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
+pub(super) fn open(scene: &Scene, closed: &OpenedPairs) -> Option<OpenedPairs> {
     let matched = closed.matched(scene);
     let (pins, constraints) = closed.pins_and_constraints(scene);
     let drives = |c: &usize| constraints[*c].form().driver().is_some();
@@ -128,7 +128,7 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
         return (left.unmatched() == 0 && left.free() == 0).then_some(opening);
     }
     let candidates = candidates(scene, closed, &pins);
-    let mut search = Search { scene, left_to_match: MOST_MATCHED, found: Vec::new() };
+    let mut search = OpeningSearch { scene, left_to_match: MOST_MATCHED, found: Vec::new() };
     for count in 1..=MOST_OPENED {
         search.choose(closed, &candidates, count, matched.unmatched());
         let ranked = std::mem::take(&mut search.found)
@@ -144,9 +144,9 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
 
 /// Returns the opening without guides that repeat a distance across parallel guides, such as the
 /// contact of a roller or the second of two planks.
-fn between_parallels(scene: &Scene, mut opening: Opening, candidates: &[Candidate]) -> Opening {
+fn between_parallels(scene: &Scene, mut opening: OpenedPairs, candidates: &[OpeningCandidate]) -> OpenedPairs {
     let still = scene.turning_with(scene.ground);
-    let circles = |o: &Opening| super::parallel::circles(scene, &o.pins_and_constraints(scene).1, &still);
+    let circles = |o: &OpenedPairs| super::parallel::circles(scene, &o.pins_and_constraints(scene).1, &still);
     let (mut said, mut unmatched) = (circles(&opening), opening.matched(scene).unmatched());
     for c in candidates.iter().filter(|c| matches!(c.opened, Opened::Guide(_))) {
         if said == 0 || unmatched == 0 {
@@ -162,16 +162,16 @@ fn between_parallels(scene: &Scene, mut opening: Opening, candidates: &[Candidat
 }
 
 /// A search through sets of candidates.
-struct Search<'a> {
+struct OpeningSearch<'a> {
     scene: &'a Scene,
     left_to_match: usize,
-    found: Vec<Opening>,
+    found: Vec<OpenedPairs>,
 }
 
-impl Search<'_> {
+impl OpeningSearch<'_> {
     /// Finds all sets of `count` candidates whose opening leaves every equation matched and no
     /// freedom open; `unmatched` is the number of equations not matched before.
-    fn choose(&mut self, so_far: &Opening, candidates: &[Candidate], count: usize, unmatched: usize) {
+    fn choose(&mut self, so_far: &OpenedPairs, candidates: &[OpeningCandidate], count: usize, unmatched: usize) {
         // No `count` candidates have more redundant equations than this.
         if count * candidates.iter().map(|c| c.equations).max().unwrap_or(0) < unmatched {
             return;
@@ -207,9 +207,9 @@ fn rank(scene: &Scene, m: &Mechanism) -> [usize; 3] {
 }
 
 /// Returns the items that may be opened, the last in the file first.
-fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidate> {
+fn candidates(scene: &Scene, closed: &OpenedPairs, pins: &[PointId]) -> Vec<OpeningCandidate> {
     let links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && closed.passive[l.0].is_none());
-    let mut all: Vec<Candidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
+    let mut all: Vec<OpeningCandidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
     let driven = |g: usize| scene.drivers.iter().any(|d| d.kind.guide() == Some(GuideId(g)));
     // Teeth keep a distance only if nothing else does; a wheel on its track may be in contact
     // because its axle keeps it there.
@@ -220,7 +220,7 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
             (Some(_), _) => 2,
             (None, _) => 1,
         };
-        all.push(Candidate { opened: Opened::Guide(GuideId(g)), pins: Vec::new(), equations, span: guide.span });
+        all.push(OpeningCandidate { opened: Opened::Guide(GuideId(g)), pins: Vec::new(), equations, span: guide.span });
     }
     for (l, link) in scene.links.iter().enumerate().filter(|(l, _)| closed.passive[*l].is_none() && *l != scene.ground.0) {
         for &p in link.points.iter().rev() {
@@ -228,12 +228,12 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
                 k.0 != l && closed.passive[k.0].is_none() && link.points.iter().any(|q| *q != p && scene.links[k.0].points.contains(q))
             };
             if scene.carriers(p).any(|k| other(&k)) {
-                all.push(Candidate { opened: Opened::Pin(p, LinkId(l)), pins: Vec::new(), equations: 2, span: link.span });
+                all.push(OpeningCandidate { opened: Opened::Pin(p, LinkId(l)), pins: Vec::new(), equations: 2, span: link.span });
             }
         }
     }
     for (r, pair) in scene.rolling.iter().enumerate() {
-        all.push(Candidate { opened: Opened::Rolling(RollingId(r)), pins: Vec::new(), equations: 1, span: pair.span });
+        all.push(OpeningCandidate { opened: Opened::Rolling(RollingId(r)), pins: Vec::new(), equations: 1, span: pair.span });
     }
     all.sort_by_key(|c| Reverse(c.span.start));
     all
@@ -241,7 +241,7 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
 
 /// Returns the last mesh of every planet that has an equal planet before it: on the same arm, in
 /// mesh with the same wheels, in the same ratios.
-fn equal_planets(scene: &Scene) -> Vec<Candidate> {
+fn equal_planets(scene: &Scene) -> Vec<OpeningCandidate> {
     let meshes = |l: LinkId| scene.rolling.iter().enumerate().filter(move |(_, r)| r.links.contains(&l));
     let ratios = |l: LinkId| -> Option<Vec<(LinkId, Option<usize>, f64)>> {
         let mut all = meshes(l).map(|(_, r)| ratio(r, l)).collect::<Option<Vec<_>>>()?;
@@ -256,7 +256,7 @@ fn equal_planets(scene: &Scene) -> Vec<Candidate> {
     };
     let last = |l: LinkId| meshes(l).next_back().map(|(r, pair)| (RollingId(r), pair.span));
     let opened = links().filter(fellow).filter_map(last);
-    opened.map(|(r, span)| Candidate { opened: Opened::Rolling(r), pins: Vec::new(), equations: 1, span }).collect()
+    opened.map(|(r, span)| OpeningCandidate { opened: Opened::Rolling(r), pins: Vec::new(), equations: 1, span }).collect()
 }
 
 /// Returns true if a wheel has its axis on a link that is no wheel of a pair with it.
@@ -276,11 +276,11 @@ fn ratio(pair: &Rolling, wheel: LinkId) -> Option<(LinkId, Option<usize>, f64)> 
 }
 
 /// Returns a link that may be reduced to two of its pins: only pins hold it, and nothing drives it.
-fn as_follower(scene: &Scene, pins: &[PointId], l: LinkId) -> Option<Candidate> {
+fn as_follower(scene: &Scene, pins: &[PointId], l: LinkId) -> Option<OpeningCandidate> {
     let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l)) || scene.rolling.iter().any(|r| r.links.contains(&l));
     let driven = scene.drivers.iter().any(|d| d.kind.turns_link(l));
     let own: Vec<PointId> = scene.links[l.0].points.iter().copied().filter(|p| pins.contains(p)).collect();
     // Each pin gives two equations, and the link takes three freedoms with it.
     let equations = (2 * own.len()).checked_sub(3).filter(|_| own.len() >= 2 && !slides && !driven)?;
-    Some(Candidate { opened: Opened::Link(l), pins: own, equations, span: scene.links[l.0].span })
+    Some(OpeningCandidate { opened: Opened::Link(l), pins: own, equations, span: scene.links[l.0].span })
 }

@@ -9,8 +9,8 @@
 //! Sun Huan et al., *Mechanisms and Machine Theory* (机械原理), ch. 2.
 
 use super::Mechanism;
-use super::redundant::{Opened, Opening, Redundant};
-use hodograph_scene::{Driver, DriverKind, Given, GuideId, LinkId, PointId, Scene};
+use super::redundant::{Opened, OpenedPairs, Redundant};
+use hodograph_scene::{Driver, DriverKind, GivenQuantity, GuideId, LinkId, PointId, Scene};
 
 /// A link whose only pair is the pin about which it turns: its rotation moves nothing else.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -80,7 +80,7 @@ impl ForDrivers {
 
 /// The results of the count.
 #[derive(Clone, Debug)]
-pub struct Survey {
+pub struct MobilitySurvey {
     /// The counts before any special case.
     pub counts: Counts,
     /// Pins that join three links or more, with the number of links.
@@ -95,14 +95,14 @@ pub struct Survey {
 /// Greatest number of choices of drivers.
 const MOST_CHOICES: usize = 100;
 
-impl Survey {
+impl MobilitySurvey {
     /// Counts a scene, and tries as many drivers as the count leaves freedoms, at least one.
-    pub fn of(scene: &Scene) -> Survey {
-        Survey::driven_by(scene, 1)
+    pub fn of(scene: &Scene) -> MobilitySurvey {
+        MobilitySurvey::driven_by(scene, 1)
     }
 
-    /// Counts a scene like [`Survey::of`], with at least `least` drivers.
-    pub fn driven_by(scene: &Scene, least: usize) -> Survey {
+    /// Counts a scene like [`MobilitySurvey::of`], with at least `least` drivers.
+    pub fn driven_by(scene: &Scene, least: usize) -> MobilitySurvey {
         let (counts, compound, mut local) = counted(scene);
         let mut idle: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(|l| is_idle(scene, *l)).collect();
         // Of discs on a pin that nothing else carries, one stays, about which the others turn.
@@ -126,10 +126,10 @@ impl Survey {
                 choices.extend(Mechanism::new(&one).ok().map(|m| ForDrivers { scene: one, given: false, mechanism: m.value }));
             }
         }
-        Survey { counts, compound, local, choices }
+        MobilitySurvey { counts, compound, local, choices }
     }
 
-    /// Returns the counts without local freedoms and without those pairs of [`Survey::redundant`]
+    /// Returns the counts without local freedoms and without those pairs of [`MobilitySurvey::redundant`]
     /// that `repeat` others, with every higher pair replaced by a link with two lower pairs
     /// 高副低代.
     pub fn substituted(&self, repeat: impl Fn(usize) -> bool) -> Counts {
@@ -146,7 +146,7 @@ impl Survey {
 /// Counts links and pairs as given. A bare pin in two slots is a separate body whose rotation is a
 /// local freedom.
 fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
-    let closed = Opening { passive: super::find_passive(scene), redundant: Vec::new(), touches: None };
+    let closed = OpenedPairs { passive: super::find_passive(scene), redundant: Vec::new(), touches: None };
     let mobility = super::mobility::count(scene, &closed.pins_and_constraints(scene).1);
     let is_end = |p: PointId| scene.drivers.iter().any(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)));
     let bare = |p: PointId| scene.carriers(p).next().is_none() && !is_end(p);
@@ -221,7 +221,7 @@ fn without(scene: &Scene, links: &[LinkId]) -> Scene {
 fn possible(scene: &Scene) -> Vec<Driver> {
     let on_ground = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
     let span = scene.links[scene.ground.0].span;
-    let rate = Given { value: 0.0, radius: 0.0, text: "0".into(), span };
+    let rate = GivenQuantity { value: 0.0, radius: 0.0, text: "0".into(), span };
     let drive = |kind| Driver { kind, rate: rate.clone(), acceleration: None, rate_told: false, law: None, span };
     let cranks = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && scene.links[l.0].points.iter().any(on_ground));
     let turns = cranks.map(|link| DriverKind::Turn { link, against: scene.ground, line: None, against_line: None, angle: None });

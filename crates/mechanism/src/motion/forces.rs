@@ -8,12 +8,12 @@
 //! A passive link (a block, barrel and rod of a cylinder) passes its loads to the links that it
 //! follows, by the same virtual power; its own reactions follow from its equilibrium afterwards.
 
-use super::Motion;
-use super::conditions::{Acting, Conditions, Reaction};
+use super::MechanismMotion;
+use super::conditions::{ActingForces, Conditions, Reaction};
 use crate::force::{
     Load, Rubbing, between_teeth, completed, is_determined, loads, pressed_apart, rubbing, settled, unit_balance, with_friction,
 };
-use crate::mechanism::{Demand, Form, Item, Mechanism, Passive, Runner};
+use crate::mechanism::{Demand, Mechanism, PairForm, PairItem, Passive, Runner};
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::Vec2;
 use hodograph_base::number::Real;
@@ -22,18 +22,18 @@ use hodograph_scene::quantity::{Forces, Wrench};
 use hodograph_scene::{GuideId, LinkId, Normal, PointId, RollingId, Scene, Touch};
 
 /// The mechanism in a pose, with the demand.
-struct Posed<'a, N> {
+struct PosedMechanism<'a, N> {
     scene: &'a Scene,
     m: &'a Mechanism,
     at: &'a Configuration<N>,
     demand: &'a Demand,
     /// A motion at rest: equilibrium needs no velocities.
-    rest: Motion<N>,
+    rest: MechanismMotion<N>,
 }
 
 /// The reactions under some loads.
 #[derive(Clone)]
-struct Found<N> {
+struct LoadReactions<N> {
     pins: Vec<(PointId, LinkId, Vec2<N>)>,
     /// Force on the runner of a guide, and couple on a slider about its position.
     guides: Vec<Option<Wrench<N>>>,
@@ -53,13 +53,13 @@ pub(super) fn forces<N: Real>(
     m: &Mechanism,
     at: &Configuration<N>,
     demand: &Demand,
-    motion: &Motion<N>,
+    motion: &MechanismMotion<N>,
 ) -> Result<Forces<N>, Option<usize>> {
-    let posed = Posed { scene, m, at, demand, rest: Motion::at_rest(scene, at) };
+    let posed = PosedMechanism { scene, m, at, demand, rest: MechanismMotion::at_rest(scene, at) };
     let loads = loads(scene, at, motion).ok_or(None)?;
     let smooth = posed.whole(&loads)?;
     if scene.loads.friction.is_empty() {
-        return Ok(posed.told(smooth, &[]));
+        return Ok(posed.into_forces(smooth, &[]));
     }
     if !is_determined(scene, m) {
         return Err(None);
@@ -68,29 +68,29 @@ pub(super) fn forces<N: Real>(
     let under = |friction: &[Load<N>]| posed.whole(&loads.iter().chain(friction).copied().collect::<Vec<_>>());
     let rough = settled(scene, &rubbing, under, |whole| (whole.found.pins.clone(), whole.found.guides()))?.ok_or(None)?;
     let power = smooth.power;
-    Ok(Forces { smooth: Some(power), ..posed.told(rough, &rubbing) })
+    Ok(Forces { smooth: Some(power), ..posed.into_forces(rough, &rubbing) })
 }
 
 /// The reactions under all loads, with the force that maintains the balance.
-struct Whole<N> {
+struct BalancedReactions<N> {
     loads: Vec<Load<N>>,
     teeth: Vec<Load<N>>,
-    found: Found<N>,
+    found: LoadReactions<N>,
     balance: Option<N>,
     power: N,
 }
 
-impl<N: Real> Found<N> {
+impl<N: Real> LoadReactions<N> {
     fn guides(&self) -> Vec<(GuideId, Wrench<N>)> {
         self.guides.iter().enumerate().filter_map(|(g, w)| Some((GuideId(g), (*w)?))).collect()
     }
 }
 
-impl<N: Real> Posed<'_, N> {
+impl<N: Real> PosedMechanism<'_, N> {
     /// Returns the reactions under loads, the balancing force and the forces that press teeth
     /// apart.
-    fn whole(&self, loads: &[Load<N>]) -> Result<Whole<N>, Option<usize>> {
-        let Posed { scene, at, .. } = *self;
+    fn whole(&self, loads: &[Load<N>]) -> Result<BalancedReactions<N>, Option<usize>> {
+        let PosedMechanism { scene, at, .. } = *self;
         let mut loads = loads.to_vec();
         let mut found = self.balanced(&loads)?;
         let rate = Inputs::of(scene);
@@ -115,19 +115,19 @@ impl<N: Real> Posed<'_, N> {
             let all: Vec<Load<N>> = loads.iter().chain(&teeth).copied().collect();
             found = self.balanced(&all)?;
         }
-        Ok(Whole { loads, teeth, found, balance, power })
+        Ok(BalancedReactions { loads, teeth, found, balance, power })
     }
 
     /// Returns the reactions under loads.
-    fn balanced(&self, loads: &[Load<N>]) -> Result<Found<N>, Option<usize>> {
-        let Posed { scene, m, at, .. } = *self;
+    fn balanced(&self, loads: &[Load<N>]) -> Result<LoadReactions<N>, Option<usize>> {
+        let PosedMechanism { scene, m, at, .. } = *self;
         let zero = N::from_f64(0.0);
-        let mut acting = Acting::none(scene, at);
+        let mut acting = ActingForces::none(scene, at);
         for load in loads {
             acting.on_link(load.link, load.place, load.wrench);
         }
         let own = acting.clone();
-        let mut found = Found {
+        let mut found = LoadReactions {
             pins: Vec::new(),
             guides: vec![None; scene.guides.len()],
             pushes: vec![Vec2::zero(); scene.guides.len()],
@@ -152,36 +152,39 @@ impl<N: Real> Posed<'_, N> {
             for _ in 0..group.constraints.len() {
                 let Some((c, first)) = reactions.next() else { break };
                 match (m.constraints[c].form(), first) {
-                    (Form::Meet { pin, link }, Reaction::Force(x)) => {
+                    (PairForm::Meet { pin, link }, Reaction::Force(x)) => {
                         let y = reactions.next().map(|(_, r)| r);
                         let Some(Reaction::Force(y)) = y else { continue };
                         found.pins.push((pin, link, x + y));
                     }
-                    (Form::OnPath { guide, .. }, Reaction::Force(force)) => {
+                    (PairForm::OnPath { guide, .. }, Reaction::Force(force)) => {
                         let w = found.guides[guide.0].get_or_insert(Wrench::zero());
                         w.force += force;
                     }
-                    (Form::AlongPath { runner, guide, driver, .. }, Reaction::Force(force)) => {
+                    (PairForm::AlongPath { runner, guide, driver, .. }, Reaction::Force(force)) => {
                         let place = self.place(runner, guide).ok_or(None)?;
                         found.drivers[driver] = at.guide(guide).tangent_at(place).dot(force);
                         found.pushes[guide.0] += force;
                     }
-                    (Form::Distance { from, to, driver }, Reaction::Force(force)) => {
+                    (PairForm::Distance { from, to, driver }, Reaction::Force(force)) => {
                         let line = at.points[to.0].zip(at.points[from.0]).and_then(|(to, from)| (to - from).unit());
                         found.drivers[driver] = line.ok_or(None)?.dot(force);
                         pulls.extend([(to, force), (from, -force)]);
                     }
-                    (Form::Angles { driver: Some(d), .. }, Reaction::Couple(couple)) => found.drivers[d] = couple,
-                    (Form::Angles { of, against, driver: None }, Reaction::Couple(couple)) => {
-                        if let Item::Guide(g) = m.constraints[c].item() {
+                    (PairForm::Angles { driver: Some(d), .. }, Reaction::Couple(couple)) => found.drivers[d] = couple,
+                    (PairForm::Angles { of, against, driver: None }, Reaction::Couple(couple)) => {
+                        if let PairItem::Guide(g) = m.constraints[c].item() {
                             couples.push((g, of, against, couple));
                         }
                     }
-                    (Form::Related { pair, .. }, Reaction::Force(force)) => found.rolling[pair.0] = Some(force),
+                    (PairForm::Related { pair, .. }, Reaction::Force(force)) => found.rolling[pair.0] = Some(force),
                     // The moment that a belt or a chain transmits is no force at a point.
-                    (Form::Related { .. }, Reaction::Couple(_)) => {}
-                    (Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. }, Reaction::Couple(_))
-                    | (Form::Angles { .. }, Reaction::Force(_)) => {}
+                    (PairForm::Related { .. }, Reaction::Couple(_)) => {}
+                    (
+                        PairForm::Meet { .. } | PairForm::OnPath { .. } | PairForm::AlongPath { .. } | PairForm::Distance { .. },
+                        Reaction::Couple(_),
+                    )
+                    | (PairForm::Angles { .. }, Reaction::Force(_)) => {}
                 }
             }
         }
@@ -214,7 +217,7 @@ impl<N: Real> Posed<'_, N> {
 
     /// Computes the couples of guides on their sliders from those of the locks: a lock may
     /// represent another pair of the links that turn together, which form a tree.
-    fn share(&self, couples: &[(GuideId, LinkId, LinkId, N)], found: &mut Found<N>) {
+    fn share(&self, couples: &[(GuideId, LinkId, LinkId, N)], found: &mut LoadReactions<N>) {
         let zero = N::from_f64(0.0);
         let mut net = vec![zero; self.scene.links.len()];
         for (_, of, against, couple) in couples {
@@ -245,7 +248,7 @@ impl<N: Real> Posed<'_, N> {
     }
 
     /// Passes the loads of a passive link to the links that it follows.
-    fn handed_on(&self, l: LinkId, kind: Passive, own: &Acting<N>, acting: &mut Acting<N>) -> Option<()> {
+    fn handed_on(&self, l: LinkId, kind: Passive, own: &ActingForces<N>, acting: &mut ActingForces<N>) -> Option<()> {
         match kind {
             Passive::Block(g) => {
                 let guide = &self.scene.guides[g.0];
@@ -277,7 +280,14 @@ impl<N: Real> Posed<'_, N> {
     }
 
     /// Computes the reactions on a passive link.
-    fn follower(&self, l: LinkId, kind: Passive, own: &Acting<N>, pulls: &[(PointId, Vec2<N>)], found: &mut Found<N>) -> Option<()> {
+    fn follower(
+        &self,
+        l: LinkId,
+        kind: Passive,
+        own: &ActingForces<N>,
+        pulls: &[(PointId, Vec2<N>)],
+        found: &mut LoadReactions<N>,
+    ) -> Option<()> {
         match kind {
             Passive::Block(g) => {
                 let pin = self.scene.guides[g.0].pin?;
@@ -310,8 +320,8 @@ impl<N: Real> Posed<'_, N> {
         Some(())
     }
 
-    fn told(&self, whole: Whole<N>, rubbing: &[Rubbing<N>]) -> Forces<N> {
-        let Whole { loads, teeth, found, balance, power } = whole;
+    fn into_forces(&self, whole: BalancedReactions<N>, rubbing: &[Rubbing<N>]) -> Forces<N> {
+        let BalancedReactions { loads, teeth, found, balance, power } = whole;
         let guides = with_friction(found.guides(), rubbing);
         let rolling = found.rolling.into_iter().enumerate().filter_map(|(r, force)| {
             let pair = RollingId(r);

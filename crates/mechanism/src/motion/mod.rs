@@ -12,9 +12,9 @@
 pub(crate) mod conditions;
 mod forces;
 
-use crate::answer::Source;
+use crate::answer::MotionSource;
 use crate::mechanism::{Demand, Level, Mechanism, Passive};
-use crate::position::{Configuration, Placed};
+use crate::position::{AssemblyNumber, Configuration};
 use conditions::Conditions;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::{Ball, Big, Dd, Real};
@@ -58,7 +58,7 @@ impl<N: Real> LinkMotion<N> {
 
 /// Motion of everything that the demand covers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Motion<N = f64> {
+pub struct MechanismMotion<N = f64> {
     links: Vec<Option<LinkMotion<N>>>,
     /// For each pin velocity and acceleration (m/s, m/s²).
     pins: Vec<Option<(Vec2<N>, Vec2<N>)>>,
@@ -76,16 +76,16 @@ pub struct Motion<N = f64> {
 }
 
 /// A number type in which motions are solved: [`solve`] as a method of it, compiled here once and
-/// not in every calling crate (see [`Placed`]).
-pub trait Moved: Placed {
+/// not in every calling crate (see [`AssemblyNumber`]).
+pub trait MotionNumber: AssemblyNumber {
     /// See [`solve`].
-    fn solve(scene: &Scene, m: &Mechanism, at: &Configuration<Self>, demand: &Demand) -> Motion<Self>;
+    fn solve(scene: &Scene, m: &Mechanism, at: &Configuration<Self>, demand: &Demand) -> MechanismMotion<Self>;
 }
 
 macro_rules! compiled {
     ($($number:ty),*) => {$(
-        impl Moved for $number {
-            fn solve(scene: &Scene, m: &Mechanism, at: &Configuration<Self>, demand: &Demand) -> Motion<Self> {
+        impl MotionNumber for $number {
+            fn solve(scene: &Scene, m: &Mechanism, at: &Configuration<Self>, demand: &Demand) -> MechanismMotion<Self> {
                 solved(scene, m, at, demand)
             }
         }
@@ -97,14 +97,14 @@ compiled!(f32, f64, Dd, Big, Ball<f64>, Ball<Dd>, Ball<Big>);
 /// Solves the groups that the demand covers, each up to its requested level.
 ///
 /// A group with a pivot that may be zero (a dead centre, a change point, or a pose too close to one
-/// for the number type) stays without motion and is listed in [`Motion::singular`], as is
+/// for the number type) stays without motion and is listed in [`MechanismMotion::singular`], as is
 /// everything that depends on it.
-pub fn solve<N: Moved>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> Motion<N> {
+pub fn solve<N: MotionNumber>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> MechanismMotion<N> {
     N::solve(scene, m, at, demand)
 }
 
-fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> Motion<N> {
-    let mut motion = Motion {
+fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> MechanismMotion<N> {
+    let mut motion = MechanismMotion {
         links: vec![None; scene.links.len()],
         pins: vec![None; scene.points.len()],
         points: at.points.clone(),
@@ -149,10 +149,10 @@ fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: 
     motion
 }
 
-impl<N: Real> Motion<N> {
+impl<N: Real> MechanismMotion<N> {
     /// Returns the motion of a pose at rest.
-    fn at_rest(scene: &Scene, at: &Configuration<N>) -> Motion<N> {
-        Motion {
+    fn at_rest(scene: &Scene, at: &Configuration<N>) -> MechanismMotion<N> {
+        MechanismMotion {
             links: vec![Some(LinkMotion::rest(Point::origin())); scene.links.len()],
             pins: vec![Some((Vec2::zero(), Vec2::zero())); scene.points.len()],
             points: at.points.clone(),
@@ -215,7 +215,7 @@ fn turning_of_line<N: Real>(d: Vec2<N>, v: Vec2<N>, a: Vec2<N>) -> (N, N) {
     (omega, (d.cross(a) - two * omega * d.dot(v)) / d2)
 }
 
-impl<N: Real> Source<N> for Motion<N> {
+impl<N: Real> MotionSource<N> for MechanismMotion<N> {
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2<N>> {
         let (v, a) = match on {
             None => self.at_point(p)?,

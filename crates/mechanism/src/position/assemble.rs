@@ -1,7 +1,7 @@
 //! Assembly of a configuration: places the groups one after the other in solving order.
 
-use super::branch::{self, Trial};
-use super::shape::{self, Frame, LinkShape, given_place};
+use super::branch::{self, GroupClosure};
+use super::shape::{self, FrameAnchor, LinkShape, given_place};
 use super::{Configuration, Path, Pose};
 use crate::mechanism::{Core, Demand, Group, Hold, Leg, Mechanism, Passive, Strut};
 use hodograph_base::budget::spend;
@@ -9,7 +9,7 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
-use hodograph_scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
+use hodograph_scene::{GuideDirection, GuideId, GuidePath, LinkId, PointId, PointPlace, Scene, Through};
 
 /// See [`super::recompute`].
 pub(super) fn recompute<N: Real>(
@@ -31,7 +31,7 @@ pub(super) fn later<'a, N: Real>(
     t: N,
 ) -> Result<Configuration<N>, Faults> {
     let moving = |p: &PointId| !scene.links[scene.ground.0].points.contains(p);
-    let posed = (0..scene.points.len()).map(PointId).find(|p| moving(p) && matches!(scene.points[p.0].place, Place::At(_)));
+    let posed = (0..scene.points.len()).map(PointId).find(|p| moving(p) && matches!(scene.points[p.0].place, PointPlace::At(_)));
     let silent = scene.drivers.iter().any(|d| d.kind.position().is_none());
     // A link that only glides, without a point, has an arbitrary position along its guide.
     let pointless = mechanism.groups.iter().flat_map(|g| &g.links).any(|l| scene.links[l.0].points.is_empty());
@@ -89,7 +89,7 @@ impl<'a, N: Real> Assembly<'a, N> {
                 if wanted(l) {
                     shape::of_link(scene, &inputs, l, meant.is_none(), &mut faults)
                 } else {
-                    LinkShape { points: Vec::new(), frame: Frame::Loose }
+                    LinkShape { points: Vec::new(), frame: FrameAnchor::Loose }
                 }
             })
             .collect();
@@ -173,11 +173,11 @@ impl<'a, N: Real> Assembly<'a, N> {
             }
             GuidePath::Line { through, direction, offset } => {
                 let direction = match direction {
-                    Direction::Instant(angle) => {
+                    GuideDirection::Instant(angle) => {
                         let (s, c) = self.inputs.sin_cos(angle);
                         Vec2::new(c, s)
                     }
-                    Direction::Along(a, b, angle) => {
+                    GuideDirection::Along(a, b, angle) => {
                         let base = (self.points[b.0]? - self.points[a.0]?).unit()?;
                         match angle {
                             Some(angle) => {
@@ -187,8 +187,8 @@ impl<'a, N: Real> Assembly<'a, N> {
                             None => base,
                         }
                     }
-                    Direction::Own => pose.axis,
-                    Direction::Slid(angle) => {
+                    GuideDirection::Own => pose.axis,
+                    GuideDirection::Slid(angle) => {
                         let (s, c) = self.inputs.sin_cos(angle);
                         Vec2::new(c, s).rotate_by(self.slid_along(guide.on)?)
                     }
@@ -234,7 +234,7 @@ impl<'a, N: Real> Assembly<'a, N> {
             self.points[p.0] = Some(at);
         }
         for &l in &group.links {
-            if self.shapes[l.0].frame == Frame::Plane {
+            if self.shapes[l.0].frame == FrameAnchor::Plane {
                 self.poses[l.0] = Some(Pose::ground());
             }
         }
@@ -254,8 +254,8 @@ impl<'a, N: Real> Assembly<'a, N> {
                 poses.into_iter().map(|pose| self.trial_of_link(group, *link, pose, legs)).collect::<Result<Vec<_>, _>>()?
             }
             Core::Higher => {
-                let pins = self.told_pins(group, given_pins);
-                let told: Option<Vec<_>> = group.links.iter().map(|l| Some((*l, self.told_pose(*l, &pins)?))).collect();
+                let pins = self.given_pins_of(group, given_pins);
+                let told: Option<Vec<_>> = group.links.iter().map(|l| Some((*l, self.given_pose(*l, &pins)?))).collect();
                 if let (true, Some(poses)) = (pins.len() == group.pins.len(), told) {
                     vec![self.trial(pins, poses)]
                 } else {
@@ -308,7 +308,7 @@ impl<'a, N: Real> Assembly<'a, N> {
     }
 
     /// Returns a closure with the points of all its links.
-    pub(super) fn trial(&self, pins: Vec<(PointId, Point<N>)>, poses: Vec<(LinkId, Pose<N>)>) -> Trial<N> {
+    pub(super) fn trial(&self, pins: Vec<(PointId, Point<N>)>, poses: Vec<(LinkId, Pose<N>)>) -> GroupClosure<N> {
         let mut points = pins;
         points.reserve(poses.iter().map(|(l, _)| self.shapes[l.0].points.len()).sum());
         for (l, pose) in &poses {
@@ -318,12 +318,12 @@ impl<'a, N: Real> Assembly<'a, N> {
                 }
             }
         }
-        Trial { points, poses }
+        GroupClosure { points, poses }
     }
 
     /// Returns the pose of a link from two of its points.
     pub(super) fn pose_from_points(&self, l: LinkId, a: (PointId, Point<N>), b: (PointId, Point<N>)) -> Result<Pose<N>, Diagnostic> {
-        if self.shapes[l.0].frame == Frame::Plane {
+        if self.shapes[l.0].frame == FrameAnchor::Plane {
             return Ok(Pose::ground());
         }
         let local = |p: PointId| self.shapes[l.0].local(p).expect("a link's points have local places");
@@ -342,7 +342,7 @@ impl<'a, N: Real> Assembly<'a, N> {
         })
     }
 
-    pub(super) fn trial_of_pin(&self, group: &Group, pin: PointId, at: Point<N>) -> Result<Trial<N>, Diagnostic> {
+    pub(super) fn trial_of_pin(&self, group: &Group, pin: PointId, at: Point<N>) -> Result<GroupClosure<N>, Diagnostic> {
         let Core::Pin { legs, .. } = &group.core else { unreachable!("called for pin cores only") };
         let mut poses = Vec::with_capacity(legs.len());
         for leg in legs {
@@ -353,7 +353,7 @@ impl<'a, N: Real> Assembly<'a, N> {
                     let stated = self.scene.drivers[driver].kind.length().is_some();
                     let pose = if let Some(pose) = self.poses[link.0] {
                         pose
-                    } else if !stated && matches!(self.scene.points[pin.0].place, Place::At(_)) {
+                    } else if !stated && matches!(self.scene.points[pin.0].place, PointPlace::At(_)) {
                         // Coordinates of the pin determine the slider's position: the slot is
                         // placed over them.
                         let poses = self.poses_of_lever(link, far, pin, guide)?;
@@ -374,7 +374,7 @@ impl<'a, N: Real> Assembly<'a, N> {
         Ok(self.trial(vec![(pin, at)], poses))
     }
 
-    pub(super) fn trial_of_link(&self, group: &Group, link: LinkId, pose: Pose<N>, legs: &[Leg]) -> Result<Trial<N>, Diagnostic> {
+    pub(super) fn trial_of_link(&self, group: &Group, link: LinkId, pose: Pose<N>, legs: &[Leg]) -> Result<GroupClosure<N>, Diagnostic> {
         let mut poses = vec![(link, pose)];
         let mut pins = Vec::new();
         for &p in &group.pins {

@@ -6,7 +6,7 @@ use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_scene::{Given, Guide, GuideId, PointId, Rolling, Scene};
+use hodograph_scene::{GivenQuantity, Guide, GuideId, PointId, Rolling, Scene};
 
 /// Returns the normal m of the strand on the left of the line of centres, pointing away from the
 /// first centre, as cosine and sine of its angle from that line. The distance of the strand from
@@ -43,7 +43,13 @@ fn misordered(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagno
 }
 
 /// Returns the fault of wheels that overlap, or are not named in the order of the belt.
-pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]: [&Given; 2], c: &Configuration) -> Option<Diagnostic> {
+pub(super) fn misfit(
+    scene: &Scene,
+    pair: &Rolling,
+    [p, q]: [PointId; 2],
+    [a, b]: [&GivenQuantity; 2],
+    c: &Configuration,
+) -> Option<Diagnostic> {
     if let Some(fault) = misordered(scene, pair, c) {
         return Some(fault);
     }

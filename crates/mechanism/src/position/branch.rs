@@ -11,14 +11,14 @@ use hodograph_scene::{LinkId, PointId, Scene, Side};
 
 /// One closure of a group: positions of its pins, links and points.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Trial<N> {
+pub(super) struct GroupClosure<N> {
     /// All points placed by this closure: pins first, then the points of the links.
     pub points: Vec<(PointId, Point<N>)>,
     /// Poses of the links.
     pub poses: Vec<(LinkId, Pose<N>)>,
 }
 
-impl<N: Real> Trial<N> {
+impl<N: Real> GroupClosure<N> {
     fn at(&self, p: PointId) -> Option<Point<N>> {
         self.points.iter().find(|(q, _)| *q == p).map(|(_, at)| *at)
     }
@@ -27,15 +27,15 @@ impl<N: Real> Trial<N> {
 /// Returns true if all closures are so close together, relative to the size of the mechanism, that
 /// `f64` may not distinguish them: near a limit they differ by the square root of the distance from
 /// it, and rounding in `f64` makes some 1e-8 of that root uncertain.
-pub(super) fn alike<N: Real>(trials: &[Trial<N>], extent: f64) -> bool {
+pub(super) fn alike<N: Real>(trials: &[GroupClosure<N>], extent: f64) -> bool {
     const CLOSE: f64 = 1e-7;
-    let near = |t: &Trial<N>| t.points.iter().zip(&trials[0].points).all(|(a, b)| (a.1 - b.1).approx().norm() <= CLOSE * extent);
+    let near = |t: &GroupClosure<N>| t.points.iter().zip(&trials[0].points).all(|(a, b)| (a.1 - b.1).approx().norm() <= CLOSE * extent);
     trials.len() > 1 && trials.iter().all(near)
 }
 
 /// The selected closure.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Choice {
+pub(super) struct ClosureChoice {
     /// Its index.
     pub pick: usize,
     /// Number of closures from which it is selected if nothing in the scene decides; otherwise 0.
@@ -49,20 +49,20 @@ pub(super) struct Choice {
 pub(super) fn choose<N: Real>(
     scene: &Scene,
     placed: &[Option<Point<N>>],
-    trials: &[Trial<N>],
+    trials: &[GroupClosure<N>],
     instead: usize,
     link_names: &dyn Fn() -> Both,
-) -> Result<Choice, Diagnostic> {
+) -> Result<ClosureChoice, Diagnostic> {
     if trials.len() < 2 || trials.iter().all(|t| t.points == trials[0].points && t.poses == trials[0].poses) {
-        return Ok(Choice::default());
+        return Ok(ClosureChoice::default());
     }
     let mut left: Vec<usize> = (0..trials.len()).collect();
     // The last side that concerns this group but excludes no closure.
     let mut idle: Option<&Side> = None;
     for side in &scene.sides {
-        let mine = |t: &Trial<N>, p: PointId| t.at(p).or(placed[p.0]);
+        let mine = |t: &GroupClosure<N>, p: PointId| t.at(p).or(placed[p.0]);
         let concerns = [side.point, side.from, side.to].iter().any(|p| trials[0].at(*p).is_some());
-        let known = |t: &Trial<N>| Some((mine(t, side.point)?, mine(t, side.from)?, mine(t, side.to)?));
+        let known = |t: &GroupClosure<N>| Some((mine(t, side.point)?, mine(t, side.from)?, mine(t, side.to)?));
         if !concerns || known(&trials[0]).is_none() {
             continue;
         }
@@ -114,11 +114,11 @@ pub(super) fn choose<N: Real>(
                 let message = both!("{}; \"sketch\" decides", "{}；由 \"sketch\" 确定", fits_all(scene, side, left.len(), &link_names()));
                 Diagnostic::note("side-undecided", message).at(side.span)
             });
-            return Ok(Choice { pick, open: 0, note });
+            return Ok(ClosureChoice { pick, open: 0, note });
         }
     }
     if left.len() == 1 {
-        return Ok(Choice { pick: left[0], open: 0, note: None });
+        return Ok(ClosureChoice { pick: left[0], open: 0, note: None });
     }
     // Assemblies with two coincident joints come last: they are rarely intended.
     left.sort_by_key(|&i| falls_together(placed, &trials[i]));
@@ -174,11 +174,11 @@ pub(super) fn choose<N: Real>(
             }
         }
     };
-    Ok(Choice { pick, open: left.len(), note: Some(note) })
+    Ok(ClosureChoice { pick, open: left.len(), note: Some(note) })
 }
 
 /// Returns true if a closure puts a point where another one is.
-fn falls_together<N: Real>(placed: &[Option<Point<N>>], trial: &Trial<N>) -> bool {
+fn falls_together<N: Real>(placed: &[Option<Point<N>>], trial: &GroupClosure<N>) -> bool {
     /// Relative distance below which two positions are one: the rounding of typed numbers.
     const SAME: f64 = 1e-9;
     let size = |p: Point| p.to_vec2().norm();

@@ -11,7 +11,7 @@ use hodograph_base::number::{Ball, Big, Dd, Real};
 use hodograph_scene::Scene;
 
 /// A number type in which mechanisms are assembled: [`recompute`] and [`later`] as its methods.
-pub trait Placed: Real {
+pub trait AssemblyNumber: Real {
     /// See [`recompute`].
     #[expect(clippy::missing_errors_doc, reason = "said there")]
     fn recompute(scene: &Scene, mechanism: &Mechanism, demand: &Demand, meant: &Configuration) -> Result<Configuration<Self>, Faults>;
@@ -30,7 +30,7 @@ pub trait Placed: Real {
 
 macro_rules! compiled {
     ($($number:ty),*) => {$(
-        impl Placed for $number {
+        impl AssemblyNumber for $number {
             fn recompute(scene: &Scene, mechanism: &Mechanism, demand: &Demand, meant: &Configuration) -> Result<Configuration<Self>, Faults> {
                 assemble::recompute(scene, mechanism, demand, meant)
             }
@@ -60,7 +60,7 @@ compiled!(f32, f64, Dd, Big, Ball<f64>, Ball<Dd>, Ball<Big>);
 /// # Errors
 /// A group that cannot be closed in these numbers: as written it misses by less than `f64` can
 /// show, or the proof fails.
-pub fn recompute<N: Placed>(
+pub fn recompute<N: AssemblyNumber>(
     scene: &Scene,
     mechanism: &Mechanism,
     demand: &Demand,
@@ -76,7 +76,7 @@ pub fn recompute<N: Placed>(
 /// # Errors
 /// As [`recompute`]; and `pose-given` if the pose is given by coordinates, a driver has no
 /// position, or a gliding link has no point, so that nothing determines it at another time.
-pub fn later<N: Placed>(
+pub fn later<N: AssemblyNumber>(
     scene: &Scene,
     mechanism: &Mechanism,
     demand: &Demand,

@@ -7,11 +7,11 @@
 mod phase;
 
 use super::assemble::Assembly;
-use super::branch::Trial;
-use super::equations::{self, Given, Measured, View};
+use super::branch::GroupClosure;
+use super::equations::{self, FormMeasure, FormValue, PartPositions};
 use super::proof::{self, Unproven};
 use super::{Configuration, Path, Pose};
-use crate::mechanism::{Form, Group, Node, Runner};
+use crate::mechanism::{GraphNode, Group, PairForm, Runner};
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
@@ -19,16 +19,16 @@ use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
 /// Poses of the group's links and positions of its pins.
 #[derive(Clone)]
-struct State<N> {
+struct GroupPoses<N> {
     poses: Vec<Pose<N>>,
     pins: Vec<Point<N>>,
 }
 
-struct Coupled<'a, N> {
+struct CoupledGroup<'a, N> {
     assembly: &'a Assembly<'a, N>,
     links: &'a [LinkId],
     pins: &'a [PointId],
-    forms: Vec<Form>,
+    forms: Vec<PairForm>,
     scale: f64,
     aside: Option<Aside>,
     /// The known pose.
@@ -44,18 +44,18 @@ pub(super) struct Aside {
 }
 
 /// One equation: its residual and its coefficients.
-struct Equation<N> {
+struct GroupEquation<N> {
     off: N,
     row: Vec<N>,
 }
 
 /// The group in a state, with the parts that are already placed.
-struct Placed<'a, N> {
-    system: &'a Coupled<'a, N>,
-    at: &'a State<N>,
+struct PlacedGroup<'a, N> {
+    system: &'a CoupledGroup<'a, N>,
+    at: &'a GroupPoses<N>,
 }
 
-impl<N: Real> View<N> for Placed<'_, N> {
+impl<N: Real> PartPositions<N> for PlacedGroup<'_, N> {
     fn pose(&self, l: LinkId) -> Option<Pose<N>> {
         match self.system.links.iter().position(|k| *k == l) {
             Some(i) => Some(self.at.poses[i]),
@@ -84,15 +84,15 @@ impl<N: Real> View<N> for Placed<'_, N> {
 }
 
 impl<N: Real> Assembly<'_, N> {
-    pub(super) fn coupled_trial(&self, group: &Group, meant: &Configuration) -> Result<Trial<N>, Diagnostic> {
+    pub(super) fn coupled_trial(&self, group: &Group, meant: &Configuration) -> Result<GroupClosure<N>, Diagnostic> {
         self.coupled_aside(group, meant, None)
     }
 
     /// Returns the group like [`Self::coupled_trial`], with a driver moved from the instant, whose
     /// configuration the assembly must know.
-    pub(super) fn coupled_aside(&self, group: &Group, meant: &Configuration, aside: Option<Aside>) -> Result<Trial<N>, Diagnostic> {
+    pub(super) fn coupled_aside(&self, group: &Group, meant: &Configuration, aside: Option<Aside>) -> Result<GroupClosure<N>, Diagnostic> {
         let unproven = |why| self.unproven(&group.links, why);
-        let mut start = State { poses: Vec::new(), pins: Vec::new() };
+        let mut start = GroupPoses { poses: Vec::new(), pins: Vec::new() };
         for l in &group.links {
             let pose = meant.poses[l.0].ok_or_else(|| unproven(Unproven::NoRoot))?.lift::<N>();
             // An axis rounded to f64 is a unit vector only to f64.
@@ -104,7 +104,7 @@ impl<N: Real> Assembly<'_, N> {
         }
         let forms = group.constraints.iter().map(|&c| self.m.constraints[c].form()).collect();
         let scale = meant.extent();
-        let system = Coupled { assembly: self, links: &group.links, pins: &group.pins, forms, scale, aside, meant };
+        let system = CoupledGroup { assembly: self, links: &group.links, pins: &group.pins, forms, scale, aside, meant };
         let root = if N::refines() {
             if system.equations(&start).is_none() {
                 return Err(unproven(Unproven::NotWritten));
@@ -118,7 +118,7 @@ impl<N: Real> Assembly<'_, N> {
     }
 }
 
-impl<N: Real> Coupled<'_, N> {
+impl<N: Real> CoupledGroup<'_, N> {
     fn zeros(&self) -> Vec<N> {
         vec![N::from_f64(0.0); 3 * self.links.len() + 2 * self.pins.len()]
     }
@@ -133,7 +133,7 @@ impl<N: Real> Coupled<'_, N> {
     }
 
     /// Adds ±k·(motion of the point of a link at a position).
-    fn add_link(&self, at: &State<N>, row: &mut [N], l: LinkId, place: Point<N>, k: Vec2<N>) {
+    fn add_link(&self, at: &GroupPoses<N>, row: &mut [N], l: LinkId, place: Point<N>, k: Vec2<N>) {
         if let Some(i) = self.links.iter().position(|q| *q == l) {
             let turn = k.dot((place - at.poses[i].origin).perp()) / N::from_f64(self.scale);
             for (j, c) in [k.x, k.y, turn].into_iter().enumerate() {
@@ -143,7 +143,7 @@ impl<N: Real> Coupled<'_, N> {
     }
 
     /// Adds ±k·(motion of a runner).
-    fn add_runner(&self, at: &State<N>, row: &mut [N], runner: Runner, k: Vec2<N>) {
+    fn add_runner(&self, at: &GroupPoses<N>, row: &mut [N], runner: Runner, k: Vec2<N>) {
         match runner {
             Runner::Pin(p) => self.add_pin(row, p, k),
             Runner::Link(l) => {
@@ -169,56 +169,56 @@ impl<N: Real> Coupled<'_, N> {
     /// Returns the given value of a form: the value of a driver, its value at the instant plus the
     /// amount by which the driver is moved, or the value of a slider at the instant; `None` if
     /// nothing determines it.
-    fn given(&self, form: Form) -> Option<Given<N>> {
+    fn given(&self, form: PairForm) -> Option<FormValue<N>> {
         let a = self.assembly;
         let then = a.instant.map(|then| (a.scene, then));
         let aside = then.filter(|_| self.aside.is_some());
         let farther = |then, driver| {
             Some(match equations::kept(form, &then)? {
-                Given::Turned(stood) => Given::Turned(stood.rotate_by(Vec2::from_angle(self.by(driver)))),
-                Given::Length(stood) => Given::Length(stood + self.by(driver)),
-                given @ (Given::Nothing | Given::InPlane(_)) => given,
+                FormValue::Turned(stood) => FormValue::Turned(stood.rotate_by(Vec2::from_angle(self.by(driver)))),
+                FormValue::Length(stood) => FormValue::Length(stood + self.by(driver)),
+                given @ (FormValue::Nothing | FormValue::InPlane(_)) => given,
             })
         };
         match form {
             // The distance of a link's origin from its guide changes no answer: at the instant the
             // origin is put on the guide, and it stays there.
-            Form::Meet { .. } | Form::OnPath { .. } | Form::Related { .. } => Some(Given::Nothing),
-            Form::AlongPath { driver, .. } | Form::Distance { driver, .. } => match aside {
+            PairForm::Meet { .. } | PairForm::OnPath { .. } | PairForm::Related { .. } => Some(FormValue::Nothing),
+            PairForm::AlongPath { driver, .. } | PairForm::Distance { driver, .. } => match aside {
                 Some(then) => farther(then, driver),
-                None => a.driven_length(driver).map(Given::Length),
+                None => a.driven_length(driver).map(FormValue::Length),
             },
             // At the instant a slider's frame is parallel to the plane's; later it keeps its angle
             // to the other link from the instant.
-            Form::Angles { driver: None, .. } => match then {
+            PairForm::Angles { driver: None, .. } => match then {
                 Some(then) => equations::kept(form, &then),
                 None => match form.ends().0 {
-                    Node::Link(slider) if a.lies_along_its_guide(slider) => a.slid_along(slider).map(Given::InPlane),
-                    Node::Link(_) | Node::Pin(_) => Some(Given::InPlane(Vec2::unit_x())),
+                    GraphNode::Link(slider) if a.is_along_guide(slider) => a.slid_along(slider).map(FormValue::InPlane),
+                    GraphNode::Link(_) | GraphNode::Pin(_) => Some(FormValue::InPlane(Vec2::unit_x())),
                 },
             },
-            Form::Angles { of, against, driver: Some(driver) } => match aside {
+            PairForm::Angles { of, against, driver: Some(driver) } => match aside {
                 Some(then) => farther(then, driver),
-                None if self.links.contains(&against) => a.driven_apart(driver).map(Given::Turned),
-                None => a.axis_of(of, against, Some(driver)).ok().map(Given::InPlane),
+                None if self.links.contains(&against) => a.driven_apart(driver).map(FormValue::Turned),
+                None => a.axis_of(of, against, Some(driver)).ok().map(FormValue::InPlane),
             },
         }
     }
 
     /// Returns the equations at a state; `None` if one of them is not available.
-    fn equations(&self, at: &State<N>) -> Option<Vec<Equation<N>>> {
-        let (view, scale) = (Placed { system: self, at }, N::from_f64(self.scale));
+    fn equations(&self, at: &GroupPoses<N>) -> Option<Vec<GroupEquation<N>>> {
+        let (view, scale) = (PlacedGroup { system: self, at }, N::from_f64(self.scale));
         let mut list = Vec::new();
         for &form in &self.forms {
             let given = self.given(form)?;
             let [first, second] = self.rows(form, given, &view)?;
             match equations::off(form, given, &view)? {
-                Measured::Apart(d) => {
-                    list.push(Equation { off: d.x, row: first });
-                    list.push(Equation { off: d.y, row: second });
+                FormMeasure::Apart(d) => {
+                    list.push(GroupEquation { off: d.x, row: first });
+                    list.push(GroupEquation { off: d.y, row: second });
                 }
-                Measured::Length(off) => list.push(Equation { off, row: first }),
-                Measured::Angle(off) => list.push(Equation { off: off * scale, row: first }),
+                FormMeasure::Length(off) => list.push(GroupEquation { off, row: first }),
+                FormMeasure::Angle(off) => list.push(GroupEquation { off: off * scale, row: first }),
             }
         }
         (list.len() == self.zeros().len()).then_some(list)
@@ -226,11 +226,11 @@ impl<N: Real> Coupled<'_, N> {
 
     /// Returns the coefficients of a form's equations, with angles as lengths in which their steps
     /// are measured; the second list is used only for a form with two equations.
-    fn rows(&self, form: Form, given: Given<N>, view: &Placed<N>) -> Option<[Vec<N>; 2]> {
+    fn rows(&self, form: PairForm, given: FormValue<N>, view: &PlacedGroup<N>) -> Option<[Vec<N>; 2]> {
         let mut rows = [self.zeros(), Vec::new()];
         let row = &mut rows[0];
         match form {
-            Form::Meet { pin, link } => {
+            PairForm::Meet { pin, link } => {
                 let own = view.pose(link)?.to_world(view.local(link, pin)?);
                 rows[1] = self.zeros();
                 for (row, k) in rows.iter_mut().zip([Vec2::unit_x(), Vec2::unit_x().perp()]) {
@@ -238,7 +238,7 @@ impl<N: Real> Coupled<'_, N> {
                     self.add_link(view.at, row, link, own, -k);
                 }
             }
-            Form::OnPath { runner, guide, on } => {
+            PairForm::OnPath { runner, guide, on } => {
                 let place = view.runner(runner)?;
                 let (k, foot) = match view.path(guide)?.to_world(&view.pose(on)?) {
                     Path::Line { direction, .. } => (direction.perp(), place),
@@ -247,7 +247,7 @@ impl<N: Real> Coupled<'_, N> {
                 self.add_runner(view.at, row, runner, k);
                 self.add_link(view.at, row, on, foot, -k);
             }
-            Form::AlongPath { runner, guide, on, .. } => {
+            PairForm::AlongPath { runner, guide, on, .. } => {
                 let place = view.runner(runner)?;
                 let k = match view.path(guide)?.to_world(&view.pose(on)?) {
                     Path::Line { direction, .. } => direction,
@@ -257,18 +257,18 @@ impl<N: Real> Coupled<'_, N> {
                 self.add_runner(view.at, row, runner, k);
                 self.add_link(view.at, row, on, place, -k);
             }
-            Form::Distance { from, to, .. } => {
+            PairForm::Distance { from, to, .. } => {
                 let k = direction_from(view.point(from)?, view.point(to)?);
                 self.add_pin(row, to, k);
                 self.add_pin(row, from, -k);
             }
-            Form::Angles { of, against, .. } => {
+            PairForm::Angles { of, against, .. } => {
                 self.add_turn(row, of, N::from_f64(1.0));
-                if !matches!(given, Given::InPlane(_)) {
+                if !matches!(given, FormValue::InPlane(_)) {
                     self.add_turn(row, against, N::from_f64(-1.0));
                 }
             }
-            Form::Related { pair, .. } => *row = self.slip(view, pair)?.row,
+            PairForm::Related { pair, .. } => *row = self.slip(view, pair)?.row,
         }
         Some(rows)
     }
@@ -280,18 +280,18 @@ fn direction_from<N: Real>(from: Point<N>, to: Point<N>) -> Vec2<N> {
     d * (N::from_f64(1.0) / d.norm())
 }
 
-impl<N: Real> proof::System<N> for Coupled<'_, N> {
-    type State = State<N>;
+impl<N: Real> proof::SquareSystem<N> for CoupledGroup<'_, N> {
+    type State = GroupPoses<N>;
 
-    fn residuals(&self, at: &State<N>) -> Vec<N> {
+    fn residuals(&self, at: &GroupPoses<N>) -> Vec<N> {
         self.equations(at).unwrap_or_default().into_iter().map(|e| e.off).collect()
     }
 
-    fn jacobian(&self, at: &State<N>) -> Vec<Vec<N>> {
+    fn jacobian(&self, at: &GroupPoses<N>) -> Vec<Vec<N>> {
         self.equations(at).unwrap_or_default().into_iter().map(|e| e.row).collect()
     }
 
-    fn moved(&self, at: &State<N>, step: &[N]) -> State<N> {
+    fn moved(&self, at: &GroupPoses<N>, step: &[N]) -> GroupPoses<N> {
         let scale = N::from_f64(self.scale);
         let poses = at.poses.iter().enumerate().map(|(i, pose)| Pose {
             origin: pose.origin + Vec2::new(step[3 * i], step[3 * i + 1]),
@@ -299,7 +299,7 @@ impl<N: Real> proof::System<N> for Coupled<'_, N> {
         });
         let first = 3 * self.links.len();
         let pins = at.pins.iter().enumerate().map(|(i, p)| *p + Vec2::new(step[first + 2 * i], step[first + 2 * i + 1]));
-        State { poses: poses.collect(), pins: pins.collect() }
+        GroupPoses { poses: poses.collect(), pins: pins.collect() }
     }
 
     fn angles(&self) -> Vec<(usize, f64)> {
@@ -309,26 +309,26 @@ impl<N: Real> proof::System<N> for Coupled<'_, N> {
 
 #[cfg(test)]
 mod tests {
-    use super::proof::System;
+    use super::proof::SquareSystem;
     use super::*;
     use crate::mechanism::{Demand, Mechanism};
     use crate::position::{configure, newton};
     use hodograph_scene::{self as scene, templates};
     use std::collections::BTreeSet;
 
-    fn kind(a: &Assembly<f64>, form: Form) -> &'static str {
+    fn kind(a: &Assembly<f64>, form: PairForm) -> &'static str {
         let arc = |g: GuideId| matches!(a.guides[g.0], Some(Path::Arc { .. }));
         match form {
-            Form::Meet { .. } => "meet",
-            Form::OnPath { runner: Runner::Pin(_), guide, .. } if arc(guide) => "pin on an arc",
-            Form::OnPath { runner: Runner::Pin(_), .. } => "pin on a line",
-            Form::OnPath { runner: Runner::Link(_), .. } => "link on a line",
-            Form::AlongPath { guide, .. } if arc(guide) => "along an arc",
-            Form::AlongPath { .. } => "along a line",
-            Form::Distance { .. } => "distance",
-            Form::Angles { driver: Some(_), .. } => "driven angle",
-            Form::Angles { driver: None, .. } => "kept angle",
-            Form::Related { .. } => "related",
+            PairForm::Meet { .. } => "meet",
+            PairForm::OnPath { runner: Runner::Pin(_), guide, .. } if arc(guide) => "pin on an arc",
+            PairForm::OnPath { runner: Runner::Pin(_), .. } => "pin on a line",
+            PairForm::OnPath { runner: Runner::Link(_), .. } => "link on a line",
+            PairForm::AlongPath { guide, .. } if arc(guide) => "along an arc",
+            PairForm::AlongPath { .. } => "along a line",
+            PairForm::Distance { .. } => "distance",
+            PairForm::Angles { driver: Some(_), .. } => "driven angle",
+            PairForm::Angles { driver: None, .. } => "kept angle",
+            PairForm::Related { .. } => "related",
         }
     }
 
@@ -344,12 +344,12 @@ mod tests {
         let groups: Vec<&Group> = newton::placed(&m, &at).into_iter().map(|g| &m.groups[g]).collect();
         let links: Vec<LinkId> = groups.iter().flat_map(|g| g.links.clone()).collect();
         let pins: Vec<PointId> = groups.iter().flat_map(|g| g.pins.clone()).collect();
-        let forms: Vec<Form> = groups.iter().flat_map(|g| &g.constraints).map(|&c| m.constraints[c].form()).collect();
+        let forms: Vec<PairForm> = groups.iter().flat_map(|g| &g.constraints).map(|&c| m.constraints[c].form()).collect();
         let scale = at.extent();
         for aside in [None, Some(Aside { driver: 0, by: 0.01 })] {
             assembly.instant = aside.map(|_| &at);
-            let system = Coupled { assembly: &assembly, links: &links, pins: &pins, forms: forms.clone(), scale, aside, meant: &at };
-            let state = State {
+            let system = CoupledGroup { assembly: &assembly, links: &links, pins: &pins, forms: forms.clone(), scale, aside, meant: &at };
+            let state = GroupPoses {
                 poses: links.iter().map(|l| at.poses[l.0].expect("placed")).collect(),
                 pins: pins.iter().map(|p| at.point(*p)).collect(),
             };

@@ -7,13 +7,13 @@
 //! instant, come from the callers.
 
 use super::{Configuration, Path, Pose};
-use crate::mechanism::{Form, Runner};
+use crate::mechanism::{PairForm, Runner};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Positions of links and points, and their rigid shapes; `None` for parts that are not placed.
-pub(super) trait View<N: Real> {
+pub(super) trait PartPositions<N: Real> {
     /// Returns the pose of a link, or of the ground.
     fn pose(&self, l: LinkId) -> Option<Pose<N>>;
     /// Returns the position of a point in the plane.
@@ -35,7 +35,7 @@ pub(super) trait View<N: Real> {
     }
 }
 
-impl<N: Real> View<N> for (&Scene, &Configuration<N>) {
+impl<N: Real> PartPositions<N> for (&Scene, &Configuration<N>) {
     fn pose(&self, l: LinkId) -> Option<Pose<N>> {
         if l == self.0.ground { Some(Pose { origin: Point::origin(), axis: Vec2::unit_x() }) } else { self.1.poses[l.0] }
     }
@@ -60,7 +60,7 @@ impl<N: Real> View<N> for (&Scene, &Configuration<N>) {
 
 /// The given value of a form, from a driver or from the pose at the instant.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Given<N> {
+pub(super) enum FormValue<N> {
     /// Nothing: the measured quantity must be zero.
     Nothing,
     /// The direction of one link in the frame of the other.
@@ -72,7 +72,7 @@ pub(super) enum Given<N> {
 }
 
 /// The quantity that a form measures, or its deviation.
-pub(super) enum Measured<N> {
+pub(super) enum FormMeasure<N> {
     /// The vector from the required position of a pin to its actual position (m).
     Apart(Vec2<N>),
     /// A length or a coordinate (m).
@@ -82,51 +82,53 @@ pub(super) enum Measured<N> {
 }
 
 /// Returns the quantity that a form measures.
-pub(super) fn measured<N: Real>(form: Form, view: &impl View<N>) -> Option<Measured<N>> {
-    off(form, Given::Nothing, view)
+pub(super) fn measured<N: Real>(form: PairForm, view: &impl PartPositions<N>) -> Option<FormMeasure<N>> {
+    off(form, FormValue::Nothing, view)
 }
 
 /// Returns the value that a pose gives of a form: the value of a driver, the direction or the
 /// distance that a slider keeps. Quantities that are zero in every pose have no value.
-pub(super) fn kept<N: Real>(form: Form, then: &impl View<N>) -> Option<Given<N>> {
+pub(super) fn kept<N: Real>(form: PairForm, then: &impl PartPositions<N>) -> Option<FormValue<N>> {
     match form {
-        Form::Angles { of, against, .. } => Some(Given::Turned(then.pose(of)?.axis.divide_by(then.pose(against)?.axis))),
-        Form::OnPath { runner: Runner::Link(_), .. } | Form::AlongPath { .. } | Form::Distance { .. } => match measured(form, then)? {
-            Measured::Length(x) => Some(Given::Length(x)),
-            Measured::Apart(_) | Measured::Angle(_) => None,
-        },
-        Form::Meet { .. } | Form::OnPath { runner: Runner::Pin(_), .. } | Form::Related { .. } => Some(Given::Nothing),
+        PairForm::Angles { of, against, .. } => Some(FormValue::Turned(then.pose(of)?.axis.divide_by(then.pose(against)?.axis))),
+        PairForm::OnPath { runner: Runner::Link(_), .. } | PairForm::AlongPath { .. } | PairForm::Distance { .. } => {
+            match measured(form, then)? {
+                FormMeasure::Length(x) => Some(FormValue::Length(x)),
+                FormMeasure::Apart(_) | FormMeasure::Angle(_) => None,
+            }
+        }
+        PairForm::Meet { .. } | PairForm::OnPath { runner: Runner::Pin(_), .. } | PairForm::Related { .. } => Some(FormValue::Nothing),
     }
 }
 
 /// Returns the deviation of a form from its given value.
-pub(super) fn off<N: Real>(form: Form, given: Given<N>, view: &impl View<N>) -> Option<Measured<N>> {
+pub(super) fn off<N: Real>(form: PairForm, given: FormValue<N>, view: &impl PartPositions<N>) -> Option<FormMeasure<N>> {
     let length = |x: N| match given {
-        Given::Length(given) => x - given,
-        Given::Nothing | Given::Turned(_) | Given::InPlane(_) => x,
+        FormValue::Length(given) => x - given,
+        FormValue::Nothing | FormValue::Turned(_) | FormValue::InPlane(_) => x,
     };
     Some(match form {
-        Form::Meet { pin, link } => Measured::Apart(view.point(pin)? - view.pose(link)?.to_world(view.local(link, pin)?)),
-        Form::Angles { of, against, .. } => {
+        PairForm::Meet { pin, link } => FormMeasure::Apart(view.point(pin)? - view.pose(link)?.to_world(view.local(link, pin)?)),
+        PairForm::Angles { of, against, .. } => {
             let axis = view.pose(of)?.axis;
-            Measured::Angle(match given {
-                Given::InPlane(given) => axis.divide_by(given).angle(),
-                Given::Turned(given) => axis.divide_by(view.pose(against)?.axis).divide_by(given).angle(),
-                Given::Nothing | Given::Length(_) => axis.divide_by(view.pose(against)?.axis).angle(),
+            FormMeasure::Angle(match given {
+                FormValue::InPlane(given) => axis.divide_by(given).angle(),
+                FormValue::Turned(given) => axis.divide_by(view.pose(against)?.axis).divide_by(given).angle(),
+                FormValue::Nothing | FormValue::Length(_) => axis.divide_by(view.pose(against)?.axis).angle(),
             })
         }
-        Form::OnPath { runner, guide, on } => {
+        PairForm::OnPath { runner, guide, on } => {
             let place = view.runner(runner)?;
-            Measured::Length(length(match view.path(guide)?.to_world(&view.pose(on)?) {
+            FormMeasure::Length(length(match view.path(guide)?.to_world(&view.pose(on)?) {
                 Path::Line { through, direction } => direction.cross(place - through),
                 Path::Arc { centre, radius } => (place - centre).norm() - radius,
             }))
         }
-        Form::AlongPath { runner, guide, on, .. } => {
+        PairForm::AlongPath { runner, guide, on, .. } => {
             let place = view.pose(on)?.to_local(view.runner(runner)?);
-            Measured::Length(length(view.path(guide)?.coordinate_of(place)))
+            FormMeasure::Length(length(view.path(guide)?.coordinate_of(place)))
         }
-        Form::Distance { from, to, .. } => Measured::Length(length(view.point(from)?.distance(view.point(to)?))),
-        Form::Related { pair, .. } => Measured::Angle(view.slip(pair)?),
+        PairForm::Distance { from, to, .. } => FormMeasure::Length(length(view.point(from)?.distance(view.point(to)?))),
+        PairForm::Related { pair, .. } => FormMeasure::Angle(view.slip(pair)?),
     })
 }

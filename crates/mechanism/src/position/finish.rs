@@ -2,13 +2,13 @@
 //! values given twice agree.
 
 use super::assemble::Assembly;
-use super::{Configuration, Path, Pose, Rolled, Shapes, rolling, touch};
+use super::{Configuration, Path, Pose, RollingRecord, Shapes, rolling, touch};
 use crate::mechanism::{Mechanism, Opened, Passive};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;
 use hodograph_base::number::Real;
-use hodograph_scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene};
+use hodograph_scene::{GuideDirection, GuideId, GuidePath, LinkId, PointId, PointPlace, Scene};
 
 impl<N: Real> Assembly<'_, N> {
     /// Adds the passive points, and places the guides that depend on the pose in their links.
@@ -44,7 +44,7 @@ impl<N: Real> Assembly<'_, N> {
     /// it would contradict the coordinates in the tenth digit.
     fn fit_arcs(&mut self) {
         for (g, guide) in self.scene.guides.iter().enumerate() {
-            let given = guide.pin.filter(|p| matches!(self.scene.points[p.0].place, Place::At(_)));
+            let given = guide.pin.filter(|p| matches!(self.scene.points[p.0].place, PointPlace::At(_)));
             let (Some(at), Some(pose)) = (given.and_then(|p| self.points[p.0]), self.poses[guide.on.0]) else { continue };
             if let Some(Path::Arc { centre, radius }) = &mut self.guides[g] {
                 *radius = at.distance(pose.to_world(*centre));
@@ -101,7 +101,7 @@ impl Assembly<'_, f64> {
             return;
         }
         let d = match &guide.path {
-            GuidePath::Line { direction: Direction::Along(a, b, _), .. } => {
+            GuidePath::Line { direction: GuideDirection::Along(a, b, _), .. } => {
                 let (a, b) = (self.scene.point_name(*a), self.scene.point_name(*b));
                 self.degenerate(g, both!("{a} and {b} coincide", "{a} 与 {b} 重合"))
             }
@@ -155,7 +155,7 @@ impl Assembly<'_, f64> {
                     )),
                 };
                 self.faults.push(d.at(guide.span));
-            } else if off > told_apart(extent, at) {
+            } else if off > distinguishable_length(extent, at) {
                 let what = match guide.path {
                     GuidePath::Arc { .. } => both!("the radius is what they make it", "半径由坐标确定"),
                     GuidePath::Line { .. } => both!("the guide runs through them", "导路通过该处"),
@@ -184,7 +184,7 @@ impl Assembly<'_, f64> {
                         "coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\"",
                         "坐标与长度相矛盾：请去掉其一，或把粗略坐标移到 \"sketch\""
                     )));
-                } else if off > told_apart(extent, at) {
+                } else if off > distinguishable_length(extent, at) {
                     self.notes.push(given_twice(
                         message(),
                         both!("the lengths are what they make them", "长度由坐标确定"),
@@ -194,10 +194,10 @@ impl Assembly<'_, f64> {
             }
         }
         for length in &self.scene.lengths {
-            let given = |p: PointId| if let Place::At(_) = self.scene.points[p.0].place { c.points[p.0] } else { None };
+            let given = |p: PointId| if let PointPlace::At(_) = self.scene.points[p.0].place { c.points[p.0] } else { None };
             let (Some(a), Some(b)) = (given(length.a), given(length.b)) else { continue };
             let off = (a.distance(b) - length.value.value).abs();
-            if off > told_apart(extent, a) {
+            if off > distinguishable_length(extent, a) {
                 let (na, nb) = (self.scene.point_name(length.a), self.scene.point_name(length.b));
                 self.notes.push(given_twice(
                     both!(
@@ -215,7 +215,7 @@ impl Assembly<'_, f64> {
             let (Some((link, against)), Some(angle)) = (driver.kind.turned(), driver.kind.angle()) else { continue };
             let (Some(pose), Ok(axis)) = (c.poses[link.0], self.axis_of(link, against, Some(d))) else { continue };
             let off = pose.axis.cross(axis).abs() + (1.0 - pose.axis.dot(axis));
-            if off > TOLD_APART && off <= SAME_PLACE {
+            if off > DISTINGUISHABLE && off <= SAME_PLACE {
                 let link = self.scene.link_name(link);
                 self.notes.push(given_twice(
                     both!(
@@ -261,11 +261,11 @@ pub(super) fn same_place(extent: f64, at: Point) -> f64 {
 
 /// Difference of two descriptions (relative to the mechanism's size, in radians) above which twelve
 /// digits of an answer show which of them is used.
-const TOLD_APART: f64 = 1e-13;
+const DISTINGUISHABLE: f64 = 1e-13;
 
-/// Returns [`TOLD_APART`] as a length for the position `at`: see [`same_place`].
-fn told_apart(extent: f64, at: Point) -> f64 {
-    TOLD_APART * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
+/// Returns [`DISTINGUISHABLE`] as a length for the position `at`: see [`same_place`].
+fn distinguishable_length(extent: f64, at: Point) -> f64 {
+    DISTINGUISHABLE * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
 }
 
 /// Returns the note on two descriptions that agree within the rounding of typed numbers, but not to
@@ -284,7 +284,7 @@ fn given_twice(how: Both, so: Both, span: Span) -> Diagnostic {
 }
 
 /// Poses of links and positions of points, as far as they are known.
-type Placed<N> = (Vec<Option<Pose<N>>>, Vec<Option<Point<N>>>);
+type FinishedParts<N> = (Vec<Option<Pose<N>>>, Vec<Option<Point<N>>>);
 
 /// Returns a configuration from poses and pins, close to one with the rolling records `before`:
 /// adds tracer points, guides in the plane, and passive links.
@@ -292,9 +292,9 @@ pub(super) fn complete<N: Real>(
     scene: &Scene,
     m: &Mechanism,
     shapes: Shapes<N>,
-    (mut poses, mut points): Placed<N>,
+    (mut poses, mut points): FinishedParts<N>,
     closures: Vec<usize>,
-    before: &[Option<Rolled>],
+    before: &[Option<RollingRecord>],
 ) -> Configuration<N> {
     poses[scene.ground.0] = Some(Pose::ground());
     for (pose, carried) in poses.iter().zip(&shapes.points) {

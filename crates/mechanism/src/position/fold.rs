@@ -32,7 +32,7 @@ const NEAR: f64 = 0.25;
 const SLIGHT: f64 = 1e-10;
 
 /// The curve of all poses near one of them, intersected by planes square to its direction there.
-struct Curve<'a> {
+struct PoseCurve<'a> {
     system: System<'a>,
     drivers: DriverValues,
     driver: usize,
@@ -42,7 +42,7 @@ struct Curve<'a> {
     along: DVector<f64>,
 }
 
-impl Curve<'_> {
+impl PoseCurve<'_> {
     /// Returns the residuals; `z` contains the unknowns of the system, and the driver's value after
     /// them.
     fn residuals(&self, z: &DVector<f64>) -> DVector<f64> {
@@ -104,7 +104,7 @@ pub fn fold(
     let x = system.pack(near)?;
     let n = x.len();
     let base = x.insert_row(n, drivers.0[driver] / unit);
-    let mut curve = Curve { system, drivers: drivers.clone(), driver, unit, along: DVector::zeros(n + 1), base };
+    let mut curve = PoseCurve { system, drivers: drivers.clone(), driver, unit, along: DVector::zeros(n + 1), base };
     let slopes = newton::slopes(&curve.base, &|z| curve.residuals(z));
     if slopes.nrows() != n || slopes.iter().any(|v| !v.is_finite()) {
         return None;

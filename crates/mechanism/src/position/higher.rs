@@ -4,10 +4,10 @@
 //! the plane's, as in the closed forms.
 
 use super::assemble::Assembly;
-use super::branch::Trial;
-use super::shape::{Frame, given_at};
+use super::branch::GroupClosure;
+use super::shape::{FrameAnchor, given_at};
 use super::{Configuration, Pose, Shapes, newton};
-use crate::mechanism::{Form, Group, Node};
+use crate::mechanism::{GraphNode, Group, PairForm};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
@@ -15,7 +15,7 @@ use hodograph_scene::{GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
     /// Returns the closure of a group that only Newton's method from a sketch can solve.
-    pub(super) fn newton_trial(&self, index: usize, group: &Group) -> Result<Trial<N>, Diagnostic> {
+    pub(super) fn newton_trial(&self, index: usize, group: &Group) -> Result<GroupClosure<N>, Diagnostic> {
         if let Some(meant) = self.meant {
             return self.coupled_trial(group, meant);
         }
@@ -52,7 +52,7 @@ impl<N: Real> Assembly<'_, N> {
             // The frame of a wheel with only its centre is parallel to the plane's: its lines
             // cannot be distinguished.
             if let ([(local, at)], [_]) = (&known[..], &self.shapes[l.0].points[..])
-                && self.shapes[l.0].frame == Frame::Loose
+                && self.shapes[l.0].frame == FrameAnchor::Loose
                 && self.scene.rolling.iter().any(|r| r.links.contains(&l))
             {
                 start.poses[l.0] = Some(Pose { origin: *at - local.to_vec2(), axis: Vec2::new(1.0, 0.0) });
@@ -71,7 +71,7 @@ impl<N: Real> Assembly<'_, N> {
             }
         }
         let drivers = self.driver_values(&start);
-        let unlaid = |form: &Form| form.path().is_some_and(|g| self.guides[g.0].is_none());
+        let unlaid = |form: &PairForm| form.path().is_some_and(|g| self.guides[g.0].is_none());
         if let Some(form) = group.constraints.iter().map(|c| self.m.constraints[*c].form()).find(unlaid) {
             let on = form.ends().1;
             return Err(lacking(both!(
@@ -120,10 +120,10 @@ impl<N: Real> Assembly<'_, N> {
         places
     }
 
-    fn node_name(&self, n: Node) -> Both {
+    fn node_name(&self, n: GraphNode) -> Both {
         match n {
-            Node::Link(l) => both!("link {}", "构件 {} ", self.scene.link_name(l)),
-            Node::Pin(p) => Both::same(self.scene.point_name(p)),
+            GraphNode::Link(l) => both!("link {}", "构件 {} ", self.scene.link_name(l)),
+            GraphNode::Pin(p) => Both::same(self.scene.point_name(p)),
         }
     }
 

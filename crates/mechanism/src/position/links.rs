@@ -3,19 +3,19 @@
 use super::assemble::Assembly;
 use super::kernel::{self, Locus, Miss};
 use super::proof::Unproven;
-use super::shape::{Frame, given_at, given_place};
+use super::shape::{FrameAnchor, given_at, given_place};
 use super::triad::{self, TriadLeg};
 use super::{Path, Pose};
-use crate::mechanism::{Entry, Hold, Leg};
+use crate::mechanism::{CoreLoci, Hold, Leg};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, RollingId};
+use hodograph_scene::{Guide, GuideDirection, GuideId, GuidePath, LinkId, PointId, RollingId};
 
 impl<N: Real> Assembly<'_, N> {
     /// Returns the possible poses of a core link.
     pub(super) fn poses_of_link(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
-        let Entry { pivot, angle, holds, .. } = Entry::of(legs);
+        let CoreLoci { pivot, angle, holds, .. } = CoreLoci::of(legs);
         if angle.is_none() && holds.iter().any(|h| matches!(h, Hold::Rolls { .. })) {
             return self.poses_of_rolling(link, pivot, &holds);
         }
@@ -47,14 +47,14 @@ impl<N: Real> Assembly<'_, N> {
     pub(super) fn posed_by_runner(&self, link: LinkId, pivot: PointId, driver: Option<usize>) -> Option<(PointId, GuideId)> {
         let shown = match driver.map(|d| &self.scene.drivers[d].kind) {
             Some(kind) => kind.turns() && kind.angle().is_none(),
-            None => self.instant.is_none() && self.shapes[link.0].frame == Frame::Loose,
+            None => self.instant.is_none() && self.shapes[link.0].frame == FrameAnchor::Loose,
         };
         if !shown {
             return None;
         }
         let about_pivot = |path: &GuidePath| matches!(path, GuidePath::Arc { centre, .. } if *centre == pivot);
         let told =
-            |path: &GuidePath| self.m.never_turns[link.0] && matches!(path, GuidePath::Line { direction: Direction::Instant(_), .. });
+            |path: &GuidePath| self.m.never_turns[link.0] && matches!(path, GuidePath::Line { direction: GuideDirection::Instant(_), .. });
         let shows = |path: &GuidePath| !about_pivot(path) && !told(path);
         (0..self.scene.guides.len())
             .map(GuideId)
@@ -86,7 +86,7 @@ impl<N: Real> Assembly<'_, N> {
             if let (Some((own, other)), Some(now)) = (stood, self.poses[of.0]) {
                 return Ok(own.axis.divide_by(other.axis).rotate_by(now.axis));
             }
-            return if shape.frame == Frame::Body {
+            return if shape.frame == FrameAnchor::Body {
                 Err(Diagnostic::error(
                     "angle-not-given",
                     both!(
@@ -99,7 +99,7 @@ impl<N: Real> Assembly<'_, N> {
                     "give the coordinates of two of its points at the instant in \"points\"",
                     "请在 \"points\" 中给出其上两点在该时刻的坐标"
                 )))
-            } else if self.lies_along_its_guide(link) {
+            } else if self.is_along_guide(link) {
                 self.slid_along(link).ok_or_else(|| self.no_closure(link))
             } else {
                 Ok(Vec2::unit_x())
@@ -110,7 +110,7 @@ impl<N: Real> Assembly<'_, N> {
             // A wheel or a block without a line may have any angle.
             let lines = self.scene.guides.iter().any(|g| g.on == link);
             let wheel = self.scene.rolling.iter().any(|r| r.links.contains(&link));
-            if shape.frame == Frame::Loose && (wheel || !lines) && self.instant.is_none() {
+            if shape.frame == FrameAnchor::Loose && (wheel || !lines) && self.instant.is_none() {
                 return Ok(Vec2::unit_x());
             }
             return Err(self.driver_without_value(d, "angle", both!("at which angle link {name} stands", "构件 {name} 的角度")));
@@ -142,9 +142,9 @@ impl<N: Real> Assembly<'_, N> {
 
     /// Returns true if the frame of a sliding link is aligned with the guide in which it slides:
     /// the angle of a guide on the link is measured from it.
-    pub(super) fn lies_along_its_guide(&self, link: LinkId) -> bool {
-        let counts = |g: &Guide| matches!(g.path, GuidePath::Line { direction: Direction::Slid(_), .. });
-        self.shapes[link.0].frame == Frame::Loose && self.scene.guides.iter().any(|g| g.on == link && counts(g))
+    pub(super) fn is_along_guide(&self, link: LinkId) -> bool {
+        let counts = |g: &Guide| matches!(g.path, GuidePath::Line { direction: GuideDirection::Slid(_), .. });
+        self.shapes[link.0].frame == FrameAnchor::Loose && self.scene.guides.iter().any(|g| g.on == link && counts(g))
     }
 
     /// Returns the direction in the plane of the guide in which a link slides.
@@ -186,7 +186,7 @@ impl<N: Real> Assembly<'_, N> {
         let Some(path) = self.guides[guide.0] else {
             // The guide's direction is given at the instant, or the guide runs through the position
             // of the pin.
-            return if self.shapes[link.0].frame == Frame::Loose {
+            return if self.shapes[link.0].frame == FrameAnchor::Loose {
                 Ok(vec![Pose { origin: pivot_at - d.to_vec2(), axis: Vec2::unit_x() }])
             } else {
                 Err(Diagnostic::error(
@@ -207,7 +207,7 @@ impl<N: Real> Assembly<'_, N> {
         let places = match path {
             // A link that has only its pivot and its slot has no front: a pin ahead or behind is
             // equivalent.
-            Path::Line { through, direction } if self.shapes[link.0].frame == Frame::Loose && through == d => {
+            Path::Line { through, direction } if self.shapes[link.0].frame == FrameAnchor::Loose && through == d => {
                 let mut places = kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
                 places.truncate(1);
                 places

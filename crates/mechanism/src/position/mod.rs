@@ -34,15 +34,15 @@ pub mod toggle;
 mod touch;
 pub mod triad;
 
-pub use compiled::{Placed, later, recompute};
+pub use compiled::{AssemblyNumber, later, recompute};
 pub use configure::configure;
-pub use rolling::Rolled;
-pub use touch::Touch;
+pub use rolling::RollingRecord;
+pub use touch::ContourContact;
 
 use crate::mechanism::Mechanism;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through};
+use hodograph_scene::{Guide, GuideDirection, GuideId, GuidePath, LinkId, PointId, Scene, Through};
 
 /// Position and direction of a link: its local frame in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -181,7 +181,7 @@ pub struct Configuration<N = f64> {
     /// is one).
     pub closures: Vec<usize>,
     /// The rolling of each pair since the scene's instant.
-    pub rolled: Vec<Option<Rolled>>,
+    pub rolled: Vec<Option<RollingRecord>>,
 }
 
 /// The rigid shapes, in the frames of the links.
@@ -290,7 +290,7 @@ pub fn laid(
 /// placed only on request), otherwise the first guide along which the link slides.
 pub fn guide_of(scene: &Scene, l: LinkId) -> Option<GuideId> {
     let straight = |told: bool, g: &Guide| match &g.path {
-        GuidePath::Line { through, direction, .. } => !told || matches!(direction, Direction::Instant(_)) && *through != Through::Pin,
+        GuidePath::Line { through, direction, .. } => !told || matches!(direction, GuideDirection::Instant(_)) && *through != Through::Pin,
         GuidePath::Arc { .. } => false,
     };
     let first = |is: &dyn Fn(&Guide) -> bool| scene.guides.iter().position(is).map(GuideId);

@@ -7,17 +7,17 @@
 //! only in the equations of the constraints of its link or pin, since the other equations do not
 //! change.
 
-use super::equations::{self, Given, Measured, View};
-use super::rolling::{self, Rolled, Seen};
+use super::equations::{self, FormMeasure, FormValue, PartPositions};
+use super::rolling::{self, RollingPose, RollingRecord};
 use super::{Configuration, Path, Pose, Shapes};
-use crate::mechanism::{Form, Group, Item, Mechanism, Node, constraints_of};
+use crate::mechanism::{GraphNode, Group, Mechanism, PairForm, PairItem, constraints_of};
 use hodograph_base::budget::spend;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::{DMatrix, DVector};
 
 /// Poses of all links and positions of all points, as far as they are known.
-pub type Solved = (Vec<Option<Pose>>, Vec<Option<Point>>);
+pub type SolvedPoses = (Vec<Option<Pose>>, Vec<Option<Point>>);
 
 /// The values of the drivers, in the order of the scene: radians from the pose in which the link
 /// frames are defined, metres along the guide, metres of length.
@@ -31,9 +31,9 @@ pub struct System<'a> {
     links: Vec<LinkId>,
     pins: Vec<PointId>,
     /// Each form with its value at the start, unless a driver gives the value.
-    forms: Vec<(Form, Given<f64>)>,
+    forms: Vec<(PairForm, FormValue<f64>)>,
     /// The rolling of each pair at the start.
-    rolled: Vec<Option<Rolled>>,
+    rolled: Vec<Option<RollingRecord>>,
     /// Deviation of each rolling pair from the phase in the scene at the start, as an angle of its
     /// second link.
     out_of_phase: Vec<f64>,
@@ -53,7 +53,7 @@ impl<'a> System<'a> {
         for &g in groups {
             links.extend(&mechanism.groups[g].links);
             pins.extend(&mechanism.groups[g].pins);
-            forms.extend(mechanism.groups[g].constraints.iter().map(|&c| (mechanism.constraints[c].form(), Given::Nothing)));
+            forms.extend(mechanism.groups[g].constraints.iter().map(|&c| (mechanism.constraints[c].form(), FormValue::Nothing)));
         }
         let mut system = System {
             scene,
@@ -71,12 +71,12 @@ impl<'a> System<'a> {
             let (form, _) = system.forms[i];
             // The value of a driver is given with each solution.
             if form.driver().is_none() {
-                let placed = Placed { system: &system, poses: &system.poses, points: &system.points };
-                system.forms[i].1 = equations::kept(form, &placed).unwrap_or(Given::Nothing);
+                let placed = PlacedSystem { system: &system, poses: &system.poses, points: &system.points };
+                system.forms[i].1 = equations::kept(form, &placed).unwrap_or(FormValue::Nothing);
             }
-            if let Form::Related { pair, .. } = form {
+            if let PairForm::Related { pair, .. } = form {
                 // A rough start has no record: it is the instant itself.
-                let begin = || system.seen(pair, &start.poses, &start.points).map(Rolled::begin);
+                let begin = || system.seen(pair, &start.poses, &start.points).map(RollingRecord::begin);
                 system.rolled[pair.0] = start.rolled.get(pair.0).cloned().flatten().or_else(begin);
             }
         }
@@ -93,15 +93,15 @@ impl<'a> System<'a> {
         }
         for (_, given) in &mut self.forms {
             *given = match *given {
-                Given::Turned(_) | Given::InPlane(_) => Given::InPlane(Vec2::new(1.0, 0.0)),
-                Given::Length(_) | Given::Nothing => Given::Nothing,
+                FormValue::Turned(_) | FormValue::InPlane(_) => FormValue::InPlane(Vec2::new(1.0, 0.0)),
+                FormValue::Length(_) | FormValue::Nothing => FormValue::Nothing,
             };
         }
         self
     }
 
     /// Returns a rolling pair in a pose; `None` if it is not placed.
-    fn seen(&self, r: RollingId, poses: &[Option<Pose>], points: &[Option<Point>]) -> Option<Seen> {
+    fn seen(&self, r: RollingId, poses: &[Option<Pose>], points: &[Option<Point>]) -> Option<RollingPose> {
         let pose = |l: LinkId| if l == self.scene.ground { Some(Pose::GROUND) } else { poses[l.0] };
         let place = |l: LinkId, p: PointId| {
             // A centre moves with its link, whose pose is varied.
@@ -110,7 +110,7 @@ impl<'a> System<'a> {
         rolling::seen(&self.scene.rolling[r.0], self.shapes, &pose, &place)
     }
 
-    pub(super) fn unpack(&self, x: &DVector<f64>) -> Solved {
+    pub(super) fn unpack(&self, x: &DVector<f64>) -> SolvedPoses {
         let mut solved = (self.poses.clone(), self.points.clone());
         for i in 0..self.links.len() + self.pins.len() {
             self.put(i, |k| x[k], &mut solved);
@@ -128,7 +128,7 @@ impl<'a> System<'a> {
     }
 
     /// Writes the pose or position of a body.
-    fn put(&self, body: usize, x: impl Fn(usize) -> f64, to: &mut Solved) {
+    fn put(&self, body: usize, x: impl Fn(usize) -> f64, to: &mut SolvedPoses) {
         let (k, _) = self.unknowns(body);
         let origin = Point::new(x(k) * self.scale, x(k + 1) * self.scale);
         match body.checked_sub(self.links.len()) {
@@ -152,27 +152,35 @@ impl<'a> System<'a> {
 
     /// Returns the residuals, each a length or an angle divided by the mechanism's size or one
     /// radian.
-    pub(super) fn residuals(&self, at: &Solved, drivers: &DriverValues) -> DVector<f64> {
+    pub(super) fn residuals(&self, at: &SolvedPoses, drivers: &DriverValues) -> DVector<f64> {
         let mut r = Vec::with_capacity(2 * self.forms.len());
         self.forms.iter().for_each(|f| self.residual(f, at, drivers, |v| r.push(v)));
         DVector::from_vec(r)
     }
 
     /// Reports the residuals of one form.
-    fn residual(&self, (form, kept): &(Form, Given<f64>), (poses, points): &Solved, drivers: &DriverValues, mut told: impl FnMut(f64)) {
+    fn residual(
+        &self,
+        (form, kept): &(PairForm, FormValue<f64>),
+        (poses, points): &SolvedPoses,
+        drivers: &DriverValues,
+        mut told: impl FnMut(f64),
+    ) {
         let given = match (form.driver(), form) {
-            (Some(d), Form::Angles { .. }) => Given::Turned(Vec2::from_angle(drivers.0[d])),
-            (Some(d), _) => Given::Length(drivers.0[d]),
+            (Some(d), PairForm::Angles { .. }) => FormValue::Turned(Vec2::from_angle(drivers.0[d])),
+            (Some(d), _) => FormValue::Length(drivers.0[d]),
             (None, _) => *kept,
         };
         let s = 1.0 / self.scale;
-        match equations::off(*form, given, &Placed { system: self, poses, points }).expect("all links and pins of a system are placed") {
-            Measured::Apart(d) => {
+        match equations::off(*form, given, &PlacedSystem { system: self, poses, points })
+            .expect("all links and pins of a system are placed")
+        {
+            FormMeasure::Apart(d) => {
                 told(d.x * s);
                 told(d.y * s);
             }
-            Measured::Length(x) => told(x * s),
-            Measured::Angle(x) => told(x),
+            FormMeasure::Length(x) => told(x * s),
+            FormMeasure::Angle(x) => told(x),
         }
     }
 
@@ -185,8 +193,8 @@ impl<'a> System<'a> {
             let (one, other) = form.ends();
             for node in [one, other] {
                 let body = match node {
-                    Node::Link(l) => self.links.iter().position(|m| *m == l),
-                    Node::Pin(p) => self.pins.iter().position(|q| *q == p).map(|i| self.links.len() + i),
+                    GraphNode::Link(l) => self.links.iter().position(|m| *m == l),
+                    GraphNode::Pin(p) => self.pins.iter().position(|q| *q == p).map(|i| self.links.len() + i),
                 };
                 if let Some(body) = body {
                     touching[body].push((i, row));
@@ -202,13 +210,13 @@ impl<'a> System<'a> {
     ///
     /// The method has converged if the last correction is within rounding, or does not decrease
     /// further below 1e-9.
-    pub fn solve(&self, start: &Configuration, drivers: &DriverValues) -> Option<Solved> {
+    pub fn solve(&self, start: &Configuration, drivers: &DriverValues) -> Option<SolvedPoses> {
         self.solve_to(start, drivers, 1e-15)
     }
 
     /// Solves like [`System::solve`], until the last correction is below `tolerance` (relative to
     /// the mechanism's size, or in radians).
-    pub fn solve_to(&self, start: &Configuration, drivers: &DriverValues, tolerance: f64) -> Option<Solved> {
+    pub fn solve_to(&self, start: &Configuration, drivers: &DriverValues, tolerance: f64) -> Option<SolvedPoses> {
         let mut x = self.pack(start)?;
         let mut at = self.unpack(&x);
         let touching = self.touching();
@@ -242,7 +250,7 @@ impl<'a> System<'a> {
     /// quadratic near the solution, so that the error of the derivative (about 1e-11) only slows
     /// the last step of the iteration and does not change its result. `at` contains the poses for
     /// `x`.
-    fn jacobian(&self, x: &DVector<f64>, at: &mut Solved, touching: &[Vec<(usize, usize)>], drivers: &DriverValues) -> DMatrix<f64> {
+    fn jacobian(&self, x: &DVector<f64>, at: &mut SolvedPoses, touching: &[Vec<(usize, usize)>], drivers: &DriverValues) -> DMatrix<f64> {
         const STEP: f64 = 1.0 / 131_072.0;
         let mut j = DMatrix::zeros(x.len(), x.len());
         for (body, forms) in touching.iter().enumerate() {
@@ -290,13 +298,13 @@ pub(super) fn slopes(x: &DVector<f64>, residuals: &dyn Fn(&DVector<f64>) -> DVec
 }
 
 /// A system with its links and pins in a given pose.
-struct Placed<'a> {
+struct PlacedSystem<'a> {
     system: &'a System<'a>,
     poses: &'a [Option<Pose>],
     points: &'a [Option<Point>],
 }
 
-impl View<f64> for Placed<'_> {
+impl PartPositions<f64> for PlacedSystem<'_> {
     fn pose(&self, l: LinkId) -> Option<Pose> {
         if l == self.system.scene.ground { Some(Pose::GROUND) } else { self.poses[l.0] }
     }
@@ -318,18 +326,18 @@ impl View<f64> for Placed<'_> {
         let system = self.system;
         let now = system.seen(r, self.poses, self.points);
         let then = system.rolled[r.0].as_ref();
-        let slip = |(then, now): (&Rolled, Seen)| then.slip(&system.scene.rolling[r.0], system.shapes.rolling[r.0], &now);
+        let slip = |(then, now): (&RollingRecord, RollingPose)| then.slip(&system.scene.rolling[r.0], system.shapes.rolling[r.0], &now);
         Some(then.zip(now).map_or(0.0, slip) + system.out_of_phase[r.0])
     }
 }
 
 /// Returns the values of the drivers in a configuration.
 pub fn driver_values(scene: &Scene, at: &Configuration) -> DriverValues {
-    let value = |form: Form| match equations::measured(form, &(scene, at))? {
-        Measured::Length(x) | Measured::Angle(x) => Some(x),
-        Measured::Apart(_) => None,
+    let value = |form: PairForm| match equations::measured(form, &(scene, at))? {
+        FormMeasure::Length(x) | FormMeasure::Angle(x) => Some(x),
+        FormMeasure::Apart(_) => None,
     };
-    let value = |d: usize| constraints_of(scene, Item::Driver(d)).find_map(|c| value(c.form()));
+    let value = |d: usize| constraints_of(scene, PairItem::Driver(d)).find_map(|c| value(c.form()));
     DriverValues((0..scene.drivers.len()).map(|d| value(d).unwrap_or(0.0)).collect())
 }
 

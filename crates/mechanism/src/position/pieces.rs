@@ -2,7 +2,7 @@
 //! moving links: the distance of the contact from the ends of each piece, in a known pose.
 
 use super::{Configuration, Path, Pose};
-use hodograph_base::cam::Segment;
+use hodograph_base::cam::ProfileSegment;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_scene::{Cam, LinkId, Pieces, Scene};
 
@@ -11,12 +11,12 @@ use hodograph_scene::{Cam, LinkId, Pieces, Scene};
 pub struct Meeting {
     /// The frame of the pieces in the plane.
     pub frame: Pose,
-    end: End,
+    end: FollowerEnd,
 }
 
 /// The end of the follower, in the frame of the pieces.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum End {
+enum FollowerEnd {
     /// A round end: its centre and radius (m).
     Round(Vec2, f64),
     /// A flat face: the direction of the outward normal (rad).
@@ -35,13 +35,13 @@ pub fn frame(pieces: &Pieces, at: &Configuration) -> Option<Pose> {
 pub fn meeting(cam: &Cam, pieces: &Pieces, at: &Configuration) -> Option<Meeting> {
     let frame = frame(pieces, at)?;
     let end = match cam.follows.radius() {
-        Some(radius) => End::Round(frame.to_local(at.points[cam.follows.point().0]?).to_vec2(), radius),
+        Some(radius) => FollowerEnd::Round(frame.to_local(at.points[cam.follows.point().0]?).to_vec2(), radius),
         None => {
             let guide = cam.contact?;
             let Path::Line { direction, .. } = at.guides[guide.0]? else { return None };
             // The cam is on the left of its face, or on the right.
             let normal = if cam.left { -direction.perp() } else { direction.perp() };
-            End::Flat(frame.turn_back(normal).angle())
+            FollowerEnd::Flat(frame.turn_back(normal).angle())
         }
     };
     Some(Meeting { frame, end })
@@ -49,11 +49,11 @@ pub fn meeting(cam: &Cam, pieces: &Pieces, at: &Configuration) -> Option<Meeting
 
 impl Meeting {
     /// Returns the amounts by which the contact is beyond the beginning and beyond the end of a
-    /// piece, as defined in [`Segment::beyond`].
-    pub fn beyond(&self, piece: &Segment) -> [f64; 2] {
+    /// piece, as defined in [`ProfileSegment::beyond`].
+    pub fn beyond(&self, piece: &ProfileSegment) -> [f64; 2] {
         match self.end {
-            End::Round(at, radius) => piece.beyond(at, radius),
-            End::Flat(direction) => piece.beyond_facing(direction),
+            FollowerEnd::Round(at, radius) => piece.beyond(at, radius),
+            FollowerEnd::Flat(direction) => piece.beyond_facing(direction),
         }
     }
 
@@ -61,19 +61,19 @@ impl Meeting {
     /// counter-clockwise. `along` is the velocity of the follower's point relative to the
     /// coincident point of the cam, `turning` the angular velocity of the follower relative to the
     /// cam.
-    pub fn onward(&self, piece: &Segment, along: Vec2, turning: f64) -> f64 {
+    pub fn onward(&self, piece: &ProfileSegment, along: Vec2, turning: f64) -> f64 {
         match self.end {
-            End::Round(at, radius) => along.dot(self.frame.turn(normal(piece, at, radius)).perp()),
-            End::Flat(_) => turning,
+            FollowerEnd::Round(at, radius) => along.dot(self.frame.turn(normal(piece, at, radius)).perp()),
+            FollowerEnd::Flat(_) => turning,
         }
     }
 }
 
 /// Returns the outward normal of a piece at a round end.
-fn normal(piece: &Segment, at: Vec2, radius: f64) -> Vec2 {
+fn normal(piece: &ProfileSegment, at: Vec2, radius: f64) -> Vec2 {
     match piece {
-        Segment::Arc { centre, radius: rho, .. } => (at - *centre) * (1.0 / (rho + radius)),
-        Segment::Line { normal, .. } => Vec2::from_angle(*normal),
+        ProfileSegment::Arc { centre, radius: rho, .. } => (at - *centre) * (1.0 / (rho + radius)),
+        ProfileSegment::Line { normal, .. } => Vec2::from_angle(*normal),
     }
 }
 
@@ -88,8 +88,8 @@ pub fn path_on(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, [n
         let pose = link_pose(scene, cam.cam, at)?;
         let (to_link, turned) = (|v: Vec2| pose.to_local(frame.to_world(v.to_point())), |v: Vec2| pose.turn_back(frame.turn(v)));
         return Some(match segments[piece] {
-            Segment::Arc { centre, radius: rho, .. } => Path::Arc { centre: to_link(centre), radius: (rho + radius).abs() },
-            Segment::Line { normal, distance, .. } => {
+            ProfileSegment::Arc { centre, radius: rho, .. } => Path::Arc { centre: to_link(centre), radius: (rho + radius).abs() },
+            ProfileSegment::Line { normal, distance, .. } => {
                 let n = Vec2::from_angle(normal);
                 Path::Line { through: to_link(n * (distance + radius)), direction: turned(n.perp()) }
             }
@@ -97,8 +97,8 @@ pub fn path_on(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, [n
     }
     let Path::Line { through, direction } = at.shapes.guides[guide.0]? else { return None };
     let radius = |k: usize| match segments[k] {
-        Segment::Arc { radius, .. } => Some(radius),
-        Segment::Line { .. } => None,
+        ProfileSegment::Arc { radius, .. } => Some(radius),
+        ProfileSegment::Line { .. } => None,
     };
     let out = radius(piece)? - radius(now)?;
     let toward = if cam.left { direction.perp() } else { -direction.perp() };
@@ -107,7 +107,7 @@ pub fn path_on(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, [n
 
 /// Returns the centre of a piece in the frame of the cam's link; `None` for a line.
 pub fn centre(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, piece: usize) -> Option<Point> {
-    let Segment::Arc { centre, .. } = pieces.segments[piece] else { return None };
+    let ProfileSegment::Arc { centre, .. } = pieces.segments[piece] else { return None };
     Some(link_pose(scene, cam.cam, at)?.to_local(frame(pieces, at)?.to_world(centre.to_point())))
 }
 

@@ -4,7 +4,7 @@
 use super::Path;
 use super::assemble::Assembly;
 use super::kernel::{self, Locus, Miss};
-use crate::mechanism::{Entry, Hold, Leg, Strut};
+use crate::mechanism::{CoreLoci, Hold, Leg, Strut};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
@@ -13,7 +13,7 @@ use hodograph_scene::{GuideId, LinkId, PointId};
 impl<N: Real> Assembly<'_, N> {
     /// Returns the possible positions of a pin on its two loci.
     pub(super) fn places_of_pin(&self, pin: PointId, legs: &[Leg]) -> Result<Vec<Point<N>>, Diagnostic> {
-        let entry = Entry::of(legs);
+        let entry = CoreLoci::of(legs);
         match (entry.carrier, &entry.holds[..]) {
             (Some(link), _) => Ok(vec![self.world(link, pin).ok_or_else(|| self.not_placed(pin, link))?]),
             (None, [Hold::Guide { guide, driver: Some(driver), .. }]) => Ok(vec![self.driven_place(*guide, *driver)?]),

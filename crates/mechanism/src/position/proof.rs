@@ -15,7 +15,7 @@ use hodograph_base::number::Real;
 use nalgebra::DMatrix;
 
 /// A system of as many equations as unknowns, with a state that can be moved.
-pub(super) trait System<N: Real> {
+pub(super) trait SquareSystem<N: Real> {
     /// The values of the unknowns.
     type State: Clone;
 
@@ -55,7 +55,7 @@ const LONGEST: f64 = 0.1;
 
 /// Refines a root known in `f64`, and proves it if `N` knows its error; `scale` is the size of the
 /// unknowns.
-pub(super) fn root<N: Real, S: System<N>>(system: &S, start: S::State, scale: f64) -> Result<S::State, Unproven> {
+pub(super) fn root<N: Real, S: SquareSystem<N>>(system: &S, start: S::State, scale: f64) -> Result<S::State, Unproven> {
     let angles = system.angles();
     let inverse = approximate_inverse(&system.jacobian(&start)).ok_or(Unproven::NoRoot)?;
     let newton = |at: &S::State| -> Vec<N> {
@@ -142,7 +142,7 @@ mod tests {
 
     /// x − 2 = 0 twice; in the second equation the slope, or the residual beside the root, is a
     /// ball of some width or undecided.
-    struct Pair {
+    struct RepeatedEquation {
         slope: bool,
         residual: bool,
     }
@@ -153,7 +153,7 @@ mod tests {
         nought / none
     }
 
-    impl System<Ball<f64>> for Pair {
+    impl SquareSystem<Ball<f64>> for RepeatedEquation {
         type State = [Ball<f64>; 2];
 
         fn residuals(&self, at: &Self::State) -> Vec<Ball<f64>> {
@@ -179,7 +179,7 @@ mod tests {
     #[test]
     fn what_is_undecided_proves_nothing() {
         let start = || [Ball::from_f64(2.0 + 1e-9), Ball::from_f64(2.0 - 1e-9)];
-        let proved = |slope, residual| root(&Pair { slope, residual }, start(), 1.0);
+        let proved = |slope, residual| root(&RepeatedEquation { slope, residual }, start(), 1.0);
         let two = proved(true, true).unwrap_or_else(|_| panic!("a linear system is solved"));
         assert!(two.iter().all(|x| (x.approx() - 2.0).abs() <= x.radius() && x.radius() < 1e-12), "{two:?}");
         assert!(proved(false, true).is_err() && proved(true, false).is_err() && proved(false, false).is_err());

@@ -10,20 +10,20 @@
 
 use super::assemble::Assembly;
 use super::coupled::Aside;
-use super::equations::{self, Measured};
+use super::equations::{self, FormMeasure};
 use super::finish::complete;
 use super::newton::{self, DriverValues, System};
 use super::repeats::reason;
-pub use super::repeats::{Reason, opened_words};
+pub use super::repeats::{RepeatReason, opened_words};
 use super::{Configuration, configure, recompute};
-use crate::mechanism::{Core, Demand, Group, Item, Level, Mechanism, Need, Node, Opened, constraints_of};
+use crate::mechanism::{Core, Demand, GraphNode, Group, Level, Mechanism, Need, Opened, PairItem, constraints_of};
 use hodograph_base::diag::{Both, Diagnostic, Faults};
 use hodograph_base::number::{Ball, Dd, Real};
 use hodograph_scene::{LinkId, PointId, Scene};
 
 /// The result of the check of an opened pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum RedundancyVerdict {
     /// The pair holds by itself.
     Virtual,
     /// The pair would hold with slightly different lengths.
@@ -40,7 +40,7 @@ pub struct Checked {
     /// The opened pair.
     pub opened: Opened,
     /// The result.
-    pub verdict: Verdict,
+    pub verdict: RedundancyVerdict,
     /// The largest deviation (m), including that in the pose itself.
     pub off_m: f64,
     /// The driver that moves the pair, if there is one.
@@ -53,7 +53,7 @@ pub struct Checked {
     /// Number of positions in which the pair is checked.
     pub positions: usize,
     /// The reason why it holds.
-    pub reason: Reason,
+    pub reason: RepeatReason,
 }
 
 impl Checked {
@@ -107,9 +107,9 @@ pub fn check(scene: &Scene, m: &Mechanism) -> Result<Vec<Checked>, Faults> {
     for opened in m.redundant.iter().map(|r| r.opened.clone()).chain(touching) {
         let checked = look(scene, m, &opened)?;
         match checked.verdict {
-            Verdict::Virtual if !m.is_opened(&opened) => {}
-            Verdict::Virtual | Verdict::Almost => all.push(checked),
-            Verdict::Shaky | Verdict::Locked => faults.push(checked.diagnostic(scene, m)),
+            RedundancyVerdict::Virtual if !m.is_opened(&opened) => {}
+            RedundancyVerdict::Virtual | RedundancyVerdict::Almost => all.push(checked),
+            RedundancyVerdict::Shaky | RedundancyVerdict::Locked => faults.push(checked.diagnostic(scene, m)),
         }
     }
     if faults.has_errors() { Err(faults) } else { Ok(all) }
@@ -130,7 +130,7 @@ pub fn told(scene: &Scene, m: &Mechanism) -> Result<Vec<Diagnostic>, Faults> {
 pub fn look(scene: &Scene, m: &Mechanism, opened: &Opened) -> Result<Checked, Faults> {
     let demand = demand(scene, m, opened);
     let at = configure(scene, m, &demand)?.value;
-    let way = Way::new(scene, m, &at);
+    let way = OpenedMotion::new(scene, m, &at);
     let unit = way.unit();
     let mut stations: Vec<(f64, Configuration)> = vec![(0.0, at.clone())];
     for turn in TURNS {
@@ -153,10 +153,10 @@ pub fn look(scene: &Scene, m: &Mechanism, opened: &Opened) -> Result<Checked, Fa
         }
     }
     let verdict = match holds {
-        true => Verdict::Virtual,
-        false if off_m <= ALMOST * size => Verdict::Almost,
-        false if way.holds_to_first_order(opened, size) => Verdict::Shaky,
-        false => Verdict::Locked,
+        true => RedundancyVerdict::Virtual,
+        false if off_m <= ALMOST * size => RedundancyVerdict::Almost,
+        false if way.holds_to_first_order(opened, size) => RedundancyVerdict::Shaky,
+        false => RedundancyVerdict::Locked,
     };
     let reason = reason(scene, m, opened, &at, ALMOST);
     let opened = opened.clone();
@@ -168,15 +168,15 @@ pub fn look(scene: &Scene, m: &Mechanism, opened: &Opened) -> Result<Checked, Fa
 /// three pins are rigid.
 pub fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<Checked> {
     let (verdict, reason) = match super::repeats::by_topology(scene, m, opened)? {
-        reason @ Reason::Triangle(_) => (Verdict::Locked, reason),
-        reason @ (Reason::ParallelCranks(_)
-        | Reason::ParallelGuides(_)
-        | Reason::CoaxialPins(..)
-        | Reason::SameCircle(..)
-        | Reason::SameLine(..)
-        | Reason::RepeatedPlanets(_)
-        | Reason::OneNormal
-        | Reason::Found) => (Verdict::Virtual, reason),
+        reason @ RepeatReason::Triangle(_) => (RedundancyVerdict::Locked, reason),
+        reason @ (RepeatReason::ParallelCranks(_)
+        | RepeatReason::ParallelGuides(_)
+        | RepeatReason::CoaxialPins(..)
+        | RepeatReason::SameCircle(..)
+        | RepeatReason::SameLine(..)
+        | RepeatReason::RepeatedPlanets(_)
+        | RepeatReason::OneNormal
+        | RepeatReason::Found) => (RedundancyVerdict::Virtual, reason),
     };
     let opened = opened.clone();
     Some(Checked { opened, verdict, off_m: 0.0, driver: None, moved: 0.0, bound_m: None, positions: 0, reason })
@@ -223,14 +223,14 @@ fn size(scene: &Scene, at: &Configuration, opened: &Opened) -> Option<f64> {
 /// instant, from which directions are measured.
 fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuration<N>, then: &Configuration<N>) -> Vec<N> {
     let mut out = Vec::new();
-    let follows = |n: Node| matches!(n, Node::Link(l) if m.passive[l.0].is_some());
-    let demanded = |item: Item, out: &mut Vec<N>| {
+    let follows = |n: GraphNode| matches!(n, GraphNode::Link(l) if m.passive[l.0].is_some());
+    let demanded = |item: PairItem, out: &mut Vec<N>| {
         for c in constraints_of(scene, item).filter(|c| !follows(c.ends().0)) {
             let given = equations::kept(c.form(), &(scene, then));
             match given.and_then(|given| equations::off(c.form(), given, &(scene, at))) {
-                Some(Measured::Apart(d)) => out.extend([d.x, d.y]),
-                Some(Measured::Length(off)) => out.push(off),
-                Some(Measured::Angle(off)) => out.push(off * N::from_f64(at.approx().extent())),
+                Some(FormMeasure::Apart(d)) => out.extend([d.x, d.y]),
+                Some(FormMeasure::Length(off)) => out.push(off),
+                Some(FormMeasure::Angle(off)) => out.push(off * N::from_f64(at.approx().extent())),
                 None => {}
             }
         }
@@ -248,15 +248,15 @@ fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuratio
                 }
             }
         }
-        Opened::Guide(g) => demanded(Item::Guide(*g), &mut out),
-        Opened::Pin(p, l) => demanded(Item::Pin(*p, *l), &mut out),
+        Opened::Guide(g) => demanded(PairItem::Guide(*g), &mut out),
+        Opened::Pin(p, l) => demanded(PairItem::Pin(*p, *l), &mut out),
         Opened::Rolling(r) => out.extend(super::rolling::slipped_m(scene, &at.approx(), *r).map(N::from_f64)),
     }
     out
 }
 
 /// The motion of the opened mechanism by a driver.
-struct Way<'a> {
+struct OpenedMotion<'a> {
     scene: &'a Scene,
     m: &'a Mechanism,
     at: &'a Configuration,
@@ -265,12 +265,12 @@ struct Way<'a> {
     held: DriverValues,
 }
 
-impl<'a> Way<'a> {
-    fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration) -> Way<'a> {
+impl<'a> OpenedMotion<'a> {
+    fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration) -> OpenedMotion<'a> {
         let placed = newton::placed(m, at);
         let forms = placed.iter().flat_map(|g| &m.groups[*g].constraints).map(|c| m.constraints[*c].form());
         let driver = forms.filter_map(|form| form.driver()).min();
-        Way { scene, m, at, driver, held: newton::driver_values(scene, at) }
+        OpenedMotion { scene, m, at, driver, held: newton::driver_values(scene, at) }
     }
 
     /// Returns the displacement of the driver for each radian of a rotary one.

@@ -1,17 +1,17 @@
 //! The reasons why an opened pair holds by itself, in words, and the messages about pairs that do
 //! not.
 
-use super::redundant::{Checked, Verdict};
+use super::redundant::{Checked, RedundancyVerdict};
 use super::{Configuration, Path};
-use crate::mechanism::{Item, Mechanism, Opened, words_of};
+use crate::mechanism::{Mechanism, Opened, PairItem, words_of};
 use hodograph_base::diag::{Both, Diagnostic, Span, both};
 use hodograph_base::digits::significant;
-use hodograph_scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
+use hodograph_scene::{Cam, GuideDirection, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
 
 /// The reason why a pair repeats others.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Reason {
+pub enum RepeatReason {
     /// Cranks of the same length and direction join the same two bodies: two pins of each crank.
     ParallelCranks(Vec<(PointId, PointId)>),
     /// Another guide with the same direction joins the same two links.
@@ -21,7 +21,7 @@ pub enum Reason {
     /// The middle of a bar whose ends move along two lines through the crank's centre, with equal
     /// distances: the ends, the middle, the centre.
     SameCircle([PointId; 2], PointId, PointId),
-    /// [`Reason::SameCircle`] for the guide of one of the ends.
+    /// [`RepeatReason::SameCircle`] for the guide of one of the ends.
     SameLine([PointId; 2], PointId, PointId),
     /// Another link meshes with the same links from the same carrier: the name of that link.
     RepeatedPlanets(String),
@@ -40,10 +40,10 @@ fn bodies(scene: &Scene, m: &Mechanism, p: PointId, without: LinkId) -> Vec<Link
 
 /// Returns the reason why a pair holds by itself: lengths that agree within the part `near` are
 /// equal.
-pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuration, near: f64) -> Reason {
+pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuration, near: f64) -> RepeatReason {
     let found = match opened {
         Opened::Link(l) => {
-            let circle = || same_circle(scene, *l, at, near).map(|(ends, b, d)| Reason::SameCircle(ends, b, d));
+            let circle = || same_circle(scene, *l, at, near).map(|(ends, b, d)| RepeatReason::SameCircle(ends, b, d));
             parallel_cranks(scene, m, *l, at, near).or_else(circle)
         }
         Opened::Guide(g) => {
@@ -51,22 +51,22 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
             let cranks = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground);
             let mut circles =
                 cranks.filter_map(|l| same_circle(scene, l, at, near)).filter(|(ends, _, _)| ends.iter().any(|p| Some(*p) == pin));
-            let line = || circles.next().map(|(ends, b, d)| Reason::SameLine(ends, b, d));
-            let normal = || contact_of(scene, *g).filter(|(_, all)| *all > 1).map(|_| Reason::OneNormal);
-            normal().or_else(|| parallel_guides(scene, *g, at, near).map(Reason::ParallelGuides)).or_else(line)
+            let line = || circles.next().map(|(ends, b, d)| RepeatReason::SameLine(ends, b, d));
+            let normal = || contact_of(scene, *g).filter(|(_, all)| *all > 1).map(|_| RepeatReason::OneNormal);
+            normal().or_else(|| parallel_guides(scene, *g, at, near).map(RepeatReason::ParallelGuides)).or_else(line)
         }
         Opened::Rolling(r) => repeated_planets(scene, *r, |_| true),
         Opened::Pin(p, l) => {
             let other =
                 |q: &&PointId| **q != *p && at.points[q.0].zip(at.points[p.0]).is_some_and(|(a, b)| a.distance(b) <= near * at.extent());
-            scene.links[l.0].points.iter().find(other).map(|q| Reason::CoaxialPins(*p, *q))
+            scene.links[l.0].points.iter().find(other).map(|q| RepeatReason::CoaxialPins(*p, *q))
         }
     };
-    found.unwrap_or(Reason::Found)
+    found.unwrap_or(RepeatReason::Found)
 }
 
 /// Returns the reason if it needs no lengths.
-pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<Reason> {
+pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<RepeatReason> {
     match opened {
         Opened::Rolling(r) => {
             // One of them stays closed, and is repeated.
@@ -80,9 +80,9 @@ pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Opti
             let at_b = bodies(scene, m, b, *l);
             bodies(scene, m, a, *l)
                 .into_iter()
-                .find_map(|p| at_b.iter().find(|q| **q != p && shares(p, **q)).map(|q| Reason::Triangle([p, *q])))
+                .find_map(|p| at_b.iter().find(|q| **q != p && shares(p, **q)).map(|q| RepeatReason::Triangle([p, *q])))
         }
-        Opened::Guide(g) => second_guide(scene, *g).map(Reason::ParallelGuides),
+        Opened::Guide(g) => second_guide(scene, *g).map(RepeatReason::ParallelGuides),
         Opened::Pin(..) => None,
     }
 }
@@ -91,8 +91,9 @@ pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Opti
 fn second_guide(scene: &Scene, g: GuideId) -> Option<GuideId> {
     let guide = &scene.guides[g.0];
     let told = |path: &GuidePath| match path {
-        GuidePath::Line { direction: Direction::Instant(angle), .. } => Some(angle.value.radians()),
-        GuidePath::Line { direction: Direction::Along(..) | Direction::Own | Direction::Slid(_), .. } | GuidePath::Arc { .. } => None,
+        GuidePath::Line { direction: GuideDirection::Instant(angle), .. } => Some(angle.value.radians()),
+        GuidePath::Line { direction: GuideDirection::Along(..) | GuideDirection::Own | GuideDirection::Slid(_), .. }
+        | GuidePath::Arc { .. } => None,
     };
     let own = told(&guide.path).filter(|_| guide.slider.is_some())?;
     let same = |other: &GuideId| {
@@ -111,7 +112,7 @@ fn contact_of(scene: &Scene, g: GuideId) -> Option<(usize, usize)> {
     Some((same.clone().position(|k| k == own)? + 1, same.by_ref().count()))
 }
 
-fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, near: f64) -> Option<Reason> {
+fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, near: f64) -> Option<RepeatReason> {
     let (a, b) = m.held(l)?;
     let between = |p: PointId, q: PointId| Some(at.points[q.0]? - at.points[p.0]?);
     let own = between(a, b)?;
@@ -127,7 +128,7 @@ fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, 
         let pairs = points.iter().enumerate().flat_map(|(i, q)| points[..i].iter().map(move |p| (*p, *q)));
         cranks.extend(pairs.into_iter().find(|(p, q)| equal(*p, *q) || equal(*q, *p)));
     }
-    (cranks.len() > 1).then_some(Reason::ParallelCranks(cranks))
+    (cranks.len() > 1).then_some(RepeatReason::ParallelCranks(cranks))
 }
 
 fn parallel_guides(scene: &Scene, g: GuideId, at: &Configuration, near: f64) -> Option<GuideId> {
@@ -173,7 +174,7 @@ fn same_circle(scene: &Scene, l: LinkId, at: &Configuration, near: f64) -> Optio
 }
 
 /// Returns the planet that a rolling pair repeats: on the same carrier, rolling on the same links.
-fn repeated_planets(scene: &Scene, r: RollingId, whole: impl Fn(LinkId) -> bool) -> Option<Reason> {
+fn repeated_planets(scene: &Scene, r: RollingId, whole: impl Fn(LinkId) -> bool) -> Option<RepeatReason> {
     let partners = |l: LinkId| {
         let mut all: Vec<LinkId> = scene.rolling.iter().filter_map(|p| p.other(l)).collect();
         all.sort_unstable();
@@ -190,7 +191,7 @@ fn repeated_planets(scene: &Scene, r: RollingId, whole: impl Fn(LinkId) -> bool)
         (0..scene.links.len()).map(LinkId).find(same)
     };
     let planet = scene.rolling[r.0].links.into_iter().filter(|l| *l != scene.ground).find_map(like)?;
-    Some(Reason::RepeatedPlanets(scene.link_name(planet).to_owned()))
+    Some(RepeatReason::RepeatedPlanets(scene.link_name(planet).to_owned()))
 }
 
 /// Returns the name of a line, as in the figures.
@@ -198,53 +199,53 @@ fn line(scene: &Scene, (a, b): (PointId, PointId)) -> String {
     format!("{}{}", scene.point_name(a), scene.point_name(b))
 }
 
-impl Reason {
+impl RepeatReason {
     /// Returns the reason in words.
     pub fn words(&self, scene: &Scene, positions: usize) -> Both {
         let name = |p: &PointId| scene.point_name(*p);
         match self {
-            Reason::ParallelCranks(cranks) => {
+            RepeatReason::ParallelCranks(cranks) => {
                 // The pair's own crank is first in the list, and is named last.
                 let others = cranks.iter().skip(1).chain(cranks.first());
                 let names: Vec<Both> = others.map(|c| Both::same(line(scene, *c))).collect();
                 both!("equal parallel cranks {}", "等长平行曲柄 {}", Both::listed(&names))
             }
-            Reason::ParallelGuides(g) => {
+            RepeatReason::ParallelGuides(g) => {
                 let on = scene.link_name(scene.guides[g.0].on);
                 both!("parallel guides on link {on}", "构件 {on} 上的平行导路")
             }
-            Reason::CoaxialPins(p, q) => both!("coaxial pins {} and {}", "轴线重合的转动副 {} 和 {}", name(p), name(q)),
-            Reason::SameCircle([p, q], b, d) | Reason::SameLine([p, q], b, d) => {
+            RepeatReason::CoaxialPins(p, q) => both!("coaxial pins {} and {}", "轴线重合的转动副 {} 和 {}", name(p), name(q)),
+            RepeatReason::SameCircle([p, q], b, d) | RepeatReason::SameLine([p, q], b, d) => {
                 let of = |p: &PointId| line(scene, (*p, *b));
                 let (first, second, radius) = (of(p), of(q), line(scene, (*b, *d)));
                 match self {
-                    Reason::SameLine(..) => {
+                    RepeatReason::SameLine(..) => {
                         both!(
                             "its pin runs on that line anyway ({first} = {second} = {radius})",
                             "该销的轨迹本来就是该直线（{first} = {second} = {radius}）"
                         )
                     }
-                    Reason::ParallelCranks(_)
-                    | Reason::ParallelGuides(_)
-                    | Reason::CoaxialPins(..)
-                    | Reason::SameCircle(..)
-                    | Reason::RepeatedPlanets(_)
-                    | Reason::Triangle(_)
-                    | Reason::OneNormal
-                    | Reason::Found => both!(
+                    RepeatReason::ParallelCranks(_)
+                    | RepeatReason::ParallelGuides(_)
+                    | RepeatReason::CoaxialPins(..)
+                    | RepeatReason::SameCircle(..)
+                    | RepeatReason::RepeatedPlanets(_)
+                    | RepeatReason::Triangle(_)
+                    | RepeatReason::OneNormal
+                    | RepeatReason::Found => both!(
                         "{} runs on that circle anyway ({first} = {second} = {radius})",
                         "{} 的轨迹本来就是该圆（{first} = {second} = {radius}）",
                         name(b)
                     ),
                 }
             }
-            Reason::RepeatedPlanets(like) => both!("it repeats planet {like}", "与行星轮 {like} 重复"),
-            Reason::Triangle([a, b]) => {
+            RepeatReason::RepeatedPlanets(like) => both!("it repeats planet {like}", "与行星轮 {like} 重复"),
+            RepeatReason::Triangle([a, b]) => {
                 let [a, b] = [a, b].map(|l| scene.link_name(*l));
                 both!("it makes a rigid triangle with links {a} and {b}", "与构件 {a}、{b} 组成刚性三角形")
             }
-            Reason::OneNormal => both!("two contacts on one normal", "两处接触的公法线重合"),
-            Reason::Found => both!("it holds at {positions} positions", "在 {positions} 个位置均成立"),
+            RepeatReason::OneNormal => both!("two contacts on one normal", "两处接触的公法线重合"),
+            RepeatReason::Found => both!("it holds at {positions} positions", "在 {positions} 个位置均成立"),
         }
     }
 }
@@ -267,8 +268,8 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             let runner = runner.unwrap_or_default();
             (both!("the guide of {runner} on link {on}", "构件 {on} 上 {runner} 的导路"), guide.span)
         }
-        Opened::Rolling(r) => (words_of(scene, Item::Rolling(*r)), scene.rolling[r.0].span),
-        Opened::Pin(p, l) => (words_of(scene, Item::Pin(*p, *l)), scene.links[l.0].span),
+        Opened::Rolling(r) => (words_of(scene, PairItem::Rolling(*r)), scene.rolling[r.0].span),
+        Opened::Pin(p, l) => (words_of(scene, PairItem::Pin(*p, *l)), scene.links[l.0].span),
     }
 }
 
@@ -295,18 +296,18 @@ fn way_words(scene: &Scene, checked: &Checked) -> Option<Both> {
 
 /// Returns given lengths that are nearly equal to that of an opened link.
 fn suspects(scene: &Scene, m: &Mechanism, checked: &Checked) -> Vec<String> {
-    let Reason::ParallelCranks(cranks) = &checked.reason else {
+    let RepeatReason::ParallelCranks(cranks) = &checked.reason else {
         return match &checked.reason {
-            Reason::SameCircle([p, q], b, d) | Reason::SameLine([p, q], b, d) => {
+            RepeatReason::SameCircle([p, q], b, d) | RepeatReason::SameLine([p, q], b, d) => {
                 [(*p, *b), (*q, *b), (*b, *d)].iter().map(|l| line(scene, *l)).collect()
             }
-            Reason::ParallelCranks(_)
-            | Reason::ParallelGuides(_)
-            | Reason::CoaxialPins(..)
-            | Reason::RepeatedPlanets(_)
-            | Reason::Triangle(_)
-            | Reason::OneNormal
-            | Reason::Found => match checked.opened {
+            RepeatReason::ParallelCranks(_)
+            | RepeatReason::ParallelGuides(_)
+            | RepeatReason::CoaxialPins(..)
+            | RepeatReason::RepeatedPlanets(_)
+            | RepeatReason::Triangle(_)
+            | RepeatReason::OneNormal
+            | RepeatReason::Found => match checked.opened {
                 Opened::Link(l) => m.held(l).map(|pins| line(scene, pins)).into_iter().collect(),
                 Opened::Guide(_) | Opened::Pin(..) | Opened::Rolling(_) => Vec::new(),
             },
@@ -327,7 +328,7 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
     let when = way_words(scene, checked).unwrap_or_else(|| both!("in the pose itself", "在给定位置"));
     let (positions, freedom) = (checked.positions, m.mobility.freedom);
     match checked.verdict {
-        Verdict::Virtual => {
+        RedundancyVerdict::Virtual => {
             let bound = match checked.bound_m {
                 _ if positions == 1 => {
                     both!("the driver could not be moved, so that only the pose shows it", "原动件无法移动，仅由该位置得知")
@@ -345,7 +346,7 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
             Diagnostic::note("virtual", both!("{} only repeats what the others fix: {}; {}", "{} 为虚约束：{}；{}", what, why, bound))
                 .at(span)
         }
-        Verdict::Almost => Diagnostic::warning(
+        RedundancyVerdict::Almost => Diagnostic::warning(
             "almost-virtual",
             both!(
                 "{} nearly repeats what the others fix: left open, it is off by {off} {}; it is taken for a virtual constraint",
@@ -366,7 +367,7 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
                 )
             }
         }),
-        Verdict::Shaky => Diagnostic::error(
+        RedundancyVerdict::Shaky => Diagnostic::error(
             "shaky",
             both!(
                 "{} makes the mechanism shaky, mobility F = {freedom}: mobile to first order in this pose, it locks at a finite turn, off by {off} {}",
@@ -377,7 +378,7 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
         )
         .at(span)
         .help(help(scene, opened)),
-        Verdict::Locked => Diagnostic::error(
+        RedundancyVerdict::Locked => Diagnostic::error(
             "locked",
             both!(
                 "{} locks the mechanism, mobility F = {freedom}: {} would have to give {off} {}",

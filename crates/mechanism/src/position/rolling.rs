@@ -9,7 +9,7 @@ use super::assemble::Assembly;
 use super::belt;
 use super::finish::same_place;
 use super::kernel::Locus;
-use super::shape::{Frame, given_place};
+use super::shape::{FrameAnchor, given_place};
 use super::{Configuration, Path, Pose, Shapes};
 use crate::mechanism::{Group, Hold};
 use hodograph_base::diag::{Diagnostic, both};
@@ -64,9 +64,9 @@ pub(super) fn contact<N: Real>(
 /// The rolling of a pair since the scene's instant: angles of more than a turn result from counting
 /// from pose to pose.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rolled {
+pub struct RollingRecord {
     /// The pair at the instant.
-    start: Seen,
+    start: RollingPose,
     /// Rotation of each link and of the line of centres since the instant (rad), including whole
     /// turns.
     turned: [f64; 3],
@@ -75,15 +75,15 @@ pub struct Rolled {
 /// A rolling pair in a pose: the axes of both links, and the line from the first centre to the
 /// second; for a track the displacement along it and the distance from it instead.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Seen {
+pub(super) struct RollingPose {
     axes: [Vec2; 2],
     line: Vec2,
 }
 
-impl Rolled {
+impl RollingRecord {
     /// Returns the record at the instant.
-    pub(super) fn begin(start: Seen) -> Rolled {
-        Rolled { start, turned: [0.0; 3] }
+    pub(super) fn begin(start: RollingPose) -> RollingRecord {
+        RollingRecord { start, turned: [0.0; 3] }
     }
 
     /// Returns the rotation of each link and of the line of centres (rad).
@@ -93,7 +93,7 @@ impl Rolled {
 
     /// Returns the record in a pose close to this one: no rotation between the two reaches half a
     /// turn.
-    pub(super) fn on(&self, now: &Seen) -> Rolled {
+    pub(super) fn on(&self, now: &RollingPose) -> RollingRecord {
         let wrapped = [
             now.axes[0].divide_by(self.start.axes[0]).angle(),
             now.axes[1].divide_by(self.start.axes[1]).angle(),
@@ -101,12 +101,12 @@ impl Rolled {
         ];
         // Angles since the instant, not sums of steps: errors do not accumulate over many turns.
         let turned = std::array::from_fn(|i| wrapped[i] + TAU * libm::round((self.turned[i] - wrapped[i]) / TAU));
-        Rolled { start: self.start, turned }
+        RollingRecord { start: self.start, turned }
     }
 
     /// Returns the deviation of a pose close to this one from rolling without slip, as an angle of
     /// the second link.
-    pub(super) fn slip(&self, pair: &Rolling, [r1, r2]: [f64; 2], now: &Seen) -> f64 {
+    pub(super) fn slip(&self, pair: &Rolling, [r1, r2]: [f64; 2], now: &RollingPose) -> f64 {
         let [a, b, line] = self.on(now).turned;
         match pair.relation() {
             Relation::Turnings(_) => (b - line) + (a - line) * (r1 / r2),
@@ -122,7 +122,7 @@ pub(super) fn seen(
     shapes: &Shapes,
     pose: &dyn Fn(LinkId) -> Option<Pose>,
     place: &dyn Fn(LinkId, PointId) -> Option<Point>,
-) -> Option<Seen> {
+) -> Option<RollingPose> {
     let [a, b] = pair.links;
     let axes = [pose(a)?.axis, pose(b)?.axis];
     let line = match pair.relation() {
@@ -135,12 +135,12 @@ pub(super) fn seen(
             Path::Arc { .. } => return None,
         },
     };
-    Some(Seen { axes, line })
+    Some(RollingPose { axes, line })
 }
 
 /// Returns the records of all pairs in a pose close to one with the records `before`; at the
 /// instant there are none before.
-pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Option<Rolled>]) -> Vec<Option<Rolled>> {
+pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Option<RollingRecord>]) -> Vec<Option<RollingRecord>> {
     if scene.rolling.is_empty() {
         return Vec::new();
     }
@@ -149,7 +149,7 @@ pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Op
     let place = |_: LinkId, p: PointId| c.points[p.0];
     let all = scene.rolling.iter().enumerate().map(|(r, pair)| {
         let now = seen(pair, &c.shapes, &pose, &place)?;
-        Some(before.get(r).and_then(Option::as_ref).map_or_else(|| Rolled::begin(now), |b| b.on(&now)))
+        Some(before.get(r).and_then(Option::as_ref).map_or_else(|| RollingRecord::begin(now), |b| b.on(&now)))
     });
     all.collect()
 }
@@ -173,7 +173,7 @@ pub(super) fn slipped_m(scene: &Scene, c: &Configuration, r: RollingId) -> Optio
 
 /// Returns the deviation of a pair from the phase in the scene, as an angle of the second link of
 /// half a turn at most; `None` if no phase is given.
-pub(super) fn out_of_phase(scene: &Scene, shapes: &Shapes, r: RollingId, now: &Seen) -> Option<f64> {
+pub(super) fn out_of_phase(scene: &Scene, shapes: &Shapes, r: RollingId, now: &RollingPose) -> Option<f64> {
     let (pair, [r1, r2]) = (&scene.rolling[r.0], shapes.rolling[r.0]);
     let phase = pair.phase.as_ref().filter(|_| pair.round().is_some())?;
     let line = now.line.unit()?;
@@ -217,7 +217,7 @@ impl<N: Real> Assembly<'_, N> {
         }
         let axis = match rolls.and_then(|(pair, other)| self.rolled(link, pair, other, at)) {
             Some(axis) => axis,
-            None if shape.frame == Frame::Loose && self.instant.is_none() => Vec2::unit_x(),
+            None if shape.frame == FrameAnchor::Loose && self.instant.is_none() => Vec2::unit_x(),
             None => return Err(rolls.and_then(|(pair, _)| self.no_line(pair)).unwrap_or_else(|| self.no_phase(link))),
         };
         Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }])
@@ -225,7 +225,7 @@ impl<N: Real> Assembly<'_, N> {
 
     /// Returns the pose of a link from coordinates at the instant: the whole pose, or, for a wheel
     /// without a line, the position of its centre.
-    pub(super) fn told_pose(&self, link: LinkId, given: &[(PointId, Point<N>)]) -> Option<Pose<N>> {
+    pub(super) fn given_pose(&self, link: LinkId, given: &[(PointId, Point<N>)]) -> Option<Pose<N>> {
         let shape = &self.shapes[link.0];
         let place = |p: PointId| given.iter().find(|(q, _)| *q == p).map(|(_, at)| *at).or(self.points[p.0]);
         let loose = || {
@@ -233,7 +233,7 @@ impl<N: Real> Assembly<'_, N> {
             // gives its direction runs over a pin.
             let rolls = self.scene.rolling.iter().any(|r| r.links.contains(&link));
             let turned = |d: &Driver| d.kind.turned().is_some_and(|(l, _)| l == link) && d.kind.angle().is_some();
-            let alone = shape.frame == Frame::Loose && self.instant.is_none() && (rolls || !self.scene.drivers.iter().any(turned));
+            let alone = shape.frame == FrameAnchor::Loose && self.instant.is_none() && (rolls || !self.scene.drivers.iter().any(turned));
             let (own, local, at) = shape.points.iter().filter(|_| alone).find_map(|(p, local)| Some((*p, *local, place(*p)?)))?;
             let guides = self.scene.guides.iter().enumerate().filter(|(_, g)| g.on == link);
             let shown = guides.filter_map(|(g, guide)| Some((GuideId(g), guide.pin.filter(|p| *p != own && place(*p).is_some())?))).next();
@@ -248,10 +248,10 @@ impl<N: Real> Assembly<'_, N> {
 
     /// Returns the pins of a group with coordinates, and those on a link with coordinates of two
     /// points.
-    pub(super) fn told_pins(&self, group: &Group, mut given: Vec<(PointId, Point<N>)>) -> Vec<(PointId, Point<N>)> {
+    pub(super) fn given_pins_of(&self, group: &Group, mut given: Vec<(PointId, Point<N>)>) -> Vec<(PointId, Point<N>)> {
         for &p in &group.pins {
             let told = given.iter().any(|(q, _)| *q == p);
-            let on_link = |l: &LinkId| (self.shapes[l.0].frame == Frame::Plane).then(|| self.world(*l, p)).flatten();
+            let on_link = |l: &LinkId| (self.shapes[l.0].frame == FrameAnchor::Plane).then(|| self.world(*l, p)).flatten();
             given.extend((!told).then(|| group.links.iter().find_map(on_link)).flatten().map(|at| (p, at)));
         }
         given

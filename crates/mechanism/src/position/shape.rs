@@ -13,11 +13,11 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
-use hodograph_scene::{Direction, Given, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
+use hodograph_scene::{GivenQuantity, GuideDirection, GuideId, GuidePath, LinkId, PointId, PointPlace, Scene, Through};
 
 /// The way in which a link's frame is fixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Frame {
+pub(super) enum FrameAnchor {
     /// The frame is the plane's own at the instant.
     Plane,
     /// Fixed in the link by two of its points.
@@ -28,7 +28,7 @@ pub(super) enum Frame {
 
 pub(super) struct LinkShape<N> {
     pub points: Vec<(PointId, Point<N>)>,
-    pub frame: Frame,
+    pub frame: FrameAnchor,
 }
 
 impl<N: Real> LinkShape<N> {
@@ -40,20 +40,20 @@ impl<N: Real> LinkShape<N> {
 /// Returns the given coordinates of a point in the plane.
 pub(super) fn given_at(scene: &Scene, p: PointId) -> Option<Point> {
     match &scene.points[p.0].place {
-        Place::At([x, y]) => Some(Point::new(x.value, y.value)),
-        Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => None,
+        PointPlace::At([x, y]) => Some(Point::new(x.value, y.value)),
+        PointPlace::Unknown | PointPlace::InLink { .. } | PointPlace::Polar { .. } => None,
     }
 }
 
 /// Returns the given coordinates of a point in the numbers of an assembly.
 pub(super) fn given_place<N: Real>(scene: &Scene, inputs: &Inputs<N>, p: PointId) -> Option<Point<N>> {
     match &scene.points[p.0].place {
-        Place::At([x, y]) => Some(Point::new(inputs.number(x), inputs.number(y))),
-        Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => None,
+        PointPlace::At([x, y]) => Some(Point::new(inputs.number(x), inputs.number(y))),
+        PointPlace::Unknown | PointPlace::InLink { .. } | PointPlace::Polar { .. } => None,
     }
 }
 
-fn given_length(scene: &Scene, a: PointId, b: PointId) -> Option<&Given> {
+fn given_length(scene: &Scene, a: PointId, b: PointId) -> Option<&GivenQuantity> {
     scene.lengths.iter().find(|l| (l.a, l.b) == (a, b) || (l.a, l.b) == (b, a)).map(|l| &l.value)
 }
 
@@ -65,13 +65,16 @@ pub(super) fn of_link<N: Real>(scene: &Scene, inputs: &Inputs<N>, l: LinkId, che
     let at: Vec<(PointId, Point<N>)> = all.iter().filter_map(|p| given_place(scene, inputs, *p).map(|x| (*p, x))).collect();
     let ground = l == scene.ground;
     let (mut points, frame) = if at.len() >= 2 || (ground && !at.is_empty()) {
-        (at, Frame::Plane)
+        (at, FrameAnchor::Plane)
     } else if let Some((a, b, d)) = base_pair(scene, all) {
-        (vec![(a, Point::origin()), (b, Point::new(inputs.number(d), N::from_f64(0.0)))], if ground { Frame::Plane } else { Frame::Body })
+        (
+            vec![(a, Point::origin()), (b, Point::new(inputs.number(d), N::from_f64(0.0)))],
+            if ground { FrameAnchor::Plane } else { FrameAnchor::Body },
+        )
     } else if let Some(p) = all.iter().find(|p| is_free(scene, **p)).or(all.first()) {
-        (vec![(*p, Point::origin())], if ground { Frame::Plane } else { Frame::Loose })
+        (vec![(*p, Point::origin())], if ground { FrameAnchor::Plane } else { FrameAnchor::Loose })
     } else {
-        (Vec::new(), if ground { Frame::Plane } else { Frame::Loose })
+        (Vec::new(), if ground { FrameAnchor::Plane } else { FrameAnchor::Loose })
     };
     let mut open: Vec<PointId> = all.iter().copied().filter(|p| !points.iter().any(|(q, _)| q == p)).collect();
     loop {
@@ -106,10 +109,10 @@ pub(super) fn of_link<N: Real>(scene: &Scene, inputs: &Inputs<N>, l: LinkId, che
 
 /// Returns true if a point depends on no base of its own.
 fn is_free(scene: &Scene, p: PointId) -> bool {
-    matches!(scene.points[p.0].place, Place::Unknown | Place::At(_))
+    matches!(scene.points[p.0].place, PointPlace::Unknown | PointPlace::At(_))
 }
 
-fn base_pair<'a>(scene: &'a Scene, all: &[PointId]) -> Option<(PointId, PointId, &'a Given)> {
+fn base_pair<'a>(scene: &'a Scene, all: &[PointId]) -> Option<(PointId, PointId, &'a GivenQuantity)> {
     for (i, &a) in all.iter().enumerate() {
         for &b in &all[i + 1..] {
             if let Some(d) = given_length(scene, a, b) {
@@ -130,17 +133,17 @@ fn place_point<N: Real>(
 ) -> Option<Result<Point<N>, Diagnostic>> {
     let local = |q: PointId| points.iter().find(|(r, _)| *r == q).map(|(_, at)| *at);
     match &scene.points[p.0].place {
-        Place::InLink { base, xy } => {
+        PointPlace::InLink { base, xy } => {
             let (o, x) = (local(base.0)?, (local(base.1)? - local(base.0)?).unit()?);
             return Some(Ok(o + Vec2::new(inputs.number(&xy[0]), inputs.number(&xy[1])).rotate_by(x)));
         }
-        Place::Polar { base, length, angle } => {
+        PointPlace::Polar { base, length, angle } => {
             let (o, x) = (local(base.0)?, (local(base.1)? - local(base.0)?).unit()?);
             let (s, c) = inputs.sin_cos(angle);
             let length = inputs.number(length);
             return Some(Ok(o + Vec2::new(length * c, length * s).rotate_by(x)));
         }
-        Place::At(_) | Place::Unknown => {}
+        PointPlace::At(_) | PointPlace::Unknown => {}
     }
     let known: Vec<(PointId, Point<N>, N)> =
         points.iter().filter_map(|(q, at)| given_length(scene, *q, p).map(|d| (*q, *at, inputs.number(d)))).collect();
@@ -267,17 +270,17 @@ pub(super) fn guide_in_link<N: Real>(
     g: GuideId,
 ) -> Option<Path<N>> {
     let guide = &scene.guides[g.0];
-    let plane = shape.frame == Frame::Plane || (m.never_turns[guide.on.0] && shape.frame == Frame::Loose);
+    let plane = shape.frame == FrameAnchor::Plane || (m.never_turns[guide.on.0] && shape.frame == FrameAnchor::Loose);
     match &guide.path {
         GuidePath::Arc { centre, radius } => Some(Path::Arc { centre: shape.local(*centre)?, radius: inputs.number(radius.as_ref()?) }),
         GuidePath::Line { through, direction, offset } => {
             let direction = match direction {
-                Direction::Instant(angle) if plane => {
+                GuideDirection::Instant(angle) if plane => {
                     let (s, c) = inputs.sin_cos(angle);
                     Vec2::new(c, s)
                 }
-                Direction::Instant(_) => return None,
-                Direction::Along(a, b, angle) => {
+                GuideDirection::Instant(_) => return None,
+                GuideDirection::Along(a, b, angle) => {
                     let base = (shape.local(*b)? - shape.local(*a)?).unit()?;
                     match angle {
                         Some(angle) => {
@@ -287,13 +290,13 @@ pub(super) fn guide_in_link<N: Real>(
                         None => base,
                     }
                 }
-                Direction::Own => Vec2::unit_x(),
+                GuideDirection::Own => Vec2::unit_x(),
                 // Its frame is aligned with the guide in which it slides.
-                Direction::Slid(angle) if shape.frame == Frame::Loose => {
+                GuideDirection::Slid(angle) if shape.frame == FrameAnchor::Loose => {
                     let (s, c) = inputs.sin_cos(angle);
                     Vec2::new(c, s)
                 }
-                Direction::Slid(_) => return None,
+                GuideDirection::Slid(_) => return None,
             };
             let through = match through {
                 Through::Point(p) => shape.local(*p)?,
@@ -302,7 +305,7 @@ pub(super) fn guide_in_link<N: Real>(
                 Through::Pin if guide.pin.is_none() => Point::origin(),
                 // The position of the runner: known in the link only if the link's frame is the
                 // plane's and the pin is given.
-                Through::Pin if shape.frame == Frame::Plane => given_place(scene, inputs, guide.pin?)?,
+                Through::Pin if shape.frame == FrameAnchor::Plane => given_place(scene, inputs, guide.pin?)?,
                 Through::At(_) | Through::Pin => return None,
             };
             let through = offset.as_ref().map_or(through, |o| through + direction.perp() * inputs.number(o));

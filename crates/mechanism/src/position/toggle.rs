@@ -53,7 +53,7 @@ impl Toggle {
     pub fn of(group: &Group, parallel: impl FnOnce() -> bool) -> Option<Toggle> {
         match &group.core {
             Core::Pin { pin, legs } => match &legs[..] {
-                [a, b] if [a, b].iter().all(|l| told(l)) => Some(Toggle::Line { pin: *pin, legs: [*a, *b] }),
+                [a, b] if [a, b].iter().all(|l| is_named(l)) => Some(Toggle::Line { pin: *pin, legs: [*a, *b] }),
                 _ => None,
             },
             Core::Link { link, legs } if group.class() == Some("III") => {
@@ -137,7 +137,7 @@ impl Toggle {
 
 /// Returns true if a clause names a leg that holds a pin. A leg with a ram is not named: the clause
 /// names the links of the group instead.
-fn told(leg: &Leg) -> bool {
+fn is_named(leg: &Leg) -> bool {
     matches!(leg.line(), Some(ConstraintLine::Along { .. } | ConstraintLine::Normal { .. }))
         && !matches!(leg.hold(), Some(Hold::Distance { strut: Strut::Ram { .. }, .. }))
 }

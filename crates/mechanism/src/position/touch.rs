@@ -8,7 +8,7 @@ use hodograph_scene::{Cam, GuideId, Scene};
 
 /// The contact of two contours.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touch<N = f64> {
+pub struct ContourContact<N = f64> {
     /// The point of contact.
     pub at: Point<N>,
     /// Unit normal, out of the cam.
@@ -17,23 +17,34 @@ pub struct Touch<N = f64> {
 
 impl<N: Real> Configuration<N> {
     /// Returns the contact of a cam and its follower in this pose; `None` if they are not placed.
-    pub fn touch(&self, scene: &Scene, cam: &Cam) -> Option<Touch<N>> {
+    pub fn touch(&self, scene: &Scene, cam: &Cam) -> Option<ContourContact<N>> {
         touch(scene, cam, &self.points, &self.guides)
     }
 }
 
 /// Returns the contact from the placed parts.
-pub(super) fn touch<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Touch<N>> {
+pub(super) fn touch<N: Real>(
+    scene: &Scene,
+    cam: &Cam,
+    points: &[Option<Point<N>>],
+    guides: &[Option<Path<N>>],
+) -> Option<ContourContact<N>> {
     match cam.contact {
         Some(guide) => by_pair(scene, cam, guide, points, guides),
         None => {
-            let on_course = cam.touched_on_course(scene, &|p| points[p.0]).map(|(at, normal)| Touch { at, normal });
+            let on_course = cam.touched_on_course(scene, &|p| points[p.0]).map(|(at, normal)| ContourContact { at, normal });
             on_course.or_else(|| by_station(scene, cam, points))
         }
     }
 }
 
-fn by_pair<N: Real>(scene: &Scene, cam: &Cam, guide: GuideId, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Touch<N>> {
+fn by_pair<N: Real>(
+    scene: &Scene,
+    cam: &Cam,
+    guide: GuideId,
+    points: &[Option<Point<N>>],
+    guides: &[Option<Path<N>>],
+) -> Option<ContourContact<N>> {
     let pin = points[scene.guides[guide.0].pin?.0]?;
     let end = || cam.end_in::<N>(scene);
     match (guides[guide.0]?, cam.follows.radius()) {
@@ -42,23 +53,23 @@ fn by_pair<N: Real>(scene: &Scene, cam: &Cam, guide: GuideId, points: &[Option<P
         (Path::Arc { centre, .. }, Some(round)) => {
             let away = (pin - centre).unit()?;
             let normal = if cam.touched_radius()? + round < 0.0 { -away } else { away };
-            Some(Touch { at: pin - normal * end()?, normal })
+            Some(ContourContact { at: pin - normal * end()?, normal })
         }
         // Lines of a profile run counter-clockwise round the cam, which is on their left.
         (Path::Line { direction, .. }, Some(_)) => {
             let normal = -direction.perp();
-            Some(Touch { at: pin - normal * end()?, normal })
+            Some(ContourContact { at: pin - normal * end()?, normal })
         }
         // The centre of the arc moves parallel to the face; the cam is behind the face.
         (Path::Line { direction, .. }, None) => {
             let normal = if cam.left { -direction.perp() } else { direction.perp() };
-            Some(Touch { at: pin + normal * cam.touched_radius_in(scene)?, normal })
+            Some(ContourContact { at: pin + normal * cam.touched_radius_in(scene)?, normal })
         }
         (Path::Arc { .. }, None) => None,
     }
 }
 
-fn by_station<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>]) -> Option<Touch<N>> {
+fn by_station<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>]) -> Option<ContourContact<N>> {
     let turning = cam.disc.as_ref()?;
     let [contact, normal] = turning.contact_in::<N>(scene)?;
     let axis = match turning.axis(scene) {
@@ -71,5 +82,5 @@ fn by_station<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>]) ->
         Some(_) => points[cam.follows.point().0]? - normal * cam.end_in(scene)?,
         None => points[turning.pivot.0]? + in_plane(contact),
     };
-    Some(Touch { at, normal })
+    Some(ContourContact { at, normal })
 }

@@ -134,17 +134,17 @@ pub(super) fn refined<N: Real>(legs: &[TriadLeg<N>; 3], near: Pose) -> Result<Po
     // An axis rounded to f64 is a unit vector only to f64.
     let start = Pose { axis: start.axis.unit().ok_or(Unproven::NoRoot)?, ..start };
     let scale = scale_of(&legs.map(|l| l.approx()));
-    proof::root(&Held { legs, scale }, start, scale)
+    proof::root(&TriadEquations { legs, scale }, start, scale)
 }
 
 /// A link on three legs as equations for its pose; all three unknowns are lengths, that of the
 /// angle multiplied by `scale`.
-struct Held<'a, N> {
+struct TriadEquations<'a, N> {
     legs: &'a [TriadLeg<N>; 3],
     scale: f64,
 }
 
-impl<N: Real> proof::System<N> for Held<'_, N> {
+impl<N: Real> proof::SquareSystem<N> for TriadEquations<'_, N> {
     type State = Pose<N>;
 
     fn residuals(&self, at: &Pose<N>) -> Vec<N> {
@@ -238,9 +238,9 @@ mod tests {
     use super::*;
 
     /// Pseudo-random numbers in [0, 1), equal on every platform.
-    struct Random(u64);
+    struct XorShift(u64);
 
-    impl Random {
+    impl XorShift {
         fn next(&mut self) -> f64 {
             self.0 ^= self.0 << 13;
             self.0 ^= self.0 >> 7;
@@ -267,7 +267,7 @@ mod tests {
 
     #[test]
     fn gradients_are_slopes_of_what_a_leg_is_missed_by() {
-        let mut random = Random(0x9e37_79b9_7f4a_7c15);
+        let mut random = XorShift(0x9e37_79b9_7f4a_7c15);
         for k in 0..300 {
             let pose = (random.point(), Vec2::from_angle(6.3 * random.next()));
             let leg = random.leg(k % 3, pose);
@@ -293,7 +293,7 @@ mod tests {
     /// fails.
     #[test]
     fn a_polish_settles_near_by_or_not_at_all() {
-        let mut random = Random(0x2545_f491_4f6c_dd1d);
+        let mut random = XorShift(0x2545_f491_4f6c_dd1d);
         let (mut settled, mut refused) = (0, 0);
         for k in 0..200 {
             let pose = (random.point(), Vec2::from_angle(6.3 * random.next()));
@@ -325,7 +325,7 @@ mod tests {
     /// and none occurs twice; a sketch adds none.
     #[test]
     fn every_assembly_is_found_once() {
-        let mut random = Random(0x1234_5678_9abc_def1);
+        let mut random = XorShift(0x1234_5678_9abc_def1);
         let (mut missing, mut tried) = (0, 0);
         for k in 0..3_000 {
             let pose = (random.point(), Vec2::from_angle(6.3 * random.next()));
@@ -348,7 +348,7 @@ mod tests {
 
     #[test]
     fn three_equations_are_solved() {
-        let mut random = Random(77);
+        let mut random = XorShift(77);
         for _ in 0..50 {
             let rows = [(); 3].map(|()| [(); 3].map(|()| 2.0 * random.next() - 1.0));
             let x = [(); 3].map(|()| 2.0 * random.next() - 1.0);

@@ -12,13 +12,14 @@ mod cams;
 
 use crate::mechanism::{Mechanism, Opened};
 use crate::position::Configuration;
-use cams::Contact;
+use cams::FollowerClearance;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::trig::sin_cos;
 use hodograph_scene::{
-    Angle, Contours, Direction, Driver, DriverKind, Given, GuideId, GuidePath, LinkId, Place, PointId, Rolling, Scene, Sizes, Through,
+    Angle, Contours, Driver, DriverKind, GivenQuantity, GuideDirection, GuideId, GuidePath, LinkId, PointId, PointPlace, Rolling, Scene,
+    Sizes, Through,
 };
 use std::f64::consts::TAU;
 
@@ -178,16 +179,16 @@ impl Judge<'_> {
         for (i, point) in self.scene.points.iter().enumerate() {
             let Some(at) = self.place(PointId(i)) else { continue };
             let stated = match &point.place {
-                Place::Unknown => continue,
-                Place::At([x, y]) => {
+                PointPlace::Unknown => continue,
+                PointPlace::At([x, y]) => {
                     let fixed = self.scene.links[self.scene.ground.0].points.contains(&PointId(i));
                     if !fixed && self.moment != Moment::Instant {
                         continue;
                     }
                     Some(Point::new(x.value, y.value))
                 }
-                Place::InLink { base: (a, b), xy: [x, y] } => self.seen_from(*a, *b, Vec2::new(x.value, y.value)),
-                Place::Polar { base: (a, b), length, angle } => self.seen_from(*a, *b, way_of(&angle.value) * length.value),
+                PointPlace::InLink { base: (a, b), xy: [x, y] } => self.seen_from(*a, *b, Vec2::new(x.value, y.value)),
+                PointPlace::Polar { base: (a, b), length, angle } => self.seen_from(*a, *b, way_of(&angle.value) * length.value),
             };
             let Some(stated) = stated else { continue };
             if self.scene.carriers(PointId(i)).any(|l| self.mechanism.is_opened(&Opened::Pin(PointId(i), l))) {
@@ -267,20 +268,20 @@ impl Judge<'_> {
     }
 
     /// Returns the direction of a straight guide on a link.
-    fn direction_of(&self, on: LinkId, direction: &Direction) -> Option<Vec2> {
-        let turned = |way: Vec2, angle: &Given<Angle>| way.rotate_by(way_of(&angle.value));
+    fn direction_of(&self, on: LinkId, direction: &GuideDirection) -> Option<Vec2> {
+        let turned = |way: Vec2, angle: &GivenQuantity<Angle>| way.rotate_by(way_of(&angle.value));
         match direction {
-            Direction::Instant(angle) => {
+            GuideDirection::Instant(angle) => {
                 let told = on == self.scene.ground || self.moment == Moment::Instant || self.mechanism.never_turns[on.0];
                 told.then(|| way_of(&angle.value))
             }
-            Direction::Along(a, b, turn) => {
+            GuideDirection::Along(a, b, turn) => {
                 let way = (self.place(*b)? - self.place(*a)?).unit()?;
                 Some(turn.as_ref().map_or(way, |t| turned(way, t)))
             }
             // The link has no line but its guide: its pose gives the direction.
-            Direction::Own => self.at.poses[on.0].map(|pose| pose.axis),
-            Direction::Slid(angle) => {
+            GuideDirection::Own => self.at.poses[on.0].map(|pose| pose.axis),
+            GuideDirection::Slid(angle) => {
                 let along = self.scene.guides.iter().find(|g| g.slider == Some(on))?;
                 let GuidePath::Line { direction, .. } = &along.path else { return None };
                 Some(turned(self.direction_of(along.on, direction)?, angle))
@@ -431,7 +432,7 @@ impl Judge<'_> {
                     both!("cam {name} is turned {off} from its given angle", "凸轮 {name} 与给定角度相差 {off}")
                 });
             }
-            let Some(Contact { clearance, at }) = self.contact(cam) else { continue };
+            let Some(FollowerClearance { clearance, at }) = self.contact(cam) else { continue };
             self.length_off(clearance, at, cam.span, |j| {
                 let (cam, follower) = (j.scene.link_name(cam.cam), j.scene.link_name(cam.follower));
                 let off = j.scene.length_words(clearance.abs());

@@ -2,14 +2,16 @@
 //! acceleration: the link's image has this point at the pole.
 
 use super::rewrite::{crossing, replace_crossing};
-use super::{Shown, Side, Site, Topology};
+use super::{EquationPart, Site, SolutionSide, Topology};
 use hodograph_base::diag::{Both, both};
-use hodograph_board::plan::{Body, By, Chain, Plan, Special, SpecialLine, Spot, Step, TermKind, Vertex, VertexId};
+use hodograph_board::plan::{
+    Plan, PlanStep, Special, SpecialLine, TermChain, TermConnection, TermKind, TurningBody, Vertex, VertexId, VertexPlace,
+};
 use hodograph_mechanism::mechanism::ConstraintLine;
 use hodograph_scene::{DiagramKind, GuidePath, LinkId, PointId, Scene};
 
 /// The vertices and lines needed to build the image.
-struct Found {
+struct ImageVertices {
     target: VertexId,
     known: VertexId,
     lines: [ConstraintLine; 2],
@@ -17,7 +19,7 @@ struct Found {
 
 fn point(plan: &Plan, v: VertexId) -> Option<PointId> {
     match plan.vertex(v) {
-        Vertex { spot: Spot::Point(p), on: None, .. } => Some(*p),
+        Vertex { spot: VertexPlace::Point(p), on: None, .. } => Some(*p),
         Vertex { .. } => None,
     }
 }
@@ -37,16 +39,16 @@ fn normal_line(scene: &Scene, link: LinkId, pin: PointId) -> Option<ConstraintLi
 
 /// Finds the crossing that gives one end of a link from the other, if the velocities of both ends
 /// have known directions.
-fn found(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(usize, Found)> {
+fn found(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(usize, ImageVertices)> {
     crossing(plan, DiagramKind::Acceleration, |target, chains| {
-        let turns = |c: &&Chain| matches!(c.unknown[..], [t] if t.kind == TermKind::Tangential && t.by == By::Turning(Body::Link(link)));
+        let turns = |c: &&TermChain| matches!(c.unknown[..], [t] if t.kind == TermKind::Tangential && t.by == TermConnection::Turning(TurningBody::Link(link)));
         let chain = chains.iter().find(turns)?;
         let from = chain.start;
         if plan.vertex(from).fixed {
             return None;
         }
         let lines = [normal_line(scene, link, point(plan, target)?)?, normal_line(scene, link, point(plan, from)?)?];
-        Some(Found { target, known: from, lines })
+        Some(ImageVertices { target, known: from, lines })
     })
 }
 
@@ -57,16 +59,16 @@ pub fn sites(t: &Topology) -> Vec<Site> {
 }
 
 /// Returns the plan in which the second end follows from the first by an image on the pole.
-pub fn hung_on_pole(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(Plan, Shown)> {
+pub fn hung_on_pole(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(Plan, EquationPart)> {
     let (group, f) = found(scene, plan, link)?;
     let mut wrong = plan.clone();
     wrong.specials.push(Special { group, link, with: None, lines: f.lines.map(SpecialLine::Leg), legs: None });
-    let spot = Spot::Special(wrong.specials.len() - 1);
+    let spot = VertexPlace::Special(wrong.specials.len() - 1);
     wrong.vertices.push(Vertex { spot, on: None, number: None, fixed: true, trial: None });
     let centre = VertexId(wrong.vertices.len() - 1);
-    let step = Step::Image { link, target: f.target, from: (centre, f.known) };
+    let step = PlanStep::Image { link, target: f.target, from: (centre, f.known) };
     replace_crossing(&mut wrong, DiagramKind::Acceleration, f.target, &step);
-    let shown = Shown { on: DiagramKind::Acceleration, step, side: Side::Wrong, framed: Vec::new(), missing: None };
+    let shown = EquationPart { on: DiagramKind::Acceleration, step, side: SolutionSide::Wrong, framed: Vec::new(), missing: None };
     Some((wrong, shown))
 }
 

@@ -2,19 +2,19 @@
 //! velocity of another link.
 
 use super::rewrite::{known_terms, leave_out};
-use super::{Shown, Side, Site, Topology};
+use super::{EquationPart, Site, SolutionSide, Topology};
 use hodograph_base::diag::{Both, both};
-use hodograph_board::plan::{Body, By, Plan, Term, TermKind};
+use hodograph_board::plan::{Plan, Term, TermConnection, TermKind, TurningBody};
 use hodograph_scene::{DiagramKind, GuideId, LinkId, Scene};
 
 fn is_at(guide: GuideId) -> impl Fn(&Term) -> bool {
-    move |t| t.kind == TermKind::Coriolis && matches!(t.by, By::Guide { guide: g, .. } if g == guide)
+    move |t| t.kind == TermKind::Coriolis && matches!(t.by, TermConnection::Guide { guide: g, .. } if g == guide)
 }
 
 fn guides(t: &Topology) -> Vec<GuideId> {
     let mut all: Vec<GuideId> = Vec::new();
     for term in known_terms(t, true).filter(|term| term.kind == TermKind::Coriolis) {
-        if let By::Guide { guide, .. } = term.by
+        if let TermConnection::Guide { guide, .. } = term.by
             && !all.contains(&guide)
         {
             all.push(guide);
@@ -31,7 +31,7 @@ pub fn without(t: &Topology) -> Vec<Site> {
 /// Returns each such guide with each link that carries its runner, turns, and has a known angular
 /// velocity.
 pub fn by_another(t: &Topology) -> Vec<Site> {
-    let known = |l: &LinkId| t.plan.steps(DiagramKind::Velocity).iter().flat_map(|g| &g.rates).any(|(b, _)| *b == Body::Link(*l));
+    let known = |l: &LinkId| t.plan.steps(DiagramKind::Velocity).iter().flat_map(|g| &g.rates).any(|(b, _)| *b == TurningBody::Link(*l));
     let mut all = Vec::new();
     for g in guides(t) {
         let guide = &t.scene.guides[g.0];
@@ -43,18 +43,18 @@ pub fn by_another(t: &Topology) -> Vec<Site> {
 }
 
 /// Returns the plan without the term.
-pub fn left_out(plan: &Plan, guide: GuideId) -> Option<(Plan, Shown)> {
-    let shown = Shown::with(plan, DiagramKind::Acceleration, Side::Right, is_at(guide))?;
+pub fn left_out(plan: &Plan, guide: GuideId) -> Option<(Plan, EquationPart)> {
+    let shown = EquationPart::with(plan, DiagramKind::Acceleration, SolutionSide::Right, is_at(guide))?;
     let mut wrong = plan.clone();
     leave_out(&mut wrong, is_at(guide));
     Some((wrong, shown))
 }
 
 /// Returns the plan in which the term has another link's angular velocity.
-pub fn turned_by(plan: &Plan, guide: GuideId, link: LinkId) -> Option<(Plan, Shown)> {
+pub fn turned_by(plan: &Plan, guide: GuideId, link: LinkId) -> Option<(Plan, EquationPart)> {
     let mut wrong = plan.clone();
     wrong.coriolis_by = Some((guide, link));
-    let shown = Shown::with(&wrong, DiagramKind::Acceleration, Side::Wrong, is_at(guide))?;
+    let shown = EquationPart::with(&wrong, DiagramKind::Acceleration, SolutionSide::Wrong, is_at(guide))?;
     Some((wrong, shown))
 }
 

@@ -2,19 +2,19 @@
 //! to one link is not rigid.
 
 use super::rewrite::each;
-use super::{Shown, Side, Site, Topology};
+use super::{EquationPart, Site, SolutionSide, Topology};
 use hodograph_base::diag::{Both, both};
-use hodograph_board::plan::{Plan, Spot, Step, VertexId};
+use hodograph_board::plan::{Plan, PlanStep, VertexId, VertexPlace};
 use hodograph_scene::{DiagramKind, LinkId, PointId, Scene};
 
 /// Finds a point that an image of its link gives, another link on a pin of that link, and this pin
 /// with a fixed point of the other link.
-fn across(scene: &Scene, plan: &Plan, step: &Step) -> Option<(PointId, LinkId, LinkId, [VertexId; 2])> {
-    let Step::Image { link, target, from } = step else { return None };
-    let Spot::Point(point) = plan.vertex(*target).spot else { return None };
+fn across(scene: &Scene, plan: &Plan, step: &PlanStep) -> Option<(PointId, LinkId, LinkId, [VertexId; 2])> {
+    let PlanStep::Image { link, target, from } = step else { return None };
+    let VertexPlace::Point(point) = plan.vertex(*target).spot else { return None };
     let pin_of = |v: VertexId| match plan.vertex(v).spot {
-        Spot::Point(p) => Some(p).filter(|_| plan.vertex(v).on.is_none() && !plan.vertex(v).fixed),
-        Spot::Special(_) => None,
+        VertexPlace::Point(p) => Some(p).filter(|_| plan.vertex(v).on.is_none() && !plan.vertex(v).fixed),
+        VertexPlace::Special(_) => None,
     };
     [from.1, from.0].into_iter().find_map(|v| {
         let pin = pin_of(v)?;
@@ -41,17 +41,17 @@ pub fn sites(t: &Topology) -> Vec<Site> {
 }
 
 /// Returns the plan with the image on the points of the other link, in both polygons.
-pub fn on_points_of(scene: &Scene, plan: &Plan, point: PointId) -> Option<(Plan, Shown)> {
+pub fn on_points_of(scene: &Scene, plan: &Plan, point: PointId) -> Option<(Plan, EquationPart)> {
     let mut wrong = plan.clone();
     let mut shown = None;
     for on in DiagramKind::POLYGONS {
         for group in wrong.steps_mut(on) {
             for step in group.alternatives.iter_mut().flatten().chain(&mut group.further) {
                 let Some((p, link, _, [pin, pivot])) = across(scene, plan, step) else { continue };
-                let Step::Image { target, .. } = *step else { continue };
+                let PlanStep::Image { target, .. } = *step else { continue };
                 if p == point {
-                    *step = Step::Image { link, target, from: (pin, pivot) };
-                    shown = Some(Shown { on, step: step.clone(), side: Side::Wrong, framed: Vec::new(), missing: None });
+                    *step = PlanStep::Image { link, target, from: (pin, pivot) };
+                    shown = Some(EquationPart { on, step: step.clone(), side: SolutionSide::Wrong, framed: Vec::new(), missing: None });
                 }
             }
         }

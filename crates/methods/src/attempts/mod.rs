@@ -17,8 +17,8 @@ mod rolling_point;
 mod shown;
 mod solved;
 
-pub use shown::{Missing, Shown, Side};
-pub use solved::{Attempt, Gap, Row, Stage, solved};
+pub use shown::{EquationPart, Missing, SolutionSide};
+pub use solved::{Attempt, AttemptAnswer, AttemptScene, TipGap, solved};
 
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_board::plan::Plan;

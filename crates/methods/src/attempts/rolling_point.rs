@@ -4,17 +4,17 @@
 //! differ.
 
 use super::rewrite::{crossing, replace_crossing};
-use super::{Missing, Shown, Side, Site, Topology};
+use super::{EquationPart, Missing, Site, SolutionSide, Topology};
 use hodograph_base::diag::{Both, both};
 use hodograph_board::plan::names::name_label;
-use hodograph_board::plan::{Body, By, Chain, Method, Plan, Spot, Step, Term, TermKind, VertexId};
+use hodograph_board::plan::{Method, Plan, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexPlace};
 use hodograph_scene::{DiagramKind, LinkId, Normal, PointId, RollingId, Scene, Touch};
 
 /// Returns the vertex found by the crossing for the wheel's point at a contact, with the crossing's
 /// term along the normal.
 fn found(plan: &Plan, pair: RollingId) -> Option<(usize, (VertexId, Term))> {
     crossing(plan, DiagramKind::Acceleration, |target, chains| {
-        let rolls = |c: &&Chain| matches!(c.unknown[..], [t] if t.kind == TermKind::Roll && t.by == By::Contact(pair));
+        let rolls = |c: &&TermChain| matches!(c.unknown[..], [t] if t.kind == TermKind::Roll && t.by == TermConnection::Contact(pair));
         let other = chains.iter().find(|c| !rolls(c))?;
         let along = chains.iter().find(rolls).filter(|c| c.known.is_empty())?;
         (!other.unknown.iter().any(|t| t.kind == TermKind::Roll)).then_some((target, along.unknown[0]))
@@ -28,12 +28,15 @@ pub fn sites(t: &Topology) -> Vec<Site> {
 }
 
 /// Returns the plan in which that point has the acceleration of the track.
-pub fn as_track(plan: &Plan, pair: RollingId) -> Option<(Plan, Shown)> {
+pub fn as_track(plan: &Plan, pair: RollingId) -> Option<(Plan, EquationPart)> {
     let (_, (target, term)) = found(plan, pair)?;
-    let shown = Shown::with(plan, DiagramKind::Acceleration, Side::Right, |t| t == &term)?;
+    let shown = EquationPart::with(plan, DiagramKind::Acceleration, SolutionSide::Right, |t| t == &term)?;
     let mut wrong = plan.clone();
-    let step =
-        Step::Equation { target, chains: vec![Chain { start: term.to, known: vec![], unknown: vec![] }], method: Method::Coincident };
+    let step = PlanStep::Equation {
+        target,
+        chains: vec![TermChain { start: term.to, known: vec![], unknown: vec![] }],
+        method: Method::Coincident,
+    };
     replace_crossing(&mut wrong, DiagramKind::Acceleration, target, &step);
     Some((wrong, shown))
 }
@@ -72,22 +75,22 @@ fn wheel_on_ground(scene: &Scene, r: RollingId) -> Option<LinkId> {
 
 /// True if a plan measures the rotation of a link in this polygon, or has it given.
 fn is_turning_found(plan: &Plan, on: DiagramKind, link: LinkId) -> bool {
-    plan.steps(on).iter().flat_map(|g| &g.rates).any(|(body, _)| *body == Body::Link(link))
+    plan.steps(on).iter().flat_map(|g| &g.rates).any(|(body, _)| *body == TurningBody::Link(link))
 }
 
 /// Returns the point that a step finds by the image of a link.
-fn imaged(plan: &Plan, step: &Step, wheel: LinkId) -> Option<(PointId, VertexId)> {
-    let Step::Image { link, target, .. } = *step else { return None };
+fn imaged(plan: &Plan, step: &PlanStep, wheel: LinkId) -> Option<(PointId, VertexId)> {
+    let PlanStep::Image { link, target, .. } = *step else { return None };
     let vertex = plan.vertex(target);
     match vertex.spot {
-        Spot::Point(p) if link == wheel && vertex.on.is_none() => Some((p, target)),
-        Spot::Point(_) | Spot::Special(_) => None,
+        VertexPlace::Point(p) if link == wheel && vertex.on.is_none() => Some((p, target)),
+        VertexPlace::Point(_) | VertexPlace::Special(_) => None,
     }
 }
 
 /// Returns the plan in which a point of the wheel has its normal and tangential parts relative to
 /// the contact at rest.
-pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> Option<(Plan, Shown)> {
+pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> Option<(Plan, EquationPart)> {
     let wheel = wheel_on_ground(scene, pair)?;
     let at = scene.rolling[pair.0].at[0];
     let contact = plan.find_vertex(scene, at, Some(wheel))?;
@@ -97,11 +100,18 @@ pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> O
     for group in wrong.steps_mut(DiagramKind::Acceleration) {
         for step in &mut group.further {
             let Some((_, target)) = imaged(plan, step, wheel).filter(|(p, _)| *p == point) else { continue };
-            let term = |kind| Term { kind, of: target, to: contact, by: By::Turning(Body::Link(wheel)), known: true };
+            let term = |kind| Term { kind, of: target, to: contact, by: TermConnection::Turning(TurningBody::Link(wheel)), known: true };
             let known = vec![term(TermKind::Normal), term(TermKind::Tangential)];
-            *step = Step::Equation { target, chains: vec![Chain { start: track, known, unknown: vec![] }], method: Method::SameLink };
+            *step =
+                PlanStep::Equation { target, chains: vec![TermChain { start: track, known, unknown: vec![] }], method: Method::SameLink };
             let missing = Some(own_acceleration(scene, pair, wheel));
-            shown = Some(Shown { on: DiagramKind::Acceleration, step: step.clone(), side: Side::Wrong, framed: Vec::new(), missing });
+            shown = Some(EquationPart {
+                on: DiagramKind::Acceleration,
+                step: step.clone(),
+                side: SolutionSide::Wrong,
+                framed: Vec::new(),
+                missing,
+            });
         }
     }
     Some((wrong, shown?))

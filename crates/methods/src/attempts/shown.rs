@@ -1,11 +1,11 @@
 //! The equation in which a mistake is seen, and the vector in it that is framed.
 
-use hodograph_board::plan::{Plan, Step, Term};
+use hodograph_board::plan::{Plan, PlanStep, Term};
 use hodograph_scene::DiagramKind;
 
 /// The solution to which an equation belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum SolutionSide {
     /// The right solution: the wrong one lacks the framed vector.
     Right,
     /// The wrong solution: the framed vector is wrong.
@@ -25,29 +25,29 @@ pub struct Missing {
 
 /// The part of an equation that is shown.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
+pub struct EquationPart {
     /// The polygon: velocities or accelerations.
     pub on: DiagramKind,
     /// The step.
-    pub step: Step,
+    pub step: PlanStep,
     /// The solution to which the equation belongs.
-    pub side: Side,
+    pub side: SolutionSide,
     /// The framed terms; if there are none, the whole equation is wrong.
     pub framed: Vec<Term>,
     /// A missing vector, shown framed.
     pub missing: Option<Missing>,
 }
 
-impl Shown {
+impl EquationPart {
     /// Finds a step of a polygon with a term for which `wrong` holds, and all such terms of it.
     /// Steps with two chains take precedence; among equal steps the last is taken.
-    pub fn with(plan: &Plan, on: DiagramKind, side: Side, wrong: impl Fn(&Term) -> bool) -> Option<Shown> {
-        let terms = |s: &Step| -> Vec<Term> {
+    pub fn with(plan: &Plan, on: DiagramKind, side: SolutionSide, wrong: impl Fn(&Term) -> bool) -> Option<EquationPart> {
+        let terms = |s: &PlanStep| -> Vec<Term> {
             s.chains().iter().flat_map(|c| c.known.iter().chain(&c.unknown)).filter(|t| wrong(t)).copied().collect()
         };
         let all = plan.steps(on).iter().flat_map(|g| g.steps(0));
         // An equation with unknowns shows more than one with known terms only.
         let step = all.filter(|s| !terms(s).is_empty()).max_by_key(|s| (s.chains().len() == 2, std::cmp::Reverse(0)))?;
-        Some(Shown { on, step: step.clone(), side, framed: terms(step), missing: None })
+        Some(EquationPart { on, step: step.clone(), side, framed: terms(step), missing: None })
     }
 }

@@ -1,19 +1,19 @@
 //! A wrong solution drawn beside the right one, and the results of both.
 
-use super::{Shown, Side, Site, by_centre, contact_point, coriolis, image, normal, rolling_point};
+use super::{EquationPart, Site, SolutionSide, by_centre, contact_point, coriolis, image, normal, rolling_point};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_board::construct::pencil::Exact;
 use hodograph_board::construct::{Acts, Layout, Polygon, read, scale};
-use hodograph_board::plan::{Plan, Special, SpecialLine, Spot, VertexId};
-use hodograph_mechanism::answer::Value;
+use hodograph_board::plan::{Plan, Special, SpecialLine, VertexId, VertexPlace};
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_mechanism::mechanism::ConstraintLine;
 use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::{Attempted, ByKind, DiagramKind, Given, Scene};
+use hodograph_scene::{Attempted, ByKind, DiagramKind, GivenQuantity, Scene};
 use hodograph_worked::worked::Worked;
 
 /// A solution with its scene.
 #[derive(Clone, Debug)]
-pub struct Stage {
+pub struct AttemptScene {
     /// The scene: that of the file, unless the mistake is another mechanism.
     pub scene: Scene,
     /// The solved scene; its equations and their drawing are used.
@@ -22,18 +22,18 @@ pub struct Stage {
 
 /// A question and its answers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+pub struct AttemptAnswer {
     /// Index into the results of the right solution.
     pub result: usize,
     /// The answer of the wrong equations; `None` if they do not answer the question.
-    pub wrong: Option<Value>,
+    pub wrong: Option<AnswerValue>,
     /// The printed value (SI; for a vector, the magnitude).
-    pub printed: Option<Given>,
+    pub printed: Option<GivenQuantity>,
 }
 
 /// The distance of the two tips of one vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gap {
+pub struct TipGap {
     /// The polygon: velocities or accelerations.
     pub on: DiagramKind,
     /// The vertex in the right plan.
@@ -52,15 +52,15 @@ pub struct Attempt {
     /// The scene's own statement of the attempt, if it has one.
     pub said: Option<Attempted>,
     /// The right solution.
-    pub right: Stage,
+    pub right: AttemptScene,
     /// The wrong solution.
-    pub wrong: Stage,
+    pub wrong: AttemptScene,
     /// The equation in which the mistake is seen.
-    pub shown: Shown,
+    pub shown: EquationPart,
     /// The questions with a changed answer or a printed value.
-    pub rows: Vec<Row>,
+    pub rows: Vec<AttemptAnswer>,
     /// The distance of the tips.
-    pub gap: Gap,
+    pub gap: TipGap,
 }
 
 /// The space for the polygons on a page (mm).
@@ -78,28 +78,29 @@ const FAR: f64 = 1e4;
 /// difference.
 pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempted>) -> Option<Attempt> {
     let at = &worked.configuration;
-    let stage = |worked: Worked| Stage { scene: scene.clone(), worked };
-    let (right, wrong, answers, shown): (Stage, Stage, Vec<Option<Value>>, Shown) = match changed(scene, worked, &site)? {
-        Changed::Plan(wrong, shown) => {
-            if !special_points_are_near(&wrong, at) {
-                return None;
+    let stage = |worked: Worked| AttemptScene { scene: scene.clone(), worked };
+    let (right, wrong, answers, shown): (AttemptScene, AttemptScene, Vec<Option<AnswerValue>>, EquationPart) =
+        match changed(scene, worked, &site)? {
+            Changed::Plan(wrong, shown) => {
+                if !special_points_are_near(&wrong, at) {
+                    return None;
+                }
+                let layout = Layout::of(&worked.construction);
+                let acts = Acts::of(scene, &worked.mechanism, &wrong, &worked.construction.acts.chosen);
+                let construction = acts.draw(scene, at, &wrong, &layout, &mut Exact).ok()?;
+                let answers = read(scene, &worked.mechanism, at, &wrong, &construction);
+                let wrong = Worked { plan: *wrong, construction, ..worked.clone() };
+                let answers = answers.into_iter().map(|a| a.map(|a| a.value)).collect();
+                (stage(worked.clone()), stage(wrong), answers, shown)
             }
-            let layout = Layout::of(&worked.construction);
-            let acts = Acts::of(scene, &worked.mechanism, &wrong, &worked.construction.acts.chosen);
-            let construction = acts.draw(scene, at, &wrong, &layout, &mut Exact).ok()?;
-            let answers = read(scene, &worked.mechanism, at, &wrong, &construction);
-            let wrong = Worked { plan: *wrong, construction, ..worked.clone() };
-            let answers = answers.into_iter().map(|a| a.map(|a| a.value)).collect();
-            (stage(worked.clone()), stage(wrong), answers, shown)
-        }
-        Changed::Mechanism(both, shown) => {
-            let (right, wrong) = *both;
-            let (other, w) = (&wrong.scene, &wrong.worked);
-            let of = |text: &str| w.results.iter().find(|r| other.find[r.find].text == text).map(|r| r.value());
-            let answers = scene.find.iter().map(|f| of(&f.text)).collect();
-            (right, wrong, answers, shown)
-        }
-    };
+            Changed::Mechanism(both, shown) => {
+                let (right, wrong) = *both;
+                let (other, w) = (&wrong.scene, &wrong.worked);
+                let of = |text: &str| w.results.iter().find(|r| other.find[r.find].text == text).map(|r| r.value());
+                let answers = scene.find.iter().map(|f| of(&f.text)).collect();
+                (right, wrong, answers, shown)
+            }
+        };
     let rows = rows(scene, worked, &answers, said);
     let (right, wrong) = to_one_scale(right, wrong)?;
     let gap = gap(&right, &wrong, &shown)?;
@@ -107,7 +108,7 @@ pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempte
 }
 
 /// Draws both again, to the largest scales at which the superposed polygons fit a page.
-fn to_one_scale(right: Stage, wrong: Stage) -> Option<(Stage, Stage)> {
+fn to_one_scale(right: AttemptScene, wrong: AttemptScene) -> Option<(AttemptScene, AttemptScene)> {
     let extent = |on: DiagramKind| {
         let marks = |p: &Polygon| -> Vec<Point> {
             let ends = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
@@ -123,20 +124,20 @@ fn to_one_scale(right: Stage, wrong: Stage) -> Option<(Stage, Stage)> {
         if size == [0.0, 0.0] { Some(drawn.mu) } else { Some(scale::fitted(&right.scene.paper, on.kind(), size, PAGE_MM)) }
     };
     let scales: ByKind = DiagramKind::POLYGONS.into_iter().filter_map(|on| Some((on.kind(), mu(on)?))).collect();
-    let again = |s: Stage| {
+    let again = |s: AttemptScene| {
         let layout = Layout { scales: scales.clone(), ..Layout::of(&s.worked.construction) };
         let construction = s.worked.construction.acts.draw(&s.scene, &s.worked.configuration, &s.worked.plan, &layout, &mut Exact).ok()?;
-        Some(Stage { worked: Worked { construction, ..s.worked }, ..s })
+        Some(AttemptScene { worked: Worked { construction, ..s.worked }, ..s })
     };
     Some((again(right)?, again(wrong)?))
 }
 
 /// The change that a mistake makes to a solution.
 enum Changed {
-    Plan(Box<Plan>, Shown),
+    Plan(Box<Plan>, EquationPart),
     /// The right solution with the points that the wrong one names, the wrong solution, and the
     /// equation.
-    Mechanism(Box<(Stage, Stage)>, Shown),
+    Mechanism(Box<(AttemptScene, AttemptScene)>, EquationPart),
 }
 
 fn changed(scene: &Scene, worked: &Worked, site: &Site) -> Option<Changed> {
@@ -160,8 +161,8 @@ fn changed(scene: &Scene, worked: &Worked, site: &Site) -> Option<Changed> {
 /// True if the centres that a wrong plan puts on the pole are near enough to be drawn.
 fn special_points_are_near(plan: &Plan, at: &Configuration) -> bool {
     let hung = plan.vertices.iter().filter(|v| v.fixed).filter_map(|v| match v.spot {
-        Spot::Special(k) => Some(&plan.specials[k]),
-        Spot::Point(_) => None,
+        VertexPlace::Special(k) => Some(&plan.specials[k]),
+        VertexPlace::Point(_) => None,
     });
     hung.into_iter().all(|s| is_near(s, at).unwrap_or(false))
 }
@@ -185,7 +186,7 @@ fn is_near(special: &Special, at: &Configuration) -> Option<bool> {
     Some(c.at.is_finite() && c.at.distance(p) < FAR * at.extent())
 }
 
-fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<Value>], said: Option<&Attempted>) -> Vec<Row> {
+fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<AnswerValue>], said: Option<&Attempted>) -> Vec<AttemptAnswer> {
     let printed = |text: &str| said.and_then(|s| s.printed.iter().find(|(f, _)| f.text == text).map(|(_, v)| v.clone()));
     let row = |(k, r): (usize, &hodograph_worked::worked::Outcome)| {
         let find = &scene.find[r.find];
@@ -193,18 +194,18 @@ fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<Value>], said: Option<&A
         let wrong = wrong[r.find].map(|v| v.above(ROUNDING * r.scale));
         let printed = printed(&find.text);
         let differs = match (r.value(), wrong) {
-            (Value::Scalar(a), Some(Value::Scalar(b))) => (a - b).abs() > SAME * r.scale.max(a.abs()),
-            (Value::Vector(a), Some(Value::Vector(b))) => (a - b).norm() > SAME * r.scale.max(a.norm()),
-            (Value::Scalar(_) | Value::Vector(_) | Value::Point(_), _) => false,
+            (AnswerValue::Scalar(a), Some(AnswerValue::Scalar(b))) => (a - b).abs() > SAME * r.scale.max(a.abs()),
+            (AnswerValue::Vector(a), Some(AnswerValue::Vector(b))) => (a - b).norm() > SAME * r.scale.max(a.norm()),
+            (AnswerValue::Scalar(_) | AnswerValue::Vector(_) | AnswerValue::Point(_), _) => false,
         };
-        (printed.is_some() || find.what.diagram() > DiagramKind::Plane && differs).then_some(Row { result: k, wrong, printed })
+        (printed.is_some() || find.what.diagram() > DiagramKind::Plane && differs).then_some(AttemptAnswer { result: k, wrong, printed })
     };
     worked.results.iter().enumerate().filter_map(row).collect()
 }
 
 /// Returns the gap between the tips of the vertex that the wrong step finds, or, where these agree,
 /// the largest gap.
-fn gap(right: &Stage, wrong: &Stage, shown: &Shown) -> Option<Gap> {
+fn gap(right: &AttemptScene, wrong: &AttemptScene, shown: &EquationPart) -> Option<TipGap> {
     let of = |on: DiagramKind, v: VertexId| {
         let vertex = right.worked.plan.vertex(v);
         let same = |w: &hodograph_board::plan::Vertex| w.spot == vertex.spot && w.on == vertex.on;
@@ -212,14 +213,14 @@ fn gap(right: &Stage, wrong: &Stage, shown: &Shown) -> Option<Gap> {
         let tips = [right.worked.construction.vector(on, v)?, wrong.worked.construction.vector(on, other)?];
         let mu = right.worked.construction.polygon(on)?.mu;
         let vector = tips[1] - tips[0];
-        (vector.norm() > APART_MM * mu).then_some(Gap { on, right: v, wrong: other, vector })
+        (vector.norm() > APART_MM * mu).then_some(TipGap { on, right: v, wrong: other, vector })
     };
     let levels = [shown.on, DiagramKind::Acceleration, DiagramKind::Velocity];
     levels.into_iter().find_map(|on| {
         let target = shown.step.target();
         let stage = match shown.side {
-            Side::Right => right,
-            Side::Wrong => wrong,
+            SolutionSide::Right => right,
+            SolutionSide::Wrong => wrong,
         };
         let named = stage.worked.plan.vertex(target);
         let meant = (0..right.worked.plan.vertices.len()).map(VertexId).find(|v| {

@@ -1,6 +1,6 @@
 //! Tolerances of hand drawing: the centres drawn again and again by a hand whose marks miss.
 
-use super::lines::Place;
+use super::lines::CentrePlace;
 use super::velocities::Velocities;
 use super::{Centres, locate};
 use hodograph_board::construct::pencil::{Blunt, Hand, USUAL_MM, bound};
@@ -29,7 +29,7 @@ impl Centres {
             let drawn = locate::again(&self.scene, &self.worked, &self.closure, &velocities, &self.list, &hand);
             for ((list, exact), drawn) in errors.iter_mut().zip(&self.list).zip(drawn) {
                 let off = match (exact.place, drawn) {
-                    (Some(Place::At(p)), Some(Place::At(q))) => p.distance(q),
+                    (Some(CentrePlace::At(p)), Some(CentrePlace::At(q))) => p.distance(q),
                     _ => f64::INFINITY,
                 };
                 list.push(off);
@@ -42,7 +42,7 @@ impl Centres {
 
 #[cfg(test)]
 mod tests {
-    use crate::centres::{How, Place, centres};
+    use crate::centres::{CentreMethod, CentrePlace, centres};
     use hodograph_scene::{read, templates};
 
     /// A pin misses by the pencil error alone, a crossing by no less than some of it; all go with the pencil.
@@ -59,7 +59,7 @@ mod tests {
             let miss = 0.01e-3 * fine.worked.construction.diagram.mu * 1e3;
             let bounds = |c: &super::Centres| c.by_hand.clone().unwrap().centres;
             for ((c, a), b) in fine.list.iter().zip(bounds(&fine)).zip(bounds(&blunt)) {
-                let Some(Place::At(_)) = c.place else {
+                let Some(CentrePlace::At(_)) = c.place else {
                     assert_eq!(a, None);
                     continue;
                 };
@@ -69,11 +69,11 @@ mod tests {
                 }
                 assert!((1.7..2.3).contains(&(b / a)), "{name} {}: {a} {b}", c.step.pair.name(&fine.scene));
                 match c.step.how {
-                    How::Primary(_) => {
+                    CentreMethod::Primary(_) => {
                         assert!((0.8..1.2).contains(&(a / miss)), "{name}: {a} of {miss}");
                         pins += 1;
                     }
-                    How::Lines(_) | How::Velocities => crossings += 1,
+                    CentreMethod::Lines(_) | CentreMethod::Velocities => crossings += 1,
                 }
             }
         }

@@ -11,9 +11,9 @@ use hodograph_mechanism::position::Path;
 use hodograph_scene::{DriverKind, GuideId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
-use super::lines::{Frame, Place, Ruled, Unit, choose, meet, norm, volume};
+use super::lines::{CentrePlace, ProjectiveFrame, ProjectiveUnit, Ruled, choose, meet, norm, volume};
 use super::primary::Primary;
-use super::rounds::{Closure, How, Line, Pair, Step};
+use super::rounds::{CentreClosure, CentreLocus, CentreMethod, CentreStep, LinkPair};
 use super::velocities::Velocities;
 
 /// A crossing farther away than this many sizes of the mechanism is tested for being at infinity.
@@ -38,7 +38,7 @@ pub enum Origin {
     /// The kinematic pair of the two links.
     Pair,
     /// The crossing of these two lines.
-    Crossing([Line; 2]),
+    Crossing([CentreLocus; 2]),
     /// The velocities from the loop equations.
     Velocities,
 }
@@ -47,12 +47,12 @@ pub enum Origin {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Centre {
     /// The centre's step in the order of finding.
-    pub step: Step,
+    pub step: CentreStep,
     /// The round in which the centre is found in this pose: later than topology predicts if its
     /// lines coincide.
     pub round: usize,
     /// The place, if it is known.
-    pub place: Option<Place>,
+    pub place: Option<CentrePlace>,
     /// The origin of the place.
     pub origin: Option<Origin>,
     /// The reason for which the lines of the theorem do not give the place.
@@ -65,11 +65,11 @@ pub struct Centre {
 /// Locates all centres of a closure, round by round. A centre whose lines coincide in this pose is
 /// postponed: later rounds may give another line for it. If no round does, the place of the first
 /// postponed centre is computed from velocities, and the rounds continue.
-pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &Closure, velocities: &Velocities) -> Vec<Centre> {
+pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &CentreClosure, velocities: &Velocities) -> Vec<Centre> {
     let hand = Hand::default();
-    let mut board = Board { scene, worked, closure, velocities, hand: &hand, list: Vec::new() };
+    let mut board = CentreSearch { scene, worked, closure, velocities, hand: &hand, list: Vec::new() };
     let last = closure.steps.last().map_or(0, |s| s.round);
-    let mut waiting: Vec<(&Step, Undetermined)> = Vec::new();
+    let mut waiting: Vec<(&CentreStep, Undetermined)> = Vec::new();
     let mut round = 0;
     while round <= last || !waiting.is_empty() {
         let mut found = Vec::new();
@@ -83,7 +83,7 @@ pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &Closure, velociti
         for step in closure.steps.iter().filter(|s| s.round == round) {
             match board.find(step) {
                 Ok(place) => found.push(board.centre(step, round, place, None)),
-                Err(why) if step.how == How::Velocities => found.push(board.centre(step, round, None, Some(why))),
+                Err(why) if step.how == CentreMethod::Velocities => found.push(board.centre(step, round, None, Some(why))),
                 Err(why) => waiting.push((step, why)),
             }
         }
@@ -103,16 +103,18 @@ pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &Closure, velociti
 pub(super) fn again(
     scene: &Scene,
     worked: &Worked,
-    closure: &Closure,
+    closure: &CentreClosure,
     velocities: &Velocities,
     exact: &[Centre],
     hand: &Hand,
-) -> Vec<Option<Place>> {
-    let mut board = Board { scene, worked, closure, velocities, hand, list: Vec::new() };
+) -> Vec<Option<CentrePlace>> {
+    let mut board = CentreSearch { scene, worked, closure, velocities, hand, list: Vec::new() };
     for centre in exact {
         let place = match (&centre.step.how, centre.origin) {
-            (How::Primary(primary), Some(Origin::Pair)) => board.primary(*primary),
-            (_, Some(Origin::Crossing(lines))) => board.crossing(centre.step.pair, lines, matches!(centre.place, Some(Place::Infinity(_)))),
+            (CentreMethod::Primary(primary), Some(Origin::Pair)) => board.primary(*primary),
+            (_, Some(Origin::Crossing(lines))) => {
+                board.crossing(centre.step.pair, lines, matches!(centre.place, Some(CentrePlace::Infinity(_))))
+            }
             (_, Some(Origin::Pair | Origin::Velocities) | None) => centre.place,
         };
         board.list.push(Centre { place, ..centre.clone() });
@@ -120,52 +122,56 @@ pub(super) fn again(
     board.list.into_iter().map(|c| c.place).collect()
 }
 
-struct Board<'a> {
+struct CentreSearch<'a> {
     scene: &'a Scene,
     worked: &'a Worked,
-    closure: &'a Closure,
+    closure: &'a CentreClosure,
     velocities: &'a Velocities<'a>,
     hand: &'a Hand,
     list: Vec<Centre>,
 }
 
 /// A place with its origin if it is known, or the reason for which the lines do not give it.
-type Found = Result<Option<(Place, Origin)>, Undetermined>;
+type LocatedCentre = Result<Option<(CentrePlace, Origin)>, Undetermined>;
 
-impl Board<'_> {
-    fn centre(&self, step: &Step, round: usize, found: Option<(Place, Origin)>, why: Option<Undetermined>) -> Centre {
+impl CentreSearch<'_> {
+    fn centre(&self, step: &CentreStep, round: usize, found: Option<(CentrePlace, Origin)>, why: Option<Undetermined>) -> Centre {
         let place = found.map(|f| f.0);
         let residual = place.and_then(|p| self.velocities.residual(step.pair, p));
         Centre { step: step.clone(), round, place, origin: found.map(|f| f.1), why, residual }
     }
 
-    fn find(&self, step: &Step) -> Found {
+    fn find(&self, step: &CentreStep) -> LocatedCentre {
         match &step.how {
-            How::Primary(primary) => Ok(self.primary(*primary).map(|p| (p, Origin::Pair))),
-            How::Velocities => {
+            CentreMethod::Primary(primary) => Ok(self.primary(*primary).map(|p| (p, Origin::Pair))),
+            CentreMethod::Velocities => {
                 let place = self.velocities.centre(step.pair, step.infinite).ok_or(Undetermined::NoMotion)?;
                 Ok(Some((place, Origin::Velocities)))
             }
-            How::Lines(lines) => self.by_lines(step, lines),
+            CentreMethod::Lines(lines) => self.by_lines(step, lines),
         }
     }
 
-    fn primary(&self, primary: Primary) -> Option<Place> {
+    fn primary(&self, primary: Primary) -> Option<CentrePlace> {
         let at = &self.worked.configuration;
         match primary {
-            Primary::Pin(p) => self.mark(p).map(Place::At),
-            Primary::Contact(r) => self.mark(self.scene.rolling[r.0].at[0]).map(Place::At),
+            Primary::Pin(p) => self.mark(p).map(CentrePlace::At),
+            Primary::Contact(r) => self.mark(self.scene.rolling[r.0].at[0]).map(CentrePlace::At),
             Primary::Strand(r) => {
                 let [a, b] = self.scene.rolling[r.0].round()?.map(|p| self.mark(p));
                 let ((a, b), [r1, r2]) = ((a?, b?), at.shapes.rolling[r.0]);
-                if r1 + r2 == 0.0 { Place::infinity(b - a) } else { Some(Place::At(self.hand.mark(a + (b - a) * (r1 / (r1 + r2))))) }
+                if r1 + r2 == 0.0 {
+                    CentrePlace::infinity(b - a)
+                } else {
+                    Some(CentrePlace::At(self.hand.mark(a + (b - a) * (r1 / (r1 + r2)))))
+                }
             }
             Primary::Slide(g) => match at.guides[g.0]? {
-                Path::Line { direction, .. } => Place::infinity(self.hand.ruler(direction, at.extent()).perp()),
-                Path::Arc { centre, .. } => Some(Place::At(self.hand.given(centre))),
+                Path::Line { direction, .. } => CentrePlace::infinity(self.hand.ruler(direction, at.extent()).perp()),
+                Path::Arc { centre, .. } => Some(CentrePlace::At(self.hand.given(centre))),
             },
             Primary::Cylinder(d) => match self.scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => Place::infinity((self.mark(b)? - self.mark(a)?).perp()),
+                DriverKind::Cylinder { a, b, .. } => CentrePlace::infinity((self.mark(b)? - self.mark(a)?).perp()),
                 DriverKind::Turn { .. } | DriverKind::Slide { .. } => None,
             },
         }
@@ -177,29 +183,29 @@ impl Board<'_> {
     }
 
     /// Returns the crossing of two lines of a pair.
-    fn crossing(&self, pair: Pair, lines: [Line; 2], infinite: bool) -> Option<Place> {
+    fn crossing(&self, pair: LinkPair, lines: [CentreLocus; 2], infinite: bool) -> Option<CentrePlace> {
         let [a, b] = [self.ruled(pair, lines[0])?, self.ruled(pair, lines[1])?];
         let place = self.frame().place(meet(a.line, b.line)?, infinite)?;
-        Some(if let Place::At(p) = place { Place::At(self.hand.mark(p)) } else { place })
+        Some(if let CentrePlace::At(p) = place { CentrePlace::At(self.hand.mark(p)) } else { place })
     }
 
-    fn frame(&self) -> Frame {
+    fn frame(&self) -> ProjectiveFrame {
         self.velocities.frame
     }
 
     /// Returns the lines of a step, and those through every other link.
-    fn all_lines(&self, step: &Step) -> Vec<Line> {
-        let mut lines = if let How::Lines(lines) = &step.how { lines.clone() } else { Vec::new() };
+    fn all_lines(&self, step: &CentreStep) -> Vec<CentreLocus> {
+        let mut lines = if let CentreMethod::Lines(lines) = &step.how { lines.clone() } else { Vec::new() };
         for k in self.closure.links.iter().filter(|k| !step.pair.has(**k)) {
-            if !lines.contains(&Line::Through(*k)) {
-                lines.push(Line::Through(*k));
+            if !lines.contains(&CentreLocus::Through(*k)) {
+                lines.push(CentreLocus::Through(*k));
             }
         }
         lines
     }
 
-    fn by_lines(&self, step: &Step, lines: &[Line]) -> Found {
-        let drawn: Vec<(Line, Ruled)> = lines.iter().filter_map(|l| Some((*l, self.ruled(step.pair, *l)?))).collect();
+    fn by_lines(&self, step: &CentreStep, lines: &[CentreLocus]) -> LocatedCentre {
+        let drawn: Vec<(CentreLocus, Ruled)> = lines.iter().filter_map(|l| Some((*l, self.ruled(step.pair, *l)?))).collect();
         let ruled: Vec<Ruled> = drawn.iter().map(|d| d.1).collect();
         let none = if ruled.len() < 2 { Undetermined::NoLines } else { Undetermined::LinesCoincide };
         let ([k, l], at) = choose(&ruled).ok_or(none)?;
@@ -213,42 +219,44 @@ impl Board<'_> {
         Ok(Some((self.frame().place(at, infinite).ok_or(none)?, origin)))
     }
 
-    fn placed(&self, pair: Pair) -> Option<Unit> {
+    fn placed(&self, pair: LinkPair) -> Option<ProjectiveUnit> {
         let place = self.list.iter().find(|c| c.step.pair == pair)?.place?;
         Some(self.frame().of(place))
     }
 
-    fn ruled(&self, pair: Pair, line: Line) -> Option<Ruled> {
+    fn ruled(&self, pair: LinkPair, line: CentreLocus) -> Option<Ruled> {
         match line {
-            Line::Through(k) => Ruled::through(self.placed(self.closure.pair(pair.i, k))?, self.placed(self.closure.pair(k, pair.j))?),
-            Line::Normal(g) => {
+            CentreLocus::Through(k) => {
+                Ruled::through(self.placed(self.closure.pair(pair.i, k))?, self.placed(self.closure.pair(k, pair.j))?)
+            }
+            CentreLocus::Normal(g) => {
                 let [pin, square] = normal(self.scene, self.worked, g, self.hand)?;
                 Ruled::through(self.frame().of(pin), self.frame().of(square))
             }
-            Line::Infinity => Some(Ruled { line: [0.0, 0.0, 1.0], through: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] }),
+            CentreLocus::Infinity => Some(Ruled { line: [0.0, 0.0, 1.0], through: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] }),
         }
     }
 }
 
 /// Returns the normal of a slot at its pin: the place of the pin, and the direction as a place at
 /// infinity.
-pub(super) fn normal(scene: &Scene, worked: &Worked, g: GuideId, hand: &Hand) -> Option<[Place; 2]> {
+pub(super) fn normal(scene: &Scene, worked: &Worked, g: GuideId, hand: &Hand) -> Option<[CentrePlace; 2]> {
     let pin = hand.given(worked.configuration.points[scene.guides[g.0].pin?.0]?);
     let direction = match worked.configuration.guides[g.0]? {
         Path::Line { direction, .. } => hand.ruler(direction, worked.configuration.extent()).perp(),
         Path::Arc { centre, .. } => hand.given(centre) - pin,
     };
-    Some([Place::At(pin), Place::infinity(direction)?])
+    Some([CentrePlace::At(pin), CentrePlace::infinity(direction)?])
 }
 
 /// Returns the largest deviation from collinearity of all triples P_ij, P_jk, P_ik, as the volume
 /// of their unit vectors. Links without relative motion (a rigid triangle) have every place as a
 /// centre: their centres are left out.
-pub(super) fn worst_triple(velocities: &Velocities, closure: &Closure, list: &[Centre]) -> f64 {
+pub(super) fn worst_triple(velocities: &Velocities, closure: &CentreClosure, list: &[Centre]) -> f64 {
     let frame = velocities.frame;
     let n = closure.links.len();
     let rank = |l| closure.links.iter().position(|k| *k == l).unwrap_or(0);
-    let mut places: Vec<Option<Unit>> = vec![None; n * n];
+    let mut places: Vec<Option<ProjectiveUnit>> = vec![None; n * n];
     for c in list.iter().filter(|c| !velocities.rests(c.step.pair)) {
         let (i, j) = (rank(c.step.pair.i), rank(c.step.pair.j));
         places[i * n + j] = c.place.map(|p| frame.of(p));

@@ -30,16 +30,16 @@ mod uses;
 mod velocities;
 
 pub use by_hand::HandTolerances;
-pub use lines::Place;
+pub use lines::CentrePlace;
 pub use locate::{Centre, Origin, Undetermined};
-pub use normals::Normal as ByVelocity;
-pub use primary::{Normal, Primary};
-pub use rounds::{Closure, How, Line, Pair, Step};
-pub use task::Task;
-pub use uses::{By, Motion, Speed, Turning, Uses};
+pub use normals::VelocityNormal as ByVelocity;
+pub use primary::{Primary, SlotNormal};
+pub use rounds::{CentreClosure, CentreLocus, CentreMethod, CentreStep, LinkPair};
+pub use task::CentreTask;
+pub use uses::{CentreMotion, CentreMotionSource, RelativeMotion, Speed, Uses};
 
 use hodograph_base::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
-use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{self, PointMotion, Rate};
@@ -55,7 +55,7 @@ pub const MOST_LINKS: usize = 64;
 #[derive(Clone, Debug)]
 pub struct Centres {
     /// The order of finding, from topology alone.
-    pub closure: Closure,
+    pub closure: CentreClosure,
     /// Every centre, in the order of finding.
     pub list: Vec<Centre>,
     /// Angular velocities and speeds by centres.
@@ -83,7 +83,7 @@ impl Centres {
 
     /// Returns the answers of the drawing and of the loop equations to a question of
     /// [`Centres::scene`]; each is `None` if there is no answer.
-    pub fn other_ways(&self, what: &Asked) -> [Option<Value>; 2] {
+    pub fn other_ways(&self, what: &Asked) -> [Option<AnswerValue>; 2] {
         let result = self.worked.results.iter().find(|r| self.scene.find[r.find].what == *what);
         [result.and_then(|r| r.drawn.as_ref()).map(|a| a.value), result.map(|r| r.computed)]
     }
@@ -155,7 +155,7 @@ fn located(asking: Scene, worked: Warned<Worked>, at_rest: bool) -> Warned<Centr
 ///
 /// # Errors
 /// The faults of [`Mechanism::new`].
-pub fn closure(scene: &Scene) -> Result<Closure, Faults> {
+pub fn closure(scene: &Scene) -> Result<CentreClosure, Faults> {
     Mechanism::new(scene)?;
     Ok(rounds::closure(scene, scene.drivers.len()))
 }
@@ -205,10 +205,10 @@ fn asking_all(scene: &Scene) -> (Scene, bool) {
 
 /// Returns remarks on centres that the theorem does not find, and on those that have no certain
 /// place in the pose.
-fn remarks(scene: &Scene, closure: &Closure, list: &[Centre]) -> Vec<Diagnostic> {
+fn remarks(scene: &Scene, closure: &CentreClosure, list: &[Centre]) -> Vec<Diagnostic> {
     let mut notes = Vec::new();
     let name = |c: &Centre| c.step.pair.name(scene);
-    let taken: Vec<String> = list.iter().filter(|c| c.step.how == How::Velocities).map(name).collect();
+    let taken: Vec<String> = list.iter().filter(|c| c.step.how == CentreMethod::Velocities).map(name).collect();
     if !taken.is_empty() {
         let (found, all, taken) = (closure.by_theorem, closure.steps.len(), Both::names(&taken));
         notes.push(if closure.freedoms == 1 {

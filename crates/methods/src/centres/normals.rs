@@ -1,8 +1,8 @@
 //! A centre from the normals to two velocities: the graphical method for a stalled closure.
 
-use super::{Centre, Centres, How, Place};
+use super::{Centre, CentreMethod, CentrePlace, Centres};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::PointId;
 
@@ -12,7 +12,7 @@ const SQUARE: f64 = 0.02;
 /// A point of the first link of a pair, its place (m), and its velocity relative to the second
 /// (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Normal {
+pub struct VelocityNormal {
     /// The point.
     pub point: PointId,
     /// The place of the point (m).
@@ -25,8 +25,8 @@ pub struct Normal {
 impl Centres {
     /// Returns the two points of one link whose velocities are nearest to square to one another,
     /// for a centre that the theorem does not find.
-    pub fn normals(&self, c: &Centre) -> Option<[Normal; 2]> {
-        if c.step.how != How::Velocities || !matches!(c.place?, Place::At(_)) {
+    pub fn normals(&self, c: &Centre) -> Option<[VelocityNormal; 2]> {
+        if c.step.how != CentreMethod::Velocities || !matches!(c.place?, CentrePlace::At(_)) {
             return None;
         }
         let ground = self.scene.ground;
@@ -43,10 +43,10 @@ impl Centres {
         let of = |p: &PointId| {
             let at = place(*p)?;
             let velocity = velocity(*p, moving)? - carried(at)?;
-            velocity.unit().map(|_| Normal { point: *p, at, velocity })
+            velocity.unit().map(|_| VelocityNormal { point: *p, at, velocity })
         };
-        let all: Vec<Normal> = self.scene.links[moving.0].points.iter().filter_map(of).collect();
-        let mut best: Option<(f64, [Normal; 2])> = None;
+        let all: Vec<VelocityNormal> = self.scene.links[moving.0].points.iter().filter_map(of).collect();
+        let mut best: Option<(f64, [VelocityNormal; 2])> = None;
         for (k, a) in all.iter().enumerate() {
             for b in &all[..k] {
                 let square = a.velocity.cross(b.velocity).abs() / (a.velocity.norm() * b.velocity.norm());

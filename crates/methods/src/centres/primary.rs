@@ -2,7 +2,7 @@
 //!
 //! Only this module defines what each kind of pair gives. A pair that rolls or meshes gives its
 //! contact as a [`Primary`] of its own; a pair that only touches gives its common normal as a
-//! [`Normal`].
+//! [`SlotNormal`].
 
 use hodograph_scene::exact::Inputs;
 use hodograph_scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
@@ -29,7 +29,7 @@ pub enum Primary {
 
 /// A bare pin in a slot: the centre of the two links lies on the normal of the slot at the pin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Normal {
+pub struct SlotNormal {
     /// The link that carries the pin.
     pub pin_of: LinkId,
     /// The link that carries the slot.
@@ -41,16 +41,16 @@ pub struct Normal {
 }
 
 /// Primary centres and normals that the pairs of a scene give.
-pub(super) struct Given {
+pub(super) struct PairCentres {
     /// Two links and their centre; each pair of links occurs once.
     pub primary: Vec<(LinkId, LinkId, Primary)>,
     /// The normals of bare pins in slots.
-    pub normals: Vec<Normal>,
+    pub normals: Vec<SlotNormal>,
     /// For each link, the lowest index in the class of links that never turn relative to it.
     translates: Vec<usize>,
 }
 
-impl Given {
+impl PairCentres {
     /// True if the pairs between two links keep them from turning relative to one another: their
     /// centre is at infinity.
     pub fn translate(&self, a: LinkId, b: LinkId) -> bool {
@@ -59,7 +59,7 @@ impl Given {
 }
 
 /// Returns the primary centres and normals that the pairs of a scene give.
-pub(super) fn given(scene: &Scene) -> Given {
+pub(super) fn given(scene: &Scene) -> PairCentres {
     let mut primary: Vec<(LinkId, LinkId, Primary)> = Vec::new();
     let mut add = |a: LinkId, b: LinkId, what: Primary| {
         let there = primary.iter().any(|(c, d, _)| (*c, *d) == (a, b) || (*c, *d) == (b, a));
@@ -101,9 +101,9 @@ pub(super) fn given(scene: &Scene) -> Given {
     let normals = scene.guides.iter().enumerate().filter(|(_, guide)| guide.slider.is_none()).flat_map(|(g, guide)| {
         let on = guide.pin.into_iter().flat_map(|p| around(scene, p).into_iter().map(move |l| (l, p)));
         let on = on.filter(|(l, _)| *l != guide.on);
-        on.map(move |(pin_of, pin)| Normal { pin_of, slot_of: guide.on, guide: GuideId(g), pin })
+        on.map(move |(pin_of, pin)| SlotNormal { pin_of, slot_of: guide.on, guide: GuideId(g), pin })
     });
-    Given { normals: normals.collect(), translates: classes(scene.links.len(), &slides), primary }
+    PairCentres { normals: normals.collect(), translates: classes(scene.links.len(), &slides), primary }
 }
 
 /// Returns the links that turn about a point: those that carry it, the barrel or rod that ends

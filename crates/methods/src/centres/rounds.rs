@@ -9,18 +9,18 @@
 
 use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
-use super::primary::{Given, Primary, given};
+use super::primary::{PairCentres, Primary, given};
 
 /// Two different links, in the order in which their numbers are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Pair {
+pub struct LinkPair {
     /// The first link.
     pub i: LinkId,
     /// The second link.
     pub j: LinkId,
 }
 
-impl Pair {
+impl LinkPair {
     /// Returns both names, with a comma between them if a link's name has more than one character:
     /// `24`, `2,10`.
     pub fn indices(&self, scene: &Scene) -> String {
@@ -47,7 +47,7 @@ impl Pair {
 
 /// A line on which a centre P_ij lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Line {
+pub enum CentreLocus {
     /// The line P_ik P_kj through this link k.
     Through(LinkId),
     /// The normal of a slot at its bare pin.
@@ -58,24 +58,24 @@ pub enum Line {
 
 /// The way in which a centre is found.
 #[derive(Clone, Debug, PartialEq)]
-pub enum How {
+pub enum CentreMethod {
     /// By its pair.
     Primary(Primary),
     /// By crossing two of these lines.
-    Lines(Vec<Line>),
+    Lines(Vec<CentreLocus>),
     /// From velocities, because the theorem stalls.
     Velocities,
 }
 
 /// The step that finds one centre.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Step {
+pub struct CentreStep {
     /// The two links of the centre.
-    pub pair: Pair,
+    pub pair: LinkPair,
     /// The round: 0 for primary centres.
     pub round: usize,
     /// The way in which the centre is found.
-    pub how: How,
+    pub how: CentreMethod,
     /// True if the centre is at infinity in every pose.
     pub infinite: bool,
     /// True if the centre holds only for the given rates of several drivers.
@@ -84,11 +84,11 @@ pub struct Step {
 
 /// The order of finding of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Closure {
+pub struct CentreClosure {
     /// All links in the order of their numbers.
     pub links: Vec<LinkId>,
     /// All centres, in the order of finding.
-    pub steps: Vec<Step>,
+    pub steps: Vec<CentreStep>,
     /// The number of primary centres.
     pub primary: usize,
     /// The number of centres that the theorem finds alone, primary ones included.
@@ -97,11 +97,11 @@ pub struct Closure {
     pub freedoms: usize,
 }
 
-impl Closure {
+impl CentreClosure {
     /// Returns the pair of two different links.
-    pub fn pair(&self, a: LinkId, b: LinkId) -> Pair {
+    pub fn pair(&self, a: LinkId, b: LinkId) -> LinkPair {
         let rank = |l: LinkId| self.links.iter().position(|k| *k == l);
-        if rank(a) <= rank(b) { Pair { i: a, j: b } } else { Pair { i: b, j: a } }
+        if rank(a) <= rank(b) { LinkPair { i: a, j: b } } else { LinkPair { i: b, j: a } }
     }
 
     /// True if the theorem stalls on a mechanism of one degree of freedom.
@@ -111,46 +111,47 @@ impl Closure {
 }
 
 /// Returns the order of finding; `freedoms` is the number of drivers.
-pub(super) fn closure(scene: &Scene, freedoms: usize) -> Closure {
+pub(super) fn closure(scene: &Scene, freedoms: usize) -> CentreClosure {
     let given = given(scene);
     let links = scene.links_in_order();
     let n = scene.links.len();
-    let mut open = Open { given: &given, links: &links, known: vec![None; n * n], n };
+    let mut open = OpenClosure { given: &given, links: &links, known: vec![None; n * n], n };
     let mut steps = Vec::new();
-    let pairs: Vec<Pair> = links.iter().enumerate().flat_map(|(k, i)| links[k + 1..].iter().map(|j| Pair { i: *i, j: *j })).collect();
+    let pairs: Vec<LinkPair> =
+        links.iter().enumerate().flat_map(|(k, i)| links[k + 1..].iter().map(|j| LinkPair { i: *i, j: *j })).collect();
     for pair in &pairs {
         let there = given.primary.iter().find(|(a, b, _)| pair.has(*a) && pair.has(*b));
         if let Some((_, _, primary)) = there {
-            steps.push(open.step(*pair, 0, How::Primary(*primary), false));
+            steps.push(open.step(*pair, 0, CentreMethod::Primary(*primary), false));
         }
     }
-    steps.iter().for_each(|s: &Step| open.take(s));
+    steps.iter().for_each(|s: &CentreStep| open.take(s));
     let primary = steps.len();
     let mut by_theorem = None;
     for round in 1.. {
-        let found: Vec<Step> = pairs
+        let found: Vec<CentreStep> = pairs
             .iter()
             .filter(|pair| open.of(pair.i, pair.j).is_none())
-            .filter_map(|pair| Some(open.step(*pair, round, How::Lines(open.lines(*pair)?), by_theorem.is_some() && freedoms > 1)))
+            .filter_map(|pair| Some(open.step(*pair, round, CentreMethod::Lines(open.lines(*pair)?), by_theorem.is_some() && freedoms > 1)))
             .collect();
         let found = if found.is_empty() {
             by_theorem.get_or_insert(steps.len());
             // Any missing centre serves: the first absolute one, otherwise the first.
             let missing = || pairs.iter().filter(|pair| open.of(pair.i, pair.j).is_none());
             let Some(pair) = missing().find(|pair| pair.has(scene.ground)).or_else(|| missing().next()) else { break };
-            vec![open.step(*pair, round, How::Velocities, freedoms > 1)]
+            vec![open.step(*pair, round, CentreMethod::Velocities, freedoms > 1)]
         } else {
             found
         };
         found.iter().for_each(|s| open.take(s));
         steps.extend(found);
     }
-    Closure { by_theorem: by_theorem.unwrap_or(steps.len()), links, steps, primary, freedoms }
+    CentreClosure { by_theorem: by_theorem.unwrap_or(steps.len()), links, steps, primary, freedoms }
 }
 
 /// A known centre, as far as topology distinguishes it from others.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Known {
+enum KnownCentre {
     /// At a joint.
     Joint(PointId),
     /// At infinity.
@@ -160,62 +161,62 @@ enum Known {
 }
 
 /// The closure under construction.
-struct Open<'a> {
-    given: &'a Given,
+struct OpenClosure<'a> {
+    given: &'a PairCentres,
     links: &'a [LinkId],
-    known: Vec<Option<Known>>,
+    known: Vec<Option<KnownCentre>>,
     n: usize,
 }
 
-impl Open<'_> {
-    fn of(&self, a: LinkId, b: LinkId) -> Option<Known> {
+impl OpenClosure<'_> {
+    fn of(&self, a: LinkId, b: LinkId) -> Option<KnownCentre> {
         self.known[a.0 * self.n + b.0]
     }
 
-    fn step(&self, pair: Pair, round: usize, how: How, given_drivers: bool) -> Step {
-        Step { pair, round, how, infinite: self.given.translate(pair.i, pair.j), given_drivers }
+    fn step(&self, pair: LinkPair, round: usize, how: CentreMethod, given_drivers: bool) -> CentreStep {
+        CentreStep { pair, round, how, infinite: self.given.translate(pair.i, pair.j), given_drivers }
     }
 
-    fn take(&mut self, step: &Step) {
-        let Pair { i, j } = step.pair;
+    fn take(&mut self, step: &CentreStep) {
+        let LinkPair { i, j } = step.pair;
         let known = match step.how {
-            How::Primary(Primary::Pin(p)) => Known::Joint(p),
-            _ if step.infinite => Known::Infinite,
-            How::Primary(_) | How::Lines(_) | How::Velocities => Known::Somewhere,
+            CentreMethod::Primary(Primary::Pin(p)) => KnownCentre::Joint(p),
+            _ if step.infinite => KnownCentre::Infinite,
+            CentreMethod::Primary(_) | CentreMethod::Lines(_) | CentreMethod::Velocities => KnownCentre::Somewhere,
         };
         self.known[i.0 * self.n + j.0] = Some(known);
         self.known[j.0 * self.n + i.0] = Some(known);
     }
 
     /// Returns all lines on which a missing centre lies; `None` if fewer than two are different.
-    fn lines(&self, pair: Pair) -> Option<Vec<Line>> {
-        let Pair { i, j } = pair;
+    fn lines(&self, pair: LinkPair) -> Option<Vec<CentreLocus>> {
+        let LinkPair { i, j } = pair;
         let mut lines = Vec::new();
         // Lines that coincide for topological reasons count once: lines through a common joint.
-        let mut through: Vec<[Known; 2]> = Vec::new();
+        let mut through: Vec<[KnownCentre; 2]> = Vec::new();
         let mut different = 0;
         if self.given.translate(i, j) {
-            lines.push(Line::Infinity);
+            lines.push(CentreLocus::Infinity);
             different += 1;
         }
         let mut pins = Vec::new();
         for normal in self.given.normals.iter().filter(|n| pair.has(n.pin_of) && pair.has(n.slot_of)) {
-            lines.push(Line::Normal(normal.guide));
-            pins.push(Known::Joint(normal.pin));
+            lines.push(CentreLocus::Normal(normal.guide));
+            pins.push(KnownCentre::Joint(normal.pin));
             different += 1;
         }
         for k in self.links.iter().copied().filter(|k| !pair.has(*k)) {
             let (Some(a), Some(b)) = (self.of(i, k), self.of(k, j)) else { continue };
-            if a == Known::Infinite && b == Known::Infinite {
+            if a == KnownCentre::Infinite && b == KnownCentre::Infinite {
                 // In this case i and j do not turn relative to one another either: the line at
                 // infinity is already in the list.
                 continue;
             }
-            let joint = |x: Known, y: Known| matches!(x, Known::Joint(_)) && x == y;
+            let joint = |x: KnownCentre, y: KnownCentre| matches!(x, KnownCentre::Joint(_)) && x == y;
             if joint(a, b) {
                 continue;
             }
-            lines.push(Line::Through(k));
+            lines.push(CentreLocus::Through(k));
             // Only one line, the normal, goes through the pin of a slot, independent of the link on
             // the pin.
             let normal = pins.iter().any(|pin| joint(a, *pin) || joint(b, *pin));

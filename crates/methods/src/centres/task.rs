@@ -7,22 +7,22 @@ use hodograph_scene::{Asked, Find, OnLink, Scene};
 
 /// A task that asks for centres.
 #[derive(Clone, Debug)]
-pub struct Task {
+pub struct CentreTask {
     /// All centres of the mechanism.
     pub found: Centres,
     /// True if the centres answer all questions of motion, so that no polygon is needed.
     pub alone: bool,
 }
 
-impl Task {
+impl CentreTask {
     /// Returns the centres of a scene with a question for a centre; `None` if it has no such
     /// question.
-    pub fn of(scene: &Scene) -> Option<Task> {
+    pub fn of(scene: &Scene) -> Option<CentreTask> {
         scene.find.iter().find(|f| matches!(f.what, Asked::InstantCentre(_)))?;
         let found = centres(scene).ok()?.value;
         let tells = |f: &Find| matches!(f.what, Asked::InstantCentre(_)) || found.value(scene, f).is_some();
         let alone = scene.find.iter().all(|f| f.what.level() == Level::Position || tells(f));
-        Some(Task { found, alone })
+        Some(CentreTask { found, alone })
     }
 }
 

@@ -7,21 +7,21 @@
 //! zero.
 
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Path;
 use hodograph_scene::quantity::Meaning;
 use hodograph_scene::{DriverKind, LinkId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
-use super::lines::{Place, SAME};
+use super::lines::{CentrePlace, SAME};
 use super::locate::Centre;
-use super::rounds::Closure;
+use super::rounds::CentreClosure;
 use super::velocities::RESTING;
 
 /// The motion of a link relative to the frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Motion {
+pub enum RelativeMotion {
     /// Rotation (rad/s, counter-clockwise plus) about the link's centre.
     Turn(f64),
     /// Translation: all points have this velocity (m/s).
@@ -30,7 +30,7 @@ pub enum Motion {
 
 /// The source of a link's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum By {
+pub enum CentreMotionSource {
     /// The driver gives it.
     Driver,
     /// The loop equations, because no driver acts between two numbered links.
@@ -69,13 +69,13 @@ pub enum By {
 
 /// The motion of one link by centres.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turning {
+pub struct CentreMotion {
     /// The link.
     pub link: LinkId,
     /// The source of the motion.
-    pub by: By,
+    pub by: CentreMotionSource,
     /// The motion relative to the frame.
-    pub motion: Motion,
+    pub motion: RelativeMotion,
     /// ω relative to the ground (rad/s).
     pub omega: f64,
 }
@@ -100,27 +100,27 @@ pub struct Uses {
     /// The link to which the motions are relative.
     pub frame: LinkId,
     /// The links, each after the links on which it depends.
-    pub links: Vec<Turning>,
+    pub links: Vec<CentreMotion>,
     /// The points.
     pub points: Vec<Speed>,
 }
 
 /// Returns angular velocities and speeds, starting at the first driver.
-pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Centre]) -> Uses {
-    let mut chain = Chain { scene, worked, closure, list, frame: scene.ground, known: Vec::new() };
+pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &CentreClosure, list: &[Centre]) -> Uses {
+    let mut chain = MotionChain { scene, worked, closure, list, frame: scene.ground, known: Vec::new() };
     let (frame, first) = match chain.driver(0) {
-        Some((frame, link, motion)) => (frame, Some((link, By::Driver, motion))),
+        Some((frame, link, motion)) => (frame, Some((link, CentreMotionSource::Driver, motion))),
         None => (scene.ground, chain.analysis()),
     };
     chain.frame = frame;
     if let Some((link, by, motion)) = first {
-        chain.known.push(Turning { link, by, motion, omega: 0.0 });
+        chain.known.push(CentreMotion { link, by, motion, omega: 0.0 });
     }
     // Further drivers with the same reference link.
     for k in 1..scene.drivers.len() {
         match chain.driver(k) {
             Some((other, link, motion)) if other == frame && !chain.known.iter().any(|t| t.link == link) => {
-                chain.known.push(Turning { link, by: By::Driver, motion, omega: 0.0 });
+                chain.known.push(CentreMotion { link, by: CentreMotionSource::Driver, motion, omega: 0.0 });
             }
             Some(_) | None => {}
         }
@@ -135,35 +135,35 @@ pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Ce
     Uses { frame, links: chain.known, points }
 }
 
-struct Chain<'a> {
+struct MotionChain<'a> {
     scene: &'a Scene,
     worked: &'a Worked,
-    closure: &'a Closure,
+    closure: &'a CentreClosure,
     list: &'a [Centre],
     frame: LinkId,
-    known: Vec<Turning>,
+    known: Vec<CentreMotion>,
 }
 
-impl Chain<'_> {
-    fn place(&self, a: LinkId, b: LinkId) -> Option<Place> {
+impl MotionChain<'_> {
+    fn place(&self, a: LinkId, b: LinkId) -> Option<CentrePlace> {
         let pair = self.closure.pair(a, b);
         self.list.iter().find(|c| c.step.pair == pair)?.place
     }
 
     /// Returns the frame, the link and the motion that a driver gives.
-    fn driver(&self, k: usize) -> Option<(LinkId, LinkId, Motion)> {
+    fn driver(&self, k: usize) -> Option<(LinkId, LinkId, RelativeMotion)> {
         let driver = self.scene.drivers.get(k)?;
         let rate = driver.rate.value;
         let at = &self.worked.configuration;
         match &driver.kind {
-            DriverKind::Turn { link, against, .. } => Some((*against, *link, Motion::Turn(rate))),
+            DriverKind::Turn { link, against, .. } => Some((*against, *link, RelativeMotion::Turn(rate))),
             DriverKind::Slide { guide, .. } => {
                 let g = &self.scene.guides[guide.0];
                 let path = at.guides[guide.0]?;
                 let velocity = |at: Point| path.tangent_at(at) * rate;
                 match (g.slider, path, g.pin) {
-                    (Some(slider), Path::Line { direction, .. }, _) => Some((g.on, slider, Motion::Slide(direction * rate))),
-                    (Some(slider), Path::Arc { radius, .. }, _) => Some((g.on, slider, Motion::Turn(rate / radius))),
+                    (Some(slider), Path::Line { direction, .. }, _) => Some((g.on, slider, RelativeMotion::Slide(direction * rate))),
+                    (Some(slider), Path::Arc { radius, .. }, _) => Some((g.on, slider, RelativeMotion::Turn(rate / radius))),
                     (None, _, Some(pin)) => {
                         let link = self.scene.carriers(pin).find(|l| *l != g.on)?;
                         let pin = at.points[pin.0]?;
@@ -173,18 +173,18 @@ impl Chain<'_> {
                 }
             }
             DriverKind::Cylinder { a, b, links, .. } => match links[..] {
-                [barrel, rod] => Some((barrel, rod, Motion::Slide((at.points[b.0]? - at.points[a.0]?).unit()? * rate))),
+                [barrel, rod] => Some((barrel, rod, RelativeMotion::Slide((at.points[b.0]? - at.points[a.0]?).unit()? * rate))),
                 _ => None,
             },
         }
     }
 
     /// Returns the first link that turns, with its motion from the loop equations.
-    fn analysis(&self) -> Option<(LinkId, By, Motion)> {
+    fn analysis(&self) -> Option<(LinkId, CentreMotionSource, RelativeMotion)> {
         let solution = &self.worked.solution;
         let moves = |l: &LinkId| *l != self.scene.ground && solution.turning(Level::Velocity, *l).is_some_and(|omega| omega != 0.0);
         let link = self.closure.links.iter().copied().find(moves)?;
-        Some((link, By::Analysis, Motion::Turn(solution.turning(Level::Velocity, link)?)))
+        Some((link, CentreMotionSource::Analysis, RelativeMotion::Turn(solution.turning(Level::Velocity, link)?)))
     }
 
     /// Adds one link after another, each by the first known link that determines it.
@@ -200,7 +200,7 @@ impl Chain<'_> {
                 }
                 if let Some((by, motion)) = self.known.iter().find_map(|m| self.next(k, m)) {
                     let motion = self.settled(motion);
-                    self.known.push(Turning { link: k, by, motion, omega: 0.0 });
+                    self.known.push(CentreMotion { link: k, by, motion, omega: 0.0 });
                 }
             }
             if self.known.len() == before {
@@ -210,46 +210,48 @@ impl Chain<'_> {
     }
 
     /// Returns the motion of link k from the motion of link m.
-    fn next(&self, k: LinkId, m: &Turning) -> Option<(By, Motion)> {
+    fn next(&self, k: LinkId, m: &CentreMotion) -> Option<(CentreMotionSource, RelativeMotion)> {
         let (own, shared) = (self.place(self.frame, k)?, self.place(k, m.link)?);
         match (own, shared, m.motion) {
-            (Place::At(o), Place::At(x), _) => {
+            (CentrePlace::At(o), CentrePlace::At(x), _) => {
                 let motion = about(own, x, self.velocity(m, x)?).filter(|_| o.distance(x) > SAME * self.size())?;
                 let by = match self.place(self.frame, m.link)? {
-                    Place::At(c) => By::Ratio { link: m.link, of_other: c.distance(x), own: o.distance(x) },
-                    Place::Infinity(_) => By::FromSlide { link: m.link, arm: o.distance(x) },
+                    CentrePlace::At(c) => CentreMotionSource::Ratio { link: m.link, of_other: c.distance(x), own: o.distance(x) },
+                    CentrePlace::Infinity(_) => CentreMotionSource::FromSlide { link: m.link, arm: o.distance(x) },
                 };
                 Some((by, motion))
             }
-            (Place::At(_), Place::Infinity(_), Motion::Turn(omega)) => Some((By::Together(m.link), Motion::Turn(omega))),
-            (Place::Infinity(_), Place::At(x), Motion::Turn(_)) => {
-                let arm = self.place(self.frame, m.link)?.point()?.distance(x);
-                Some((By::Slides { link: m.link, arm }, Motion::Slide(self.velocity(m, x)?)))
+            (CentrePlace::At(_), CentrePlace::Infinity(_), RelativeMotion::Turn(omega)) => {
+                Some((CentreMotionSource::Together(m.link), RelativeMotion::Turn(omega)))
             }
-            (Place::Infinity(own), Place::Infinity(shared), Motion::Slide(v)) => {
+            (CentrePlace::Infinity(_), CentrePlace::At(x), RelativeMotion::Turn(_)) => {
+                let arm = self.place(self.frame, m.link)?.point()?.distance(x);
+                Some((CentreMotionSource::Slides { link: m.link, arm }, RelativeMotion::Slide(self.velocity(m, x)?)))
+            }
+            (CentrePlace::Infinity(own), CentrePlace::Infinity(shared), RelativeMotion::Slide(v)) => {
                 let along = own.perp();
                 let part = along.dot(shared);
-                (part.abs() > SAME).then(|| (By::Wedge(m.link), Motion::Slide(along * (v.dot(shared) / part))))
+                (part.abs() > SAME).then(|| (CentreMotionSource::Wedge(m.link), RelativeMotion::Slide(along * (v.dot(shared) / part))))
             }
-            (Place::At(_), Place::Infinity(_), Motion::Slide(_))
-            | (Place::Infinity(_), Place::At(_), Motion::Slide(_))
-            | (Place::Infinity(_), Place::Infinity(_), Motion::Turn(_)) => None,
+            (CentrePlace::At(_), CentrePlace::Infinity(_), RelativeMotion::Slide(_))
+            | (CentrePlace::Infinity(_), CentrePlace::At(_), RelativeMotion::Slide(_))
+            | (CentrePlace::Infinity(_), CentrePlace::Infinity(_), RelativeMotion::Turn(_)) => None,
         }
     }
 
     /// Sets a motion to rest if it is negligible beside the fastest known one: two distances that
     /// cancel leave a rounding error.
-    fn settled(&self, motion: Motion) -> Motion {
+    fn settled(&self, motion: RelativeMotion) -> RelativeMotion {
         let size = self.size();
-        let rate = |m: &Motion| match m {
-            Motion::Turn(omega) => omega.abs(),
-            Motion::Slide(v) => v.norm() / size,
+        let rate = |m: &RelativeMotion| match m {
+            RelativeMotion::Turn(omega) => omega.abs(),
+            RelativeMotion::Slide(v) => v.norm() / size,
         };
         let fastest = self.known.iter().map(|t| rate(&t.motion)).fold(0.0, f64::max);
         match motion {
             m if rate(&m) > RESTING * fastest => m,
-            Motion::Turn(_) => Motion::Turn(0.0),
-            Motion::Slide(_) => Motion::Slide(Vec2::ZERO),
+            RelativeMotion::Turn(_) => RelativeMotion::Turn(0.0),
+            RelativeMotion::Slide(_) => RelativeMotion::Slide(Vec2::ZERO),
         }
     }
 
@@ -258,22 +260,22 @@ impl Chain<'_> {
     }
 
     /// Returns the velocity of a link's point at a place, relative to the frame.
-    fn velocity(&self, of: &Turning, at: Point) -> Option<Vec2> {
+    fn velocity(&self, of: &CentreMotion, at: Point) -> Option<Vec2> {
         match of.motion {
-            Motion::Turn(omega) => Some((at - self.place(self.frame, of.link)?.point()?).perp() * omega),
-            Motion::Slide(v) => Some(v),
+            RelativeMotion::Turn(omega) => Some((at - self.place(self.frame, of.link)?.point()?).perp() * omega),
+            RelativeMotion::Slide(v) => Some(v),
         }
     }
 
-    fn of(&self, l: LinkId) -> Option<&Turning> {
+    fn of(&self, l: LinkId) -> Option<&CentreMotion> {
         self.known.iter().find(|t| t.link == l)
     }
 
     /// Computes ω relative to the ground, in case the motions are relative to another link.
     fn against_ground(&mut self) {
-        let rate = |t: &Turning| match t.motion {
-            Motion::Turn(omega) => omega,
-            Motion::Slide(_) => 0.0,
+        let rate = |t: &CentreMotion| match t.motion {
+            RelativeMotion::Turn(omega) => omega,
+            RelativeMotion::Slide(_) => 0.0,
         };
         let ground = self.of(self.scene.ground).map_or(0.0, rate);
         self.known.iter_mut().for_each(|t| t.omega = rate(t) - ground);
@@ -282,7 +284,8 @@ impl Chain<'_> {
     /// Returns the velocity of a point, from the first link that carries it and has a known motion.
     fn speed(&self, point: PointId) -> Option<Speed> {
         let at = self.worked.configuration.points[point.0]?;
-        let still = Turning { link: self.frame, by: By::Driver, motion: Motion::Slide(Vec2::ZERO), omega: 0.0 };
+        let still =
+            CentreMotion { link: self.frame, by: CentreMotionSource::Driver, motion: RelativeMotion::Slide(Vec2::ZERO), omega: 0.0 };
         let of = |l: LinkId| if l == self.frame { Some(&still) } else { self.of(l) };
         let ground = self.velocity(of(self.scene.ground)?, at)?;
         let link = self.scene.carriers(point).find(|l| *l != self.scene.ground && of(*l).is_some())?;
@@ -293,13 +296,13 @@ impl Chain<'_> {
 }
 
 /// Returns the motion about a centre that gives a place this velocity.
-fn about(centre: Place, at: Point, v: Vec2) -> Option<Motion> {
+fn about(centre: CentrePlace, at: Point, v: Vec2) -> Option<RelativeMotion> {
     match centre {
-        Place::At(c) => {
+        CentrePlace::At(c) => {
             let r = at - c;
             let omega = r.cross(v) / r.norm2();
-            omega.is_finite().then_some(Motion::Turn(omega))
+            omega.is_finite().then_some(RelativeMotion::Turn(omega))
         }
-        Place::Infinity(_) => Some(Motion::Slide(v)),
+        CentrePlace::Infinity(_) => Some(RelativeMotion::Slide(v)),
     }
 }

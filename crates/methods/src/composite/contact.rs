@@ -12,20 +12,20 @@
 //! Another point is in contact at the next instant: the point is added to the scene in its pose
 //! ([`hodograph_worked::worked::contact`]).
 
-use super::{Choice, Place, Solved, Verdict, choices, judge, solved, usable};
+use super::{ChoicePlace, ChoiceSolution, ChoiceVerdict, FrameChoice, choices, judge, solved, usable};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Vec2;
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::{self, Configuration};
 use hodograph_scene::quantity::{Frame, RelativePath};
-use hodograph_scene::{Follows, LinkId, Moving, OnLink, PointId, Scene};
+use hodograph_scene::{CompositePoint, Follows, LinkId, OnLink, PointId, Scene};
 use hodograph_worked::worked::contact::{with_contact, work_at};
 use hodograph_worked::worked::{Scope, Worked, work};
 
 /// A point of contact of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
+pub struct CamContact {
     /// Index into the scene's cams.
     pub cam: usize,
     /// The links: the cam and its follower.
@@ -42,7 +42,7 @@ pub struct Contact {
 
 /// The known properties of the relative motion at a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slip {
+pub struct ContactSlip {
     /// Radii of curvature (m) of the contours of the frame and of the body; `None` for a face.
     pub radii: [Option<f64>; 2],
     /// The angular velocity of the point's body relative to the frame (rad/s).
@@ -53,7 +53,7 @@ pub struct Slip {
     pub normal: Vec2,
 }
 
-impl Slip {
+impl ContactSlip {
     /// Returns a_rⁿ along the normal (m/s²), by the formula.
     pub fn acceleration(&self) -> f64 {
         let (omega, v) = (self.omega, self.sliding);
@@ -69,18 +69,18 @@ impl Slip {
 
 /// A scene with the points of contact of its cams, and its pose.
 #[derive(Clone, Debug)]
-pub struct Staged {
+pub struct ContactScene {
     /// The scene with the points of contact among its points.
     pub scene: Scene,
     /// The points of contact.
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<CamContact>,
     at: Option<Configuration>,
 }
 
-impl Staged {
+impl ContactScene {
     /// Places a scene in its pose; a scene that cannot be placed has no contacts.
-    pub fn new(scene: &Scene) -> Staged {
-        let bare = || Staged { scene: scene.clone(), contacts: Vec::new(), at: None };
+    pub fn new(scene: &Scene) -> ContactScene {
+        let bare = || ContactScene { scene: scene.clone(), contacts: Vec::new(), at: None };
         let offers = |c: &hodograph_scene::Cam| matches!(c.follows, Follows::Face(_) | Follows::Arc(..)) && c.circle.is_some();
         if !scene.cams.iter().any(offers) {
             return bare();
@@ -98,15 +98,15 @@ impl Staged {
             let Some((with, pose, point)) = with_contact(&out, &at, index, cam.follower, touched.at) else { continue };
             (out, at) = (with, pose);
             let radii = [Some(radius), cam.follows.radius()];
-            contacts.push(Contact { cam: index, links: [cam.cam, cam.follower], point, centre, radii, normal: touched.normal });
+            contacts.push(CamContact { cam: index, links: [cam.cam, cam.follower], point, centre, radii, normal: touched.normal });
         }
-        Staged { scene: out, contacts, at: Some(at) }
+        ContactScene { scene: out, contacts, at: Some(at) }
     }
 
     /// Returns all choices: those that the scene names, those at slides, pins and contacts of
     /// wheels, then those at the cams.
-    pub fn choices(&self, scene: &Scene) -> Vec<Choice> {
-        let mut all: Vec<Choice> = self.named(scene);
+    pub fn choices(&self, scene: &Scene) -> Vec<FrameChoice> {
+        let mut all: Vec<FrameChoice> = self.named(scene);
         let more = choices(scene).into_iter().chain(self.contacts.iter().flat_map(|c| self.at_contact(c)));
         for c in more {
             if !all.iter().any(|a| a.of == c.of && a.frame == c.frame) {
@@ -118,19 +118,19 @@ impl Staged {
 
     /// Returns the choices to show: those that the scene names, otherwise the first `most` that
     /// serve.
-    pub fn shown(&self, scene: &Scene, most: usize) -> Vec<Choice> {
-        let named: Vec<Choice> = self.named(scene).into_iter().filter(usable).collect();
+    pub fn shown(&self, scene: &Scene, most: usize) -> Vec<FrameChoice> {
+        let named: Vec<FrameChoice> = self.named(scene).into_iter().filter(usable).collect();
         if !named.is_empty() {
             return named;
         }
-        self.choices(scene).into_iter().filter(|c| c.verdict == Verdict::Serves).take(most).collect()
+        self.choices(scene).into_iter().filter(|c| c.verdict == ChoiceVerdict::Serves).take(most).collect()
     }
 
     /// Returns the parts of the motion for these choices.
     ///
     /// # Errors
     /// The faults of the scene; at a dead centre there is no motion to resolve.
-    pub fn solved(&self, choices: &[Choice], level: Level) -> Result<Warned<(Worked, Vec<Solved>)>, Faults> {
+    pub fn solved(&self, choices: &[FrameChoice], level: Level) -> Result<Warned<(Worked, Vec<ChoiceSolution>)>, Faults> {
         solved(self, choices, level)
     }
 
@@ -140,12 +140,12 @@ impl Staged {
         posed.map_or_else(|| work(asking, Scope::Figure), |value| Ok(Warned { value, notes: Vec::new() }))
     }
 
-    fn named(&self, scene: &Scene) -> Vec<Choice> {
-        let one = |s: &hodograph_scene::Seen| match s.of {
-            Moving::Point(of) => Some(judge(&self.scene, of, s.frame, Place::Named)),
-            Moving::Contact { cam, on } => {
+    fn named(&self, scene: &Scene) -> Vec<FrameChoice> {
+        let one = |s: &hodograph_scene::ObservedPoint| match s.of {
+            CompositePoint::Point(of) => Some(judge(&self.scene, of, s.frame, ChoicePlace::Named)),
+            CompositePoint::Contact { cam, on } => {
                 let contact = self.contacts.iter().find(|c| c.cam == cam)?;
-                Some(self.choice(contact, on, s.frame, Place::Named))
+                Some(self.choice(contact, on, s.frame, ChoicePlace::Named))
             }
         };
         scene.composite.iter().filter_map(one).collect()
@@ -153,16 +153,16 @@ impl Staged {
 
     /// Returns the choices at a contact: the point of each body relative to the other body, and the
     /// follower's point relative to axes that translate with the centre.
-    fn at_contact(&self, c: &Contact) -> Vec<Choice> {
+    fn at_contact(&self, c: &CamContact) -> Vec<FrameChoice> {
         let [cam, follower] = c.links;
         let centre = Frame::Point(OnLink { point: c.centre, link: None });
-        let place = Place::Cam(c.cam);
+        let place = ChoicePlace::Cam(c.cam);
         let all = [(follower, Frame::Link(cam)), (cam, Frame::Link(follower)), (follower, centre)];
         let moves = |(on, frame): &(LinkId, Frame)| *on != self.scene.ground && !frame.is_fixed(&self.scene);
         all.into_iter().filter(moves).map(|(on, frame)| self.choice(c, on, frame, place)).collect()
     }
 
-    fn choice(&self, c: &Contact, on: LinkId, frame: Frame, place: Place) -> Choice {
+    fn choice(&self, c: &CamContact, on: LinkId, frame: Frame, place: ChoicePlace) -> FrameChoice {
         let of = OnLink { point: c.point, link: (on != c.links[1]).then_some(on) };
         let other = if on == c.links[0] { c.links[1] } else { c.links[0] };
         let serves = match frame {
@@ -171,18 +171,18 @@ impl Staged {
         };
         let path = RelativePath::Unknown;
         if serves && !frame.is_fixed(&self.scene) {
-            return Choice { of, frame, place, verdict: Verdict::Serves, path };
+            return FrameChoice { of, frame, place, verdict: ChoiceVerdict::Serves, path };
         }
         let judged = judge(&self.scene, of, frame, place);
         // The verdict that the pairs give for permanent points does not hold for this point.
-        let verdict = if judged.verdict == Verdict::Serves { Verdict::PointChanges } else { judged.verdict };
-        Choice { verdict, path, ..judged }
+        let verdict = if judged.verdict == ChoiceVerdict::Serves { ChoiceVerdict::PointChanges } else { judged.verdict };
+        FrameChoice { verdict, path, ..judged }
     }
 
     /// Returns the sliding at the contact of a choice; `None` if its moving point is not a point of
     /// contact.
-    pub fn slip(&self, choice: &Choice, worked: &Worked, relative: Vec2) -> Option<Slip> {
-        let c = self.contacts.iter().find(|c| c.point == choice.of.point && choice.verdict == Verdict::Serves)?;
+    pub fn slip(&self, choice: &FrameChoice, worked: &Worked, relative: Vec2) -> Option<ContactSlip> {
+        let c = self.contacts.iter().find(|c| c.point == choice.of.point && choice.verdict == ChoiceVerdict::Serves)?;
         let [cam, follower] = c.links;
         let on_cam = choice.of.link == Some(cam);
         let rate = |l: LinkId| if l == self.scene.ground { 0.0 } else { worked.solution.turning(Level::Velocity, l).unwrap_or(0.0) };
@@ -192,6 +192,6 @@ impl Staged {
             Frame::Point(_) => 0.0,
         };
         let (normal, radii) = if on_cam { (-c.normal, [c.radii[1], c.radii[0]]) } else { (c.normal, c.radii) };
-        Some(Slip { radii, omega: own - carried, sliding: relative.dot(-normal.perp()), normal })
+        Some(ContactSlip { radii, omega: own - carried, sliding: relative.dot(-normal.perp()), normal })
     }
 }

@@ -12,18 +12,18 @@ pub mod contact;
 mod projection;
 mod solved;
 
-pub use contact::Staged;
-pub use projection::{On, Projection, Term, projections};
+pub use contact::ContactScene;
+pub use projection::{On, Projection, ProjectionTerm, projections};
 use solved::solved;
-pub use solved::{Closure, Known, Solved, Turned};
+pub use solved::{AxisRotation, ChoiceSolution, ChoiceUnknowns, KnownMotion};
 
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::quantity::{Frame, RelativePath, owns, relative_path};
-use hodograph_scene::{GuidePath, LinkId, Moving, OnLink, PointId, Scene};
+use hodograph_scene::{CompositePoint, GuidePath, LinkId, OnLink, PointId, Scene};
 
 /// The suitability of a moving point and a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum ChoiceVerdict {
     /// The path of the point in the frame is known.
     Serves,
     /// No pair gives the path: the equation of velocities holds, but neither the direction of v_r
@@ -40,7 +40,7 @@ pub enum Verdict {
 
 /// The place at which a choice is offered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum ChoicePlace {
     /// The scene names it.
     Named,
     /// A sliding pair.
@@ -55,15 +55,15 @@ pub enum Place {
 
 /// A moving point and a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Choice {
+pub struct FrameChoice {
     /// The moving point.
     pub of: OnLink,
     /// The frame.
     pub frame: Frame,
     /// The place at which the choice is offered.
-    pub place: Place,
+    pub place: ChoicePlace,
     /// The suitability of the choice.
-    pub verdict: Verdict,
+    pub verdict: ChoiceVerdict,
     /// The path of the point in the frame.
     pub path: RelativePath,
 }
@@ -72,18 +72,18 @@ pub struct Choice {
 const MOST: usize = 500;
 
 /// Judges a moving point and a frame.
-pub fn judge(scene: &Scene, of: OnLink, frame: Frame, place: Place) -> Choice {
+pub fn judge(scene: &Scene, of: OnLink, frame: Frame, place: ChoicePlace) -> FrameChoice {
     let path = relative_path(scene, of, frame);
     let verdict = match path {
-        _ if frame.is_fixed(scene) => Verdict::FrameFixed,
-        _ if frame.carries(scene, &of) => Verdict::SameBody,
-        _ if momentary(scene, of) => Verdict::PointChanges,
-        RelativePath::Guide(_) | RelativePath::Circle(_) => Verdict::Serves,
-        RelativePath::Unknown => Verdict::PathUnknown,
+        _ if frame.is_fixed(scene) => ChoiceVerdict::FrameFixed,
+        _ if frame.carries(scene, &of) => ChoiceVerdict::SameBody,
+        _ if momentary(scene, of) => ChoiceVerdict::PointChanges,
+        RelativePath::Guide(_) | RelativePath::Circle(_) => ChoiceVerdict::Serves,
+        RelativePath::Unknown => ChoiceVerdict::PathUnknown,
     };
     // The point of a link under a pin has no path of its own, even if the pin runs on a circle.
-    let path = if verdict == Verdict::Serves { path } else { RelativePath::Unknown };
-    Choice { of, frame, place, verdict, path }
+    let path = if verdict == ChoiceVerdict::Serves { path } else { RelativePath::Unknown };
+    FrameChoice { of, frame, place, verdict, path }
 }
 
 /// True if a point of a link is named only because a pin or contact of another link coincides with
@@ -99,11 +99,11 @@ fn momentary(scene: &Scene, of: OnLink) -> bool {
 
 /// Returns all choices that topology offers: those that the scene names, then those at each slide,
 /// pin and contact of wheels.
-pub fn choices(scene: &Scene) -> Vec<Choice> {
-    let mut list = List { scene, all: Vec::new() };
+pub fn choices(scene: &Scene) -> Vec<FrameChoice> {
+    let mut list = ChoiceList { scene, all: Vec::new() };
     for c in &scene.composite {
-        if let Moving::Point(of) = c.of {
-            list.add(of, c.frame, Place::Named);
+        if let CompositePoint::Point(of) = c.of {
+            list.add(of, c.frame, ChoicePlace::Named);
         }
     }
     for (g, guide) in scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
@@ -118,7 +118,7 @@ pub fn choices(scene: &Scene) -> Vec<Choice> {
         let [a, b] = pair.links;
         for (own, other) in [(a, b), (b, a)] {
             let of = OnLink { point: contact, link: Some(own) };
-            list.add_moving(of, Frame::Link(other), Place::Contact(hodograph_scene::RollingId(r)));
+            list.add_moving(of, Frame::Link(other), ChoicePlace::Contact(hodograph_scene::RollingId(r)));
         }
     }
     list.all.truncate(MOST);
@@ -140,38 +140,38 @@ pub fn level(scene: &Scene) -> Level {
 }
 
 /// True if the motion of a choice has parts.
-fn usable(c: &Choice) -> bool {
+fn usable(c: &FrameChoice) -> bool {
     match c.verdict {
-        Verdict::Serves | Verdict::PathUnknown | Verdict::PointChanges => true,
-        Verdict::SameBody | Verdict::FrameFixed => false,
+        ChoiceVerdict::Serves | ChoiceVerdict::PathUnknown | ChoiceVerdict::PointChanges => true,
+        ChoiceVerdict::SameBody | ChoiceVerdict::FrameFixed => false,
     }
 }
 
-struct List<'a> {
+struct ChoiceList<'a> {
     scene: &'a Scene,
-    all: Vec<Choice>,
+    all: Vec<FrameChoice>,
 }
 
-impl List<'_> {
-    fn add(&mut self, of: OnLink, frame: Frame, place: Place) {
+impl ChoiceList<'_> {
+    fn add(&mut self, of: OnLink, frame: Frame, place: ChoicePlace) {
         if !self.all.iter().any(|c| c.of == of && c.frame == frame) {
             self.all.push(judge(self.scene, of, frame, place));
         }
     }
 
     /// Adds a choice if both the frame and the point move.
-    fn add_moving(&mut self, of: OnLink, frame: Frame, place: Place) {
-        if !frame.is_fixed(self.scene) && !owns(self.scene, self.scene.ground, &of) && !self.stands(&of) {
+    fn add_moving(&mut self, of: OnLink, frame: Frame, place: ChoicePlace) {
+        if !frame.is_fixed(self.scene) && !owns(self.scene, self.scene.ground, &of) && !self.is_of_ground(&of) {
             self.add(of, frame, place);
         }
     }
 
-    fn stands(&self, of: &OnLink) -> bool {
+    fn is_of_ground(&self, of: &OnLink) -> bool {
         of.link == Some(self.scene.ground)
     }
 
     fn guide(&mut self, id: hodograph_scene::GuideId, guide: &hodograph_scene::Guide) {
-        let (scene, place) = (self.scene, Place::Guide(id));
+        let (scene, place) = (self.scene, ChoicePlace::Guide(id));
         let Some(pin) = guide.pin else { return };
         let of_pin = OnLink { point: pin, link: None };
         let under = OnLink { point: pin, link: Some(guide.on) };
@@ -192,7 +192,7 @@ impl List<'_> {
     /// Adds the choices at a pin of two links: the pin belongs to both, and further points of one
     /// link run on circles in the other.
     fn pin(&mut self, p: PointId) {
-        let (scene, place) = (self.scene, Place::Pin(p));
+        let (scene, place) = (self.scene, ChoicePlace::Pin(p));
         let pin = OnLink { point: p, link: None };
         let links: Vec<LinkId> = scene.carriers(p).filter(|l| *l != scene.ground).collect();
         for own in &links {

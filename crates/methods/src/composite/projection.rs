@@ -1,14 +1,14 @@
 //! The projections that solve an equation of composite motion: each uses a line square to the other
 //! unknown, which thus drops out.
 //!
-//! The line follows from the quantities known beforehand ([`Closure`]), from topology alone.
+//! The line follows from the quantities known beforehand ([`ChoiceUnknowns`]), from topology alone.
 
-use super::Solved;
-use super::solved::{Closure, Known};
+use super::ChoiceSolution;
+use super::solved::{ChoiceUnknowns, KnownMotion};
 use hodograph_base::geom::Vec2;
 use hodograph_scene::DiagramKind;
 use hodograph_scene::quantity::RelativePath;
-use hodograph_scene::quantity::composite::Part;
+use hodograph_scene::quantity::composite::CompositePart;
 
 /// A component on the line below this fraction of the largest vector counts as zero.
 const SQUARE: f64 = 1e-9;
@@ -28,7 +28,7 @@ pub enum On {
 
 /// A vector of a projected equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Term {
+pub enum ProjectionTerm {
     /// The motion of the point.
     Absolute,
     /// The normal part of this motion, toward the centre of the point's fixed circle.
@@ -38,7 +38,7 @@ pub enum Term {
     /// The component of the motion along the projection line.
     Component,
     /// A part of the motion.
-    Part(Part),
+    Part(CompositePart),
 }
 
 /// An equation projected on a line.
@@ -54,12 +54,12 @@ pub struct Projection {
     pub rests: bool,
     /// The vectors with a component on the line, each with its angle from the line (rad, from 0 to
     /// π); the vectors of the point come first.
-    pub terms: Vec<(Term, f64)>,
+    pub terms: Vec<(ProjectionTerm, f64)>,
 }
 
 /// Returns the projections of a choice; empty if the equation has more than two unknowns, or if the
 /// point is permanently at rest in the frame.
-pub fn projections(s: &Solved) -> Vec<Projection> {
+pub fn projections(s: &ChoiceSolution) -> Vec<Projection> {
     let lines = lines(s);
     let levels = [(DiagramKind::Velocity, velocities(s)), (DiagramKind::Acceleration, accelerations(s))];
     let all = levels.iter().flat_map(|(of, vectors)| lines.iter().filter_map(|(on, line)| projected(s, *of, (*on, *line), vectors)));
@@ -67,7 +67,7 @@ pub fn projections(s: &Solved) -> Vec<Projection> {
 }
 
 /// Returns the lines that the choice requires.
-fn lines(s: &Solved) -> Vec<(On, Vec2)> {
+fn lines(s: &ChoiceSolution) -> Vec<(On, Vec2)> {
     let [absolute, _, relative] = s.velocity;
     let along = match s.slip {
         Some(slip) => Some(slip.normal.perp()),
@@ -75,51 +75,55 @@ fn lines(s: &Solved) -> Vec<(On, Vec2)> {
         None => relative.unit().or_else(|| tangential(s)?.unit()).filter(|_| !matches!(s.choice.path, RelativePath::Unknown)),
     };
     match (s.closure, along) {
-        (Closure::Side, _) if matches!(s.choice.path, RelativePath::Unknown) && s.slip.is_none() => Vec::new(),
-        (Closure::Side, _) => vec![(On::X, Vec2::new(1.0, 0.0)), (On::Y, Vec2::new(0.0, 1.0))],
-        (Closure::Crossing, Some(along)) if s.known == Known::Both => vec![(On::Along, along)],
-        (Closure::Crossing, Some(along)) => {
+        (ChoiceUnknowns::Side, _) if matches!(s.choice.path, RelativePath::Unknown) && s.slip.is_none() => Vec::new(),
+        (ChoiceUnknowns::Side, _) => vec![(On::X, Vec2::new(1.0, 0.0)), (On::Y, Vec2::new(0.0, 1.0))],
+        (ChoiceUnknowns::Crossing, Some(along)) if s.known == KnownMotion::Both => vec![(On::Along, along)],
+        (ChoiceUnknowns::Crossing, Some(along)) => {
             // The sense in which the velocity of the point is positive.
             let line = along.perp();
             vec![(On::Across, if absolute.dot(line) < -SQUARE * absolute.norm() { -line } else { line })]
         }
-        (Closure::Crossing, None) | (Closure::Open, _) => Vec::new(),
+        (ChoiceUnknowns::Crossing, None) | (ChoiceUnknowns::Open, _) => Vec::new(),
     }
 }
 
-fn velocities(s: &Solved) -> Vec<(Term, Vec2)> {
+fn velocities(s: &ChoiceSolution) -> Vec<(ProjectionTerm, Vec2)> {
     let [absolute, transport, relative] = s.velocity;
-    vec![(Term::Absolute, absolute), (Term::Part(Part::TransportVelocity), transport), (Term::Part(Part::RelativeVelocity), relative)]
+    vec![
+        (ProjectionTerm::Absolute, absolute),
+        (ProjectionTerm::Part(CompositePart::TransportVelocity), transport),
+        (ProjectionTerm::Part(CompositePart::RelativeVelocity), relative),
+    ]
 }
 
 /// Returns the vectors of the acceleration equation. For a point on a fixed circle with wanted
 /// motion, a_aⁿ is known and a_aᵗ is not, so a_a is resolved into both.
-fn accelerations(s: &Solved) -> Vec<(Term, Vec2)> {
-    let own = s.circle.filter(|_| s.known == Known::Transport && s.closure == Closure::Crossing);
-    let told = |(part, v): &(Option<Part>, Vec2)| match (part, own) {
-        (Some(part), _) => vec![(Term::Part(*part), *v)],
+fn accelerations(s: &ChoiceSolution) -> Vec<(ProjectionTerm, Vec2)> {
+    let own = s.circle.filter(|_| s.known == KnownMotion::Transport && s.closure == ChoiceUnknowns::Crossing);
+    let told = |(part, v): &(Option<CompositePart>, Vec2)| match (part, own) {
+        (Some(part), _) => vec![(ProjectionTerm::Part(*part), *v)],
         (None, Some(inward)) => {
             let normal = inward * inward.dot(*v);
-            vec![(Term::AbsoluteNormal, normal), (Term::AbsoluteTangential, *v - normal)]
+            vec![(ProjectionTerm::AbsoluteNormal, normal), (ProjectionTerm::AbsoluteTangential, *v - normal)]
         }
-        (None, None) => vec![(Term::Absolute, *v)],
+        (None, None) => vec![(ProjectionTerm::Absolute, *v)],
     };
     s.acceleration.iter().flat_map(told).collect()
 }
 
 /// Returns the equation of a level, projected on a line.
-fn projected(s: &Solved, of: DiagramKind, (on, line): (On, Vec2), vectors: &[(Term, Vec2)]) -> Option<Projection> {
+fn projected(s: &ChoiceSolution, of: DiagramKind, (on, line): (On, Vec2), vectors: &[(ProjectionTerm, Vec2)]) -> Option<Projection> {
     let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
-    let on_line = |(term, v): &(Term, Vec2)| {
+    let on_line = |(term, v): &(ProjectionTerm, Vec2)| {
         let u = v.unit()?;
         let share = u.dot(line);
         let angle = Vec2::new(share, u.cross(line).abs()).angle();
         (share.abs() * v.norm() > SQUARE * largest).then_some((*term, angle))
     };
-    let mut terms: Vec<(Term, f64)> = vectors.iter().filter_map(on_line).collect();
+    let mut terms: Vec<(ProjectionTerm, f64)> = vectors.iter().filter_map(on_line).collect();
     if matches!(on, On::X | On::Y) {
-        terms.retain(|(term, _)| *term != Term::Absolute);
-        terms.insert(0, (Term::Component, 0.0));
+        terms.retain(|(term, _)| *term != ProjectionTerm::Absolute);
+        terms.insert(0, (ProjectionTerm::Component, 0.0));
     }
     let [absolute, _, relative] = s.velocity;
     let rests = relative.norm() <= SQUARE * absolute.norm();
@@ -127,6 +131,6 @@ fn projected(s: &Solved, of: DiagramKind, (on, line): (On, Vec2), vectors: &[(Te
 }
 
 /// Returns a_rᵗ.
-fn tangential(s: &Solved) -> Option<Vec2> {
-    s.acceleration.iter().find(|(part, _)| *part == Some(Part::RelativeTangential)).map(|(_, v)| *v)
+fn tangential(s: &ChoiceSolution) -> Option<Vec2> {
+    s.acceleration.iter().find(|(part, _)| *part == Some(CompositePart::RelativeTangential)).map(|(_, v)| *v)
 }

@@ -1,35 +1,35 @@
 //! The parts of a composite motion, found like the answers to questions of the scene.
 
-use super::contact::Slip;
-use super::{Choice, Staged};
+use super::contact::ContactSlip;
+use super::{ContactScene, FrameChoice};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Path;
-use hodograph_scene::quantity::composite::Part;
+use hodograph_scene::quantity::composite::CompositePart;
 use hodograph_scene::quantity::{Composite, Frame, PointMotion, Rate, RelativePath, relative_path};
 use hodograph_scene::{Asked, Find, Guide, GuidePath, LinkId, OnLink, PointId, Scene};
 use hodograph_worked::worked::{Outcome, Worked};
 
 /// The parts of one choice.
 #[derive(Clone, Debug)]
-pub struct Solved {
+pub struct ChoiceSolution {
     /// The moving point and the frame.
-    pub choice: Choice,
+    pub choice: FrameChoice,
     /// v_a, v_e, v_r.
     pub velocity: [Vec2; 3],
-    /// a_a and its parts in the order of [`Part`]; empty if the scene does not ask for
+    /// a_a and its parts in the order of [`CompositePart`]; empty if the scene does not ask for
     /// accelerations.
-    pub acceleration: Vec<(Option<Part>, Vec2)>,
+    pub acceleration: Vec<(Option<CompositePart>, Vec2)>,
     /// The sliding at the contact, if the moving point is a momentary point of contact.
-    pub slip: Option<Slip>,
+    pub slip: Option<ContactSlip>,
     /// The rotation that follows from the wanted motion.
-    pub turning: Option<Turned>,
+    pub turning: Option<AxisRotation>,
     /// The motion that is known before the other: v_a is known first if the point is nearer to the
     /// driver than the frame.
-    pub known: Known,
+    pub known: KnownMotion,
     /// The number and kind of unknowns of the equation.
-    pub closure: Closure,
+    pub closure: ChoiceUnknowns,
     /// The direction from the point to the fixed centre of its circular path (unit vector), if it
     /// has one.
     pub circle: Option<Vec2>,
@@ -37,7 +37,7 @@ pub struct Solved {
 
 /// The unknowns of the equation of a choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Closure {
+pub enum ChoiceUnknowns {
     /// Two magnitudes are unknown, each along a known direction.
     Crossing,
     /// The wanted motion is unknown in magnitude and direction, and everything else is known.
@@ -48,7 +48,7 @@ pub enum Closure {
 
 /// A rotation about a fixed axis that follows from the motion of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turned {
+pub struct AxisRotation {
     /// The link.
     pub link: LinkId,
     /// The fixed axis.
@@ -64,7 +64,7 @@ pub struct Turned {
 
 /// The part of v_a and v_e that is known beforehand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Known {
+pub enum KnownMotion {
     /// The motion of the point; the frame's motion is wanted.
     Absolute,
     /// The motion of the frame; the point's motion is wanted.
@@ -76,13 +76,23 @@ pub enum Known {
 /// The parts of an acceleration, in the order in which they are drawn.
 ///
 /// a_k and a_rⁿ are parallel: drawn one directly after the other they would overlap.
-const PARTS: [Part; 5] = [Part::TransportNormal, Part::TransportTangential, Part::RelativeNormal, Part::RelativeTangential, Part::Coriolis];
+const PARTS: [CompositePart; 5] = [
+    CompositePart::TransportNormal,
+    CompositePart::TransportTangential,
+    CompositePart::RelativeNormal,
+    CompositePart::RelativeTangential,
+    CompositePart::Coriolis,
+];
 
 /// Solves the scene with questions for the parts of these choices only.
 ///
 /// # Errors
 /// The faults of the scene; at a dead centre there is no motion to resolve.
-pub(super) fn solved(staged: &Staged, choices: &[Choice], level: Level) -> Result<Warned<(Worked, Vec<Solved>)>, Faults> {
+pub(super) fn solved(
+    staged: &ContactScene,
+    choices: &[FrameChoice],
+    level: Level,
+) -> Result<Warned<(Worked, Vec<ChoiceSolution>)>, Faults> {
     let scene = &staged.scene;
     let mut asking = scene.clone();
     asking.find = choices.iter().flat_map(|c| questions(scene, c, level)).collect();
@@ -92,7 +102,7 @@ pub(super) fn solved(staged: &Staged, choices: &[Choice], level: Level) -> Resul
 }
 
 /// Returns the question in the form that `find` uses.
-fn named(scene: &Scene, what: &Asked, c: &Choice) -> Find {
+fn named(scene: &Scene, what: &Asked, c: &FrameChoice) -> Find {
     let frame = match c.frame {
         Frame::Link(l) => scene.link_name(l).to_owned(),
         Frame::Point(p) => super::name_of(scene, &p),
@@ -102,54 +112,57 @@ fn named(scene: &Scene, what: &Asked, c: &Choice) -> Find {
     Find { what: *what, text, span: Default::default() }
 }
 
-fn absolute(c: &Choice, rate: Rate) -> Asked {
+fn absolute(c: &FrameChoice, rate: Rate) -> Asked {
     PointMotion { rate, of: c.of }.into()
 }
 
-fn part(c: &Choice, part: Part) -> Asked {
+fn part(c: &FrameChoice, part: CompositePart) -> Asked {
     Composite { part, of: c.of, frame: c.frame }.into()
 }
 
 /// Returns a test for the parts that a choice has: a translating frame has no Coriolis part.
-fn has(c: &Choice) -> impl Fn(&Part) -> bool {
+fn has(c: &FrameChoice) -> impl Fn(&CompositePart) -> bool {
     let (turns, straight) = (matches!(c.frame, Frame::Link(_)), matches!(c.path, RelativePath::Unknown));
     move |p| match p {
-        Part::Coriolis => turns,
-        Part::RelativeNormal | Part::RelativeTangential => !straight,
-        Part::Relative => straight,
-        Part::TransportVelocity
-        | Part::RelativeVelocity
-        | Part::Transport
-        | Part::TransportNormal
-        | Part::TransportTangential
-        | Part::Path => true,
+        CompositePart::Coriolis => turns,
+        CompositePart::RelativeNormal | CompositePart::RelativeTangential => !straight,
+        CompositePart::Relative => straight,
+        CompositePart::TransportVelocity
+        | CompositePart::RelativeVelocity
+        | CompositePart::Transport
+        | CompositePart::TransportNormal
+        | CompositePart::TransportTangential
+        | CompositePart::Path => true,
     }
 }
 
-fn questions(scene: &Scene, c: &Choice, level: Level) -> Vec<Find> {
-    let mut all = vec![absolute(c, Rate::Velocity), part(c, Part::TransportVelocity), part(c, Part::RelativeVelocity)];
+fn questions(scene: &Scene, c: &FrameChoice, level: Level) -> Vec<Find> {
+    let mut all = vec![absolute(c, Rate::Velocity), part(c, CompositePart::TransportVelocity), part(c, CompositePart::RelativeVelocity)];
     if level == Level::Acceleration {
         all.push(absolute(c, Rate::Acceleration));
-        let whole = [Part::Transport, Part::Relative];
+        let whole = [CompositePart::Transport, CompositePart::Relative];
         all.extend(PARTS.iter().chain(&whole).filter(|p| has(c)(p)).map(|p| part(c, *p)));
     }
     all.iter().map(|what| named(scene, what, c)).collect()
 }
 
-fn parts(staged: &Staged, scene: &Scene, worked: &Worked, c: &Choice, level: Level) -> Option<Solved> {
+fn parts(staged: &ContactScene, scene: &Scene, worked: &Worked, c: &FrameChoice, level: Level) -> Option<ChoiceSolution> {
     let value = |what: &Asked| {
         let of = |r: &&Outcome| scene.find[r.find].what == *what;
         match worked.results.iter().find(of)?.value() {
-            hodograph_mechanism::answer::Value::Vector(v) => Some(v),
-            hodograph_mechanism::answer::Value::Scalar(_) | hodograph_mechanism::answer::Value::Point(_) => None,
+            hodograph_mechanism::answer::AnswerValue::Vector(v) => Some(v),
+            hodograph_mechanism::answer::AnswerValue::Scalar(_) | hodograph_mechanism::answer::AnswerValue::Point(_) => None,
         }
     };
-    let velocity =
-        [value(&absolute(c, Rate::Velocity))?, value(&part(c, Part::TransportVelocity))?, value(&part(c, Part::RelativeVelocity))?];
+    let velocity = [
+        value(&absolute(c, Rate::Velocity))?,
+        value(&part(c, CompositePart::TransportVelocity))?,
+        value(&part(c, CompositePart::RelativeVelocity))?,
+    ];
     let mut acceleration = Vec::new();
     if level == Level::Acceleration {
         acceleration.push((None, value(&absolute(c, Rate::Acceleration))?));
-        for p in PARTS.iter().chain(&[Part::Relative]).filter(|p| has(c)(p)) {
+        for p in PARTS.iter().chain(&[CompositePart::Relative]).filter(|p| has(c)(p)) {
             acceleration.push((Some(*p), value(&part(c, *p))?));
         }
     }
@@ -160,20 +173,20 @@ fn parts(staged: &Staged, scene: &Scene, worked: &Worked, c: &Choice, level: Lev
     let known = known(scene, worked, c);
     let turning = turning(scene, worked, c, known, velocity, &acceleration);
     let (closure, circle) = (closure(scene, worked, c, known), circle(scene, worked, c));
-    Some(Solved { choice: *c, velocity, acceleration, slip, turning, known, closure, circle })
+    Some(ChoiceSolution { choice: *c, velocity, acceleration, slip, turning, known, closure, circle })
 }
 
 /// Returns the kind of unknowns of the equation: the direction of the wanted motion is known if a
 /// pair of the ground gives the path.
-fn closure(scene: &Scene, worked: &Worked, c: &Choice, known: Known) -> Closure {
+fn closure(scene: &Scene, worked: &Worked, c: &FrameChoice, known: KnownMotion) -> ChoiceUnknowns {
     let ground = Frame::Link(scene.ground);
     let runs = |of: OnLink| relative_path(scene, of, ground) != RelativePath::Unknown;
     match known {
-        Known::Both => Closure::Crossing,
-        Known::Transport if runs(c.of) => Closure::Crossing,
-        Known::Transport if follows(worked, c.of) => Closure::Side,
-        Known::Transport => Closure::Open,
-        Known::Absolute => {
+        KnownMotion::Both => ChoiceUnknowns::Crossing,
+        KnownMotion::Transport if runs(c.of) => ChoiceUnknowns::Crossing,
+        KnownMotion::Transport if follows(worked, c.of) => ChoiceUnknowns::Side,
+        KnownMotion::Transport => ChoiceUnknowns::Open,
+        KnownMotion::Absolute => {
             let slides = |l: LinkId| {
                 let on_ground = |g: &Guide| {
                     let straight = matches!(g.path, GuidePath::Line { .. });
@@ -185,7 +198,7 @@ fn closure(scene: &Scene, worked: &Worked, c: &Choice, known: Known) -> Closure 
                 Frame::Link(l) => c.frame.axis(scene, c.of).is_some() || slides(l),
                 Frame::Point(p) => runs(p),
             };
-            if told { Closure::Crossing } else { Closure::Open }
+            if told { ChoiceUnknowns::Crossing } else { ChoiceUnknowns::Open }
         }
     }
 }
@@ -198,7 +211,7 @@ fn follows(worked: &Worked, of: OnLink) -> bool {
 }
 
 /// Returns the direction from a point to the fixed centre of its circular path.
-fn circle(scene: &Scene, worked: &Worked, c: &Choice) -> Option<Vec2> {
+fn circle(scene: &Scene, worked: &Worked, c: &FrameChoice) -> Option<Vec2> {
     let at = &worked.configuration;
     let own = at.points[c.of.point.0]?;
     let centre = match relative_path(scene, c.of, Frame::Link(scene.ground)) {
@@ -217,15 +230,15 @@ fn circle(scene: &Scene, worked: &Worked, c: &Choice) -> Option<Vec2> {
 fn turning(
     scene: &Scene,
     worked: &Worked,
-    c: &Choice,
-    known: Known,
+    c: &FrameChoice,
+    known: KnownMotion,
     [v_a, v_e, _]: [Vec2; 3],
-    acceleration: &[(Option<Part>, Vec2)],
-) -> Option<Turned> {
+    acceleration: &[(Option<CompositePart>, Vec2)],
+) -> Option<AxisRotation> {
     let of_frame = match known {
-        Known::Absolute => true,
-        Known::Transport => false,
-        Known::Both => return None,
+        KnownMotion::Absolute => true,
+        KnownMotion::Transport => false,
+        KnownMotion::Both => return None,
     };
     let point = c.of.point;
     let (link, axis) = if of_frame {
@@ -238,12 +251,14 @@ fn turning(
     let at = &worked.configuration.points;
     let arm = at[point.0]? - at[axis.0]?;
     let about = |v: Vec2| arm.cross(v) / arm.norm2();
-    let of = |wanted: &[Option<Part>]| acceleration.iter().filter(|(part, _)| wanted.contains(part)).map(|(_, v)| *v).reduce(|a, b| a + b);
-    let whole = if of_frame { of(&[Some(Part::TransportNormal), Some(Part::TransportTangential)]) } else { of(&[None]) };
+    let of = |wanted: &[Option<CompositePart>]| {
+        acceleration.iter().filter(|(part, _)| wanted.contains(part)).map(|(_, v)| *v).reduce(|a, b| a + b)
+    };
+    let whole = if of_frame { of(&[Some(CompositePart::TransportNormal), Some(CompositePart::TransportTangential)]) } else { of(&[None]) };
     let omega = about(if of_frame { v_e } else { v_a });
     let above = |x: f64, size: f64| if x.abs() <= ROUNDING * size { 0.0 } else { x };
     let alpha = whole.map(|a| above(about(a), a.norm() / arm.norm()));
-    (arm.norm() > 0.0).then_some(Turned { link, axis, of_frame, omega, alpha })
+    (arm.norm() > 0.0).then_some(AxisRotation { link, axis, of_frame, omega, alpha })
 }
 
 /// A value below this fraction of its size is a rounding error.
@@ -251,19 +266,19 @@ const ROUNDING: f64 = 1e-12;
 
 /// Splits a_r into the parts along a normal and square to it, and puts them before a_k as
 /// everywhere.
-fn parted(acceleration: &mut Vec<(Option<Part>, Vec2)>, normal: Vec2) {
-    let Some(k) = acceleration.iter().position(|(part, _)| *part == Some(Part::Relative)) else { return };
+fn parted(acceleration: &mut Vec<(Option<CompositePart>, Vec2)>, normal: Vec2) {
+    let Some(k) = acceleration.iter().position(|(part, _)| *part == Some(CompositePart::Relative)) else { return };
     let whole = acceleration.remove(k).1;
     let along = normal * normal.dot(whole);
-    let at = acceleration.iter().position(|(part, _)| *part == Some(Part::Coriolis)).unwrap_or(acceleration.len());
-    acceleration.splice(at..at, [(Some(Part::RelativeNormal), along), (Some(Part::RelativeTangential), whole - along)]);
+    let at = acceleration.iter().position(|(part, _)| *part == Some(CompositePart::Coriolis)).unwrap_or(acceleration.len());
+    acceleration.splice(at..at, [(Some(CompositePart::RelativeNormal), along), (Some(CompositePart::RelativeTangential), whole - along)]);
 }
 
 /// Returns the motion that a plan knows first: the motion of the earlier group.
-fn known(scene: &Scene, worked: &Worked, c: &Choice) -> Known {
-    use hodograph_mechanism::mechanism::{Need, Node, nodes_of};
+fn known(scene: &Scene, worked: &Worked, c: &FrameChoice) -> KnownMotion {
+    use hodograph_mechanism::mechanism::{GraphNode, Need, nodes_of};
     let m = &worked.mechanism;
-    let latest = |need: Need| nodes_of(scene, m, need).into_iter().filter_map(|n: Node| m.group_of(n)).max();
+    let latest = |need: Need| nodes_of(scene, m, need).into_iter().filter_map(|n: GraphNode| m.group_of(n)).max();
     let of_point = latest(Need::Point(c.of.point, c.of.link));
     let of_frame = match c.frame {
         Frame::Link(l) => latest(Need::Turning(l)),
@@ -282,9 +297,9 @@ fn known(scene: &Scene, worked: &Worked, c: &Choice) -> Known {
     };
     // If neither group depends on the other, both motions are known.
     match (rests(of_point, of_frame), rests(of_frame, of_point)) {
-        (true, false) => Known::Transport,
-        (false, true) => Known::Absolute,
-        (true, true) => Known::Transport,
-        (false, false) => Known::Both,
+        (true, false) => KnownMotion::Transport,
+        (false, true) => KnownMotion::Absolute,
+        (true, true) => KnownMotion::Transport,
+        (false, false) => KnownMotion::Both,
     }
 }

@@ -1,9 +1,9 @@
 //! Tolerances of hand drawing: the construction drawn again and again by a hand whose marks miss.
 
 use super::drawing::Traced;
-use super::known::Places;
-use super::plane::End;
-use super::{Curvature, OfLink};
+use super::known::CurvaturePlaces;
+use super::plane::PlanePoint;
+use super::{LinkCurvatures, OfLink};
 use hodograph_board::construct::pencil::{Blunt, Hand, USUAL_MM, bound};
 
 /// Number of drawings: it gives the 95 % bound to a tenth.
@@ -26,9 +26,9 @@ pub struct ByHand {
     pub radii: Vec<Option<f64>>,
 }
 
-impl Curvature {
+impl LinkCurvatures {
     /// Adds the tolerances of hand drawing, for the scene's pencil or the usual one.
-    pub fn with_drafting(mut self) -> Curvature {
+    pub fn with_drafting(mut self) -> LinkCurvatures {
         let all: Vec<Option<ByHand>> = self.list.iter().map(|of| self.by_hand(of)).collect();
         self.list.iter_mut().zip(all).for_each(|(of, by_hand)| of.by_hand = by_hand);
         self
@@ -39,10 +39,10 @@ impl Curvature {
         let pencil_mm = self.scene.paper.pencil_mm.unwrap_or(USUAL_MM);
         let (pole, normal) = of.drawing.pole()?;
         let ball = of.drawing.ball();
-        let radius = |centre: Option<End>, at| centre.and_then(End::at).map(|c| c.distance(at));
+        let radius = |centre: Option<PlanePoint>, at| centre.and_then(PlanePoint::at).map(|c| c.distance(at));
         let exact = Hand::default();
         let drawn_by = |hand: &Hand| {
-            let places = Places { scene: &self.scene, at: &self.worked.configuration, against: self.against, hand };
+            let places = CurvaturePlaces { scene: &self.scene, at: &self.worked.configuration, against: self.against, hand };
             let drawing = places.drawing_behind(of.link, &[]);
             let traced: Vec<Option<Traced>> = of.points.iter().map(|p| places.traced(&drawing, p.point)).collect();
             (drawing, traced)

@@ -8,11 +8,11 @@
 use hodograph_analytic as analytic;
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::{Demand, Level, Need};
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::{Given, LinkId, PointId, Scene};
-use hodograph_sweep::follow::Follower;
+use hodograph_scene::{GivenQuantity, LinkId, PointId, Scene};
+use hodograph_sweep::follow::PoseFollower;
 use hodograph_worked::worked::Worked;
 
 /// The number of positions along a centrode: half degrees of one revolution, because the path bends
@@ -22,7 +22,7 @@ pub const STEPS: usize = 720;
 /// A pole at one position of the driver, in homogeneous coordinates: each place is a vector divided
 /// by `omega`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Station {
+pub struct PoleStation {
     /// The travel of the driver from the scene's position (rad or m).
     pub travel: f64,
     /// ω relative to the other link, for a unit rate of the driver.
@@ -35,7 +35,7 @@ pub struct Station {
     pub own: Vec2,
 }
 
-impl Station {
+impl PoleStation {
     /// Returns the pole in the fixed plane; not finite if the link translates.
     pub fn pole(&self) -> Point {
         (self.fixed * (1.0 / self.omega)).to_point()
@@ -55,7 +55,7 @@ pub struct Centrodes {
     /// The reference link.
     pub against: LinkId,
     /// The poles in the order of the travel; `None` if no motion is determined (dead centres).
-    pub stations: Vec<Option<Station>>,
+    pub stations: Vec<Option<PoleStation>>,
     /// True if the first station follows the last.
     pub closed: bool,
 }
@@ -71,7 +71,7 @@ pub fn centrodes(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId, 
     let mut alone = scene.clone();
     for (d, of) in alone.drivers.iter_mut().enumerate() {
         let rate = if d == 0 { 1.0 } else { 0.0 };
-        of.rate = Given { value: rate, radius: 0.0, text: format!("{rate}"), span: of.rate.span };
+        of.rate = GivenQuantity { value: rate, radius: 0.0, text: format!("{rate}"), span: of.rate.span };
         of.acceleration = None;
     }
     let mut demand = Demand::of_questions(&alone, &worked.mechanism, []);
@@ -83,7 +83,7 @@ pub fn centrodes(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId, 
         }
     }
     let demand = demand.with_all_positions();
-    let follower = Follower::new(&alone, &worked.mechanism, &worked.demand, &worked.configuration, 0);
+    let follower = PoseFollower::new(&alone, &worked.mechanism, &worked.demand, &worked.configuration, 0);
     let sweep = follower.sweep(steps);
     let own: Vec<PointId> = scene.links[link.0].points.clone();
     let station = |travel: f64, at: &Configuration| {
@@ -104,9 +104,9 @@ pub fn centrodes(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId, 
             Some((arm + (base - now.origin) * omega).rotate_by(turn) + then.origin.to_vec2() * omega)
         };
         let axis = own.get(1).and_then(|p| (at.points[p.0]? - base).unit()).or(at.poses[link.0].map(|p| p.axis))?;
-        Some(Station { travel, omega, fixed: carried(against)?, moving: carried(link)?, own: arm.divide_by(axis) })
+        Some(PoleStation { travel, omega, fixed: carried(against)?, moving: carried(link)?, own: arm.divide_by(axis) })
     };
-    let stations: Vec<Option<Station>> = sweep.poses.iter().map(|p| station(p.travel, &p.configuration)).collect();
+    let stations: Vec<Option<PoleStation>> = sweep.poses.iter().map(|p| station(p.travel, &p.configuration)).collect();
     if stations.iter().flatten().all(|s| s.omega == 0.0) {
         let name = scene.link_name(link);
         let d = Diagnostic::error(

@@ -11,71 +11,75 @@
 //! É. Bobillier, *Cours de géométrie*, 1870; F. Savary, *Leçons*, 1831; R. Beyer, *Kinematische
 //! Getriebesynthese*, §4.
 
-use super::known::{Known, Why};
-use super::plane::{End, Line, meet};
+use super::known::{CurvatureRay, CurvatureReason};
+use super::plane::{PlaneLine, PlanePoint, meet};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::pencil::Hand;
 use hodograph_scene::{PointId, RollingId};
 
 /// The construction of a link's curvature.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Drawing {
+pub enum CurvatureDrawing {
     /// From two rays.
     Rays(Box<Rays>),
     /// Both links carry this pin: it is the permanent pole.
     Hinge(PointId),
     /// The rays are parallel: the pole is at infinity, and the link translates at the instant.
-    Parallel([Known; 2]),
+    Parallel([CurvatureRay; 2]),
     /// Both rays lie on one line: a dead centre, at which rays do not determine the pole.
-    OneLine([Known; 2]),
+    OneLine([CurvatureRay; 2]),
     /// The link rolls on the other: the contact is the pole, and the wheel's centre lies on the
     /// pole normal.
-    Rolling(Rolled),
+    Rolling(RollingWheel),
     /// Fewer than two points have a path known beforehand.
     NoRays,
 }
 
-impl Drawing {
+impl CurvatureDrawing {
     /// Returns the pole and PJ; `None` if the drawing finds no pole.
     pub fn pole(&self) -> Option<(Point, Vec2)> {
         match self {
-            Drawing::Rays(r) => Some((r.pole, r.normal())),
-            Drawing::Rolling(r) => Some((r.pole, r.inflection - r.pole)),
-            Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => None,
+            CurvatureDrawing::Rays(r) => Some((r.pole, r.normal())),
+            CurvatureDrawing::Rolling(r) => Some((r.pole, r.inflection - r.pole)),
+            CurvatureDrawing::Hinge(_) | CurvatureDrawing::Parallel(_) | CurvatureDrawing::OneLine(_) | CurvatureDrawing::NoRays => None,
         }
     }
 
     /// Returns Ball's point, if it is drawn.
     pub fn ball(&self) -> Option<Point> {
         match self {
-            Drawing::Rays(r) => r.ball().map(|b| b.at),
-            Drawing::Rolling(_) | Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => None,
+            CurvatureDrawing::Rays(r) => r.ball().map(|b| b.at),
+            CurvatureDrawing::Rolling(_)
+            | CurvatureDrawing::Hinge(_)
+            | CurvatureDrawing::Parallel(_)
+            | CurvatureDrawing::OneLine(_)
+            | CurvatureDrawing::NoRays => None,
         }
     }
 }
 
 /// A wheel on its track.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rolled {
+pub struct RollingWheel {
     /// The pair.
     pub pair: RollingId,
     /// The contact, which is the pole.
     pub pole: Point,
     /// The centre of the moving link.
-    pub moving: End,
+    pub moving: PlanePoint,
     /// The centre of the reference link.
-    pub fixed: End,
+    pub fixed: PlanePoint,
     /// J, the inflection pole.
     pub inflection: Point,
 }
 
 /// The way in which the point of a ray with a straight path is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum How {
+pub enum RayMethod {
     /// The point is the pin of a straight guide.
     Given,
     /// From the collineation axis and this point on it.
-    Collineation(End),
+    Collineation(PlanePoint),
     /// By the fourth proportional on the ray itself: 1/PJ = 1/PB − 1/PA, because the axis would be
     /// crossed at too small an angle.
     Proportion,
@@ -85,13 +89,13 @@ pub enum How {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rays {
     /// The points and centres on them.
-    pub known: [Known; 2],
+    pub known: [CurvatureRay; 2],
     /// P, the pole.
     pub pole: Point,
     /// Q, if it is used.
-    pub collineation: Option<End>,
+    pub collineation: Option<PlanePoint>,
     /// The ways in which J_B and J_C are found.
-    pub how: [How; 2],
+    pub how: [RayMethod; 2],
     /// J_B and J_C.
     pub straight: [Point; 2],
     /// J; coincides with the pole if the pole is stationary.
@@ -109,9 +113,9 @@ pub struct Traced {
     /// J_E, the foot of J on the ray.
     pub foot: Point,
     /// H, on the perpendicular to the ray through P.
-    pub helper: End,
+    pub helper: PlanePoint,
     /// E₀.
-    pub centre: End,
+    pub centre: PlanePoint,
 }
 
 /// The smallest sine of the angle at which an auxiliary line may cross the axis or the ray.
@@ -121,35 +125,36 @@ const NONE: f64 = 1e-11;
 
 impl Rays {
     /// Draws the curvature from two rays; `None` if the rays do not cross.
-    pub fn new(known: [Known; 2], size: f64, hand: &Hand) -> Option<Rays> {
+    pub fn new(known: [CurvatureRay; 2], size: f64, hand: &Hand) -> Option<Rays> {
         let rays = known.map(|k| k.ray());
         let pole = hand.mark(meet(rays[0], rays[1])?.at()?);
         let [b, c] = known;
         let axis = meet(b.moving.join(c.moving), b.fixed.join(c.fixed))
             .filter(|q| hand.decide(q.at().is_none_or(|q| q.distance(pole) > FLAT * size)));
         let axis = axis.map(|q| q.marked(hand));
-        let axis_line = axis.map(|q| End::At(pole).join(q));
-        let mut out = Rays { known, pole, collineation: None, how: [How::Proportion; 2], straight: [pole; 2], inflection: pole, size };
+        let axis_line = axis.map(|q| PlanePoint::At(pole).join(q));
+        let mut out =
+            Rays { known, pole, collineation: None, how: [RayMethod::Proportion; 2], straight: [pole; 2], inflection: pole, size };
         for k in [0, 1] {
             let (own, other) = (known[k], known[1 - k]);
             let drawn = axis_line.and_then(|line| out.by_collineation(line, own, other, hand));
             (out.how[k], out.straight[k]) = match (own.why, drawn) {
-                (Why::Straight(..), _) => (How::Given, own.moving.at()?),
-                (_, Some((helper, at))) => (How::Collineation(helper), at),
-                (_, None) => (How::Proportion, hand.mark(proportion(pole, rays[k].unit()?, own.moving, own.fixed)?)),
+                (CurvatureReason::Straight(..), _) => (RayMethod::Given, own.moving.at()?),
+                (_, Some((helper, at))) => (RayMethod::Collineation(helper), at),
+                (_, None) => (RayMethod::Proportion, hand.mark(proportion(pole, rays[k].unit()?, own.moving, own.fixed)?)),
             };
         }
-        out.collineation = axis.filter(|_| out.how.iter().any(|h| matches!(h, How::Collineation(_))));
+        out.collineation = axis.filter(|_| out.how.iter().any(|h| matches!(h, RayMethod::Collineation(_))));
         let [p, q] = [0, 1].map(|k| (out.straight[k], rays[k].along.perp()));
-        out.inflection = hand.mark(meet(Line { through: Some(p.0), along: p.1 }, Line { through: Some(q.0), along: q.1 })?.at()?);
+        out.inflection = hand.mark(meet(PlaneLine { through: Some(p.0), along: p.1 }, PlaneLine { through: Some(q.0), along: q.1 })?.at()?);
         Some(out)
     }
 
     /// Returns the point of a ray with a straight path, from the axis and the other ray's point and
     /// centre.
-    fn by_collineation(&self, axis: Line, own: Known, other: Known, hand: &Hand) -> Option<(End, Point)> {
+    fn by_collineation(&self, axis: PlaneLine, own: CurvatureRay, other: CurvatureRay, hand: &Hand) -> Option<(PlanePoint, Point)> {
         let ray = own.ray();
-        let parallel = other.fixed.join(End::Infinity(ray.along));
+        let parallel = other.fixed.join(PlanePoint::Infinity(ray.along));
         let helper = meet(axis, parallel)?.marked(hand);
         let line = helper.join(other.moving);
         let square = line.sine(ray).abs() > FLAT && (parallel.through.is_none() || axis.sine(parallel).abs() > FLAT);
@@ -176,11 +181,11 @@ impl Rays {
     /// the intercepts of the perpendicular to the ray on tangent and normal; then the cubic is the
     /// line x/N + y/M = 1 and the circle the line y = d. `None` if a centre is not permanent, or if
     /// a moving point is at infinity, in the pole, on the tangent or on the normal.
-    pub fn ball(&self) -> Option<Ball> {
+    pub fn ball(&self) -> Option<BallPoint> {
         let normal = self.normal();
         let (d, n) = (normal.norm(), normal.unit()?);
         let t = -n.perp();
-        let row = |k: Known| {
+        let row = |k: CurvatureRay| {
             if !k.why.lasts() {
                 return None;
             }
@@ -206,24 +211,24 @@ impl Rays {
         if cubic.norm() * d < FLAT {
             return None;
         }
-        let through = |at: Point, along: Vec2| Line { through: Some(at), along };
-        let corner = |k: Known| {
+        let through = |at: Point, along: Vec2| PlaneLine { through: Some(at), along };
+        let corner = |k: CurvatureRay| {
             let moving = k.moving.at()?;
             let square = through(moving, (moving - self.pole).perp());
-            let [x, y] = [t, n].map(|axis| meet(square, through(self.pole, axis)).and_then(End::at));
+            let [x, y] = [t, n].map(|axis| meet(square, through(self.pole, axis)).and_then(PlanePoint::at));
             Some(x? + (y? - self.pole))
         };
         let corners = [corner(self.known[0])?, corner(self.known[1])?];
-        let crossing = meet(End::At(corners[0]).join(End::At(corners[1])), through(self.inflection, t))?.at()?;
+        let crossing = meet(PlanePoint::At(corners[0]).join(PlanePoint::At(corners[1])), through(self.inflection, t))?.at()?;
         let on_tangent = self.pole + t * (crossing - self.pole).dot(t);
         let square = (self.inflection - on_tangent).unit()?;
-        Some(Ball { corners, crossing, on_tangent, at: on_tangent + square * (self.pole - on_tangent).dot(square) })
+        Some(BallPoint { corners, crossing, on_tangent, at: on_tangent + square * (self.pole - on_tangent).dot(square) })
     }
 }
 
 /// The construction of Ball's point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ball {
+pub struct BallPoint {
     /// For each of the two moving points, the corner opposite to the pole of the rectangle that the
     /// perpendicular to its ray cuts off on tangent and normal.
     pub corners: [Point; 2],
@@ -237,8 +242,8 @@ pub struct Ball {
 
 /// Returns the point of a ray with a straight path, 1/PJ = 1/PB − 1/PA along the ray; the moving
 /// point or the centre may be at infinity.
-pub fn proportion(pole: Point, ray: Vec2, moving: End, fixed: End) -> Option<Point> {
-    let along = |end: End| end.at().map(|p| (p - pole).dot(ray));
+pub fn proportion(pole: Point, ray: Vec2, moving: PlanePoint, fixed: PlanePoint) -> Option<Point> {
+    let along = |end: PlanePoint| end.at().map(|p| (p - pole).dot(ray));
     let way = match (along(moving), along(fixed)) {
         (Some(m), Some(f)) => m * f / (f - m),
         (Some(m), None) => m,
@@ -253,12 +258,12 @@ pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64,
     let ray = (at - pole).unit().filter(|_| hand.decide(at.distance(pole) > NONE * size))?;
     let normal = inflection - pole;
     let foot = pole + ray * normal.dot(ray);
-    let square = Line { through: Some(pole), along: ray.perp() };
+    let square = PlaneLine { through: Some(pole), along: ray.perp() };
     if hand.decide(normal.norm() <= NONE * size) {
-        return Some(Traced { of, at, foot, helper: End::At(pole), centre: End::At(pole) });
+        return Some(Traced { of, at, foot, helper: PlanePoint::At(pole), centre: PlanePoint::At(pole) });
     }
     if hand.decide(at.distance(foot) <= NONE * at.distance(pole).max(size)) {
-        return Some(Traced { of, at, foot, helper: End::Infinity(ray.perp()), centre: End::Infinity(ray) });
+        return Some(Traced { of, at, foot, helper: PlanePoint::Infinity(ray.perp()), centre: PlanePoint::Infinity(ray) });
     }
     // On the pole tangent, both the foot and the centre are P; if J lies on the ray itself, there
     // is no height over the ray to draw with.
@@ -266,9 +271,9 @@ pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64,
         let (e, j) = ((at - pole).dot(ray), normal.dot(ray));
         pole + ray * (e * j / (j - e))
     };
-    let helper = meet(End::At(at).join(End::At(inflection)), square)?.marked(hand);
-    let line = Line { through: Some(pole), along: ray };
+    let helper = meet(PlanePoint::At(at).join(PlanePoint::At(inflection)), square)?.marked(hand);
+    let line = PlaneLine { through: Some(pole), along: ray };
     let flat = hand.decide((normal.cross(ray) / normal.norm()).abs() < FLAT || normal.dot(ray).abs() < FLAT * normal.norm());
-    let drawn = meet(helper.join(End::Infinity(normal)), line).and_then(End::at).filter(|_| !flat);
-    Some(Traced { of, at, foot, helper, centre: End::At(hand.mark(drawn.unwrap_or_else(proportion))) })
+    let drawn = meet(helper.join(PlanePoint::Infinity(normal)), line).and_then(PlanePoint::at).filter(|_| !flat);
+    Some(Traced { of, at, foot, helper, centre: PlanePoint::At(hand.mark(drawn.unwrap_or_else(proportion))) })
 }

@@ -12,7 +12,7 @@
 //! use hodograph_methods::curvature;
 //! use hodograph_scene as scene;
 //! let scene = scene::read(scene::templates::get("crank-rocker").unwrap()).unwrap().value;
-//! let asked = curvature::Asked { links: curvature::couplers(&scene), ..Default::default() };
+//! let asked = curvature::CurvatureRequest { links: curvature::couplers(&scene), ..Default::default() };
 //! let found = curvature::curvature(&scene, &asked).unwrap().value;
 //! assert!(found.list[0].apart().unwrap() < 1e-12);
 //! ```
@@ -28,22 +28,22 @@ pub mod plane;
 
 use crate::centres::moving_at_all;
 use by_hand::ByHand;
-use drawing::{Drawing, Traced};
+use drawing::{CurvatureDrawing, Traced};
 use hodograph_analytic::third;
 use hodograph_base::diag::{Diagnostic, Faults, Severity, Warned, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::pencil::Hand;
-use hodograph_mechanism::answer::{Source, Value};
+use hodograph_mechanism::answer::{AnswerValue, MotionSource};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::quantity::{PointMotion, Rate, Turning};
 use hodograph_scene::{Asked as Question, Find, LinkId, OnLink, PointId, Scene};
 use hodograph_worked::worked::{Scope, Worked, work};
-use known::Places;
-use motion::{Bend, Motion, State, Turning as Pole};
+use known::CurvaturePlaces;
+use motion::{Bend, PlaneMotion, PlaneState, PoleMotion as Pole};
 
 /// The curvature that is asked for.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Asked {
+pub struct CurvatureRequest {
     /// The links whose curvature is wanted.
     pub links: Vec<LinkId>,
     /// The reference link; `None` for the ground.
@@ -55,7 +55,7 @@ pub struct Asked {
 
 /// The curvature of some links.
 #[derive(Clone, Debug)]
-pub struct Curvature {
+pub struct LinkCurvatures {
     /// The curvature of each link.
     pub list: Vec<OfLink>,
     /// The reference link of the motion.
@@ -75,16 +75,16 @@ pub struct OfLink {
     /// The link.
     pub link: LinkId,
     /// Its motion by analysis.
-    pub motion: Motion,
+    pub motion: PlaneMotion,
     /// The kind of motion, and the quantities of the pole.
-    pub state: State,
+    pub state: PlaneState,
     /// The drawing.
-    pub drawing: Drawing,
+    pub drawing: CurvatureDrawing,
     /// For each point the analysis, and the drawing if there is one.
     pub points: Vec<OfPoint>,
     /// ω and α read from the polygons; they serve to draw acceleration pole and pole velocity.
     pub read: Option<[f64; 2]>,
-    /// The tolerances of hand drawing, if [`Curvature::with_drafting`] was called.
+    /// The tolerances of hand drawing, if [`LinkCurvatures::with_drafting`] was called.
     pub by_hand: Option<ByHand>,
 }
 
@@ -105,7 +105,7 @@ impl OfPoint {
     /// Returns the bend as a figure shows it: about the centre that is drawn, else about the calculated one.
     pub fn shown(&self) -> Bend {
         match (self.bend, self.drawn.map(|drawn| drawn.centre)) {
-            (Bend::About(..), Some(plane::End::At(centre))) => Bend::About(centre, centre.distance(self.at)),
+            (Bend::About(..), Some(plane::PlanePoint::At(centre))) => Bend::About(centre, centre.distance(self.at)),
             (bend, _) => bend,
         }
     }
@@ -113,7 +113,7 @@ impl OfPoint {
 
 /// The pole's places and circles on paper, from the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drawn {
+pub struct DrawnPole {
     /// P, the pole.
     pub pole: Point,
     /// PJ.
@@ -132,8 +132,8 @@ impl OfLink {
     /// Returns the quantities of the pole by analysis; `None` if the link does not turn.
     pub fn pole(&self) -> Option<Pole> {
         match self.state {
-            State::Turning(pole) => Some(pole),
-            State::Rest | State::Translation(_) => None,
+            PlaneState::Turning(pole) => Some(pole),
+            PlaneState::Rest | PlaneState::Translation(_) => None,
         }
     }
 
@@ -153,14 +153,14 @@ impl OfLink {
     }
 
     /// Returns the quantities of the pole by drawing; `None` if the drawing finds no pole.
-    pub fn drawn(&self) -> Option<Drawn> {
+    pub fn drawn(&self) -> Option<DrawnPole> {
         let (pole, normal) = self.drawing.pole()?;
         let ball = self.drawing.ball();
         let rates = self.read.filter(|[omega, _]| *omega != 0.0);
         let acceleration_pole = rates.map(|[omega, alpha]| pole + (normal * (omega * omega)).divide_by(Vec2::new(omega * omega, -alpha)));
         let pole_velocity = rates.map(|[omega, _]| normal.perp() * omega);
         let bresse = rates.filter(|[_, alpha]| *alpha != 0.0).map(|[omega, alpha]| normal.perp() * (omega * omega / alpha));
-        Some(Drawn { pole, normal, acceleration_pole, pole_velocity, ball, bresse })
+        Some(DrawnPole { pole, normal, acceleration_pole, pole_velocity, ball, bresse })
     }
 
     /// Returns the largest difference between drawing and analysis: the difference of a place,
@@ -177,7 +177,7 @@ impl OfLink {
             worst = worst.max(apart(a, b));
         }
         for p in &self.points {
-            let (Some(Traced { centre: plane::End::At(c), .. }), Bend::About(at, rho)) = (p.drawn, p.bend) else { continue };
+            let (Some(Traced { centre: plane::PlanePoint::At(c), .. }), Bend::About(at, rho)) = (p.drawn, p.bend) else { continue };
             // A distant centre is as accurate as the small curvature of its path.
             worst = worst.max(c.distance(at) / size.max(rho * rho / size));
         }
@@ -216,7 +216,7 @@ pub fn couplers(scene: &Scene) -> Vec<LinkId> {
 /// # Errors
 /// `no-coupler` if no link is named and all links turn about fixed pins or slide, and the faults of
 /// [`work`].
-pub fn curvature(scene: &Scene, asked: &Asked) -> Result<Warned<Curvature>, Faults> {
+pub fn curvature(scene: &Scene, asked: &CurvatureRequest) -> Result<Warned<LinkCurvatures>, Faults> {
     if asked.links.is_empty() {
         let message = both!(
             "all moving links turn about fixed pins or slide on the ground: none has a pole that moves",
@@ -237,7 +237,7 @@ pub fn curvature(scene: &Scene, asked: &Asked) -> Result<Warned<Curvature>, Faul
             None => notes.push(unknown(scene, *link)),
         }
     }
-    Ok(Warned { value: Curvature { list, against, scene: asking, worked, at_rest }, notes })
+    Ok(Warned { value: LinkCurvatures { list, against, scene: asking, worked, at_rest }, notes })
 }
 
 fn unknown(scene: &Scene, link: LinkId) -> Diagnostic {
@@ -266,7 +266,7 @@ fn questions(scene: &Scene, link: LinkId) -> Vec<Find> {
 }
 
 /// Returns the motion of a link relative to another, at the link's first known place.
-pub fn motion(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId) -> Option<Motion> {
+pub fn motion(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId) -> Option<PlaneMotion> {
     let Worked { solution, configuration, mechanism, demand, .. } = worked;
     let at =
         scene.links[link.0].points.iter().find_map(|p| configuration.points[p.0]).or_else(|| {
@@ -289,13 +289,13 @@ pub fn motion(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId) -> 
     let third = thirds[link.0].zip(thirds[against.0]).map(|(one, other)| relative(one, other));
     let size = Some(configuration.extent()).filter(|s| *s > 0.0).unwrap_or(1.0);
     let largest = solution.largest(Level::Velocity, true).max(solution.largest(Level::Velocity, false) / size);
-    Some(Motion { at, v, omega: omega - frame, a, alpha: alpha - frames, third, size, largest })
+    Some(PlaneMotion { at, v, omega: omega - frame, a, alpha: alpha - frames, third, size, largest })
 }
 
-fn of_link(scene: &Scene, worked: &Worked, asked: &Asked, link: LinkId, against: LinkId) -> Option<OfLink> {
+fn of_link(scene: &Scene, worked: &Worked, asked: &CurvatureRequest, link: LinkId, against: LinkId) -> Option<OfLink> {
     let motion = motion(scene, worked, link, against)?;
     let hand = Hand::default();
-    let places = Places { scene, at: &worked.configuration, against, hand: &hand };
+    let places = CurvaturePlaces { scene, at: &worked.configuration, against, hand: &hand };
     let drawing = places.drawing_behind(link, &[]);
     let own = points(scene, link);
     let wanted: Vec<PointId> = own.iter().copied().filter(|p| asked.points.is_empty() || asked.points.contains(p)).collect();
@@ -312,8 +312,8 @@ fn of_link(scene: &Scene, worked: &Worked, asked: &Asked, link: LinkId, against:
             let what = Turning { rate, of: l, against: None }.into();
             let result = worked.results.iter().find(|r| scene.find[r.find].what == what)?;
             match result.drawn.as_ref().map_or(result.computed, |d| d.value) {
-                Value::Scalar(s) => Some(s),
-                Value::Vector(_) | Value::Point(_) => None,
+                AnswerValue::Scalar(s) => Some(s),
+                AnswerValue::Vector(_) | AnswerValue::Point(_) => None,
             }
         };
         Some(of(link)? - of(against)?)

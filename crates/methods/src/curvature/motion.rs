@@ -14,7 +14,7 @@ use hodograph_base::geom::{Point, Vec2};
 
 /// The motion of a plane, given at one of its places.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
+pub struct PlaneMotion {
     /// The place (m).
     pub at: Point,
     /// Its velocity (m/s).
@@ -35,18 +35,18 @@ pub struct Motion {
 
 /// The kind of motion at the instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum State {
+pub enum PlaneState {
     /// Nothing moves.
     Rest,
     /// All points have this velocity: the pole is at infinity, square to it.
     Translation(Vec2),
     /// The plane turns about a pole.
-    Turning(Turning),
+    Turning(PoleMotion),
 }
 
 /// The quantities of a pole.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turning {
+pub struct PoleMotion {
     /// P (m).
     pub pole: Point,
     /// PJ = a_P/ω²; zero if the pole is stationary.
@@ -63,7 +63,7 @@ pub struct Turning {
     pub ball: Option<Point>,
 }
 
-impl Turning {
+impl PoleMotion {
     /// Returns J, the inflection pole.
     pub fn inflection_pole(&self) -> Point {
         self.pole + self.normal
@@ -99,7 +99,7 @@ const RESTING: f64 = 1e-11;
 /// relative to the mechanism's size as zero.
 const NONE: f64 = 1e-11;
 
-impl Motion {
+impl PlaneMotion {
     /// Returns the velocity of the plane's point at a place.
     pub fn velocity(&self, place: Point) -> Vec2 {
         self.v + (place - self.at).perp() * self.omega
@@ -118,10 +118,10 @@ impl Motion {
     }
 
     /// Returns the kind of motion with its quantities.
-    pub fn state(&self) -> State {
+    pub fn state(&self) -> PlaneState {
         let still = RESTING * self.largest;
         if self.omega.abs() <= still {
-            return if self.v.norm() <= still * self.size { State::Rest } else { State::Translation(self.v) };
+            return if self.v.norm() <= still * self.size { PlaneState::Rest } else { PlaneState::Translation(self.v) };
         }
         let omega = self.omega;
         let pole = self.at + self.v.perp() * (1.0 / omega);
@@ -131,11 +131,11 @@ impl Motion {
         if normal.norm() <= NONE * far {
             let bresse = None;
             let (normal, pole_velocity) = (Vec2::ZERO, Vec2::ZERO);
-            return State::Turning(Turning { pole, normal, pole_velocity, acceleration_pole: pole, bresse, ball: None });
+            return PlaneState::Turning(PoleMotion { pole, normal, pole_velocity, acceleration_pole: pole, bresse, ball: None });
         }
         let acceleration_pole = pole + a.divide_by(Vec2::new(omega * omega, -self.alpha));
         let bresse = (self.alpha.abs() > NONE * omega * omega).then(|| a.perp() * (1.0 / self.alpha));
-        State::Turning(Turning {
+        PlaneState::Turning(PoleMotion {
             pole,
             normal,
             pole_velocity: a.perp() * (1.0 / omega),
@@ -163,7 +163,7 @@ impl Motion {
         let (v, a) = (self.velocity(place), self.acceleration(place));
         let speed = v.norm();
         if speed <= RESTING * self.largest * self.size {
-            return if matches!(self.state(), State::Rest) { Bend::Rest } else { Bend::AtPole };
+            return if matches!(self.state(), PlaneState::Rest) { Bend::Rest } else { Bend::AtPole };
         }
         let turn = v.cross(a);
         // Reference for small accelerations: accelerations at the size of the mechanism.
@@ -182,14 +182,14 @@ mod tests {
 
     /// Returns a wheel of radius 1 that rolls on the x axis with ω = −1: cycloids. Its inflection
     /// circle reaches from the contact to the centre, and its pole moves with the centre's speed.
-    fn wheel() -> Motion {
+    fn wheel() -> PlaneMotion {
         let (v, third) = (Vec2::new(1.0, 0.0), Some((Vec2::ZERO, 0.0)));
-        Motion { at: Point::new(0.0, 1.0), v, omega: -1.0, a: Vec2::ZERO, alpha: 0.0, third, size: 1.0, largest: 1.0 }
+        PlaneMotion { at: Point::new(0.0, 1.0), v, omega: -1.0, a: Vec2::ZERO, alpha: 0.0, third, size: 1.0, largest: 1.0 }
     }
 
     #[test]
     fn a_rolling_wheel() {
-        let State::Turning(t) = wheel().state() else { panic!("it turns") };
+        let PlaneState::Turning(t) = wheel().state() else { panic!("it turns") };
         assert_eq!((t.pole, t.inflection_pole(), t.acceleration_pole), (Point::ORIGIN, Point::new(0.0, 1.0), Point::new(0.0, 1.0)));
         assert_eq!((t.pole_velocity, t.bresse), (Vec2::new(1.0, 0.0), None));
         // The centre runs permanently straight.
@@ -202,12 +202,12 @@ mod tests {
 
     #[test]
     fn states_without_a_pole() {
-        let translating = Motion { omega: 0.0, ..wheel() };
-        assert_eq!(translating.state(), State::Translation(Vec2::new(1.0, 0.0)));
-        assert_eq!(Motion { v: Vec2::ZERO, ..translating }.state(), State::Rest);
+        let translating = PlaneMotion { omega: 0.0, ..wheel() };
+        assert_eq!(translating.state(), PlaneState::Translation(Vec2::new(1.0, 0.0)));
+        assert_eq!(PlaneMotion { v: Vec2::ZERO, ..translating }.state(), PlaneState::Rest);
         // Rotation about a fixed pin: circles about it.
-        let crank = Motion { v: Vec2::ZERO, ..wheel() };
-        let State::Turning(t) = crank.state() else { panic!("it turns") };
+        let crank = PlaneMotion { v: Vec2::ZERO, ..wheel() };
+        let PlaneState::Turning(t) = crank.state() else { panic!("it turns") };
         assert!(t.stands() && t.acceleration_pole == Point::new(0.0, 1.0));
         assert_eq!(crank.bend(Point::new(3.0, 1.0)), Bend::About(Point::new(0.0, 1.0), 3.0));
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::{Basic, Gear, Pair, inv};
+use super::{Basic, Gear, GearPair, inv};
 use hodograph_base::geom::{Point, Vec2};
 
 impl Gear {
@@ -50,7 +50,7 @@ impl Gear {
     }
 }
 
-impl Pair {
+impl GearPair {
     /// Returns the outline of a rack's teeth from −`teeth` to `teeth` about the pitch point, along
     /// +x, with the gear below: the rack's flank touches the gear's right flank at the pitch point.
     pub fn rack_teeth(&self, teeth: i32) -> Vec<Point> {

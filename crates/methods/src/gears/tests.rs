@@ -14,9 +14,9 @@ const BASIC: Basic = Basic { module: 2.0, alpha: 20.0 * PI / 180.0, addendum: 1.
 const PAIRS: &[([u32; 2], [f64; 2])] =
     &[([20, 40], [0.0, 0.0]), ([15, 32], [0.5, 1.3]), ([15, 32], [0.3, -0.3]), ([17, 17], [0.2, 0.1]), ([60, 90], [-0.2, 0.1])];
 
-fn pair(teeth: [u32; 2], shifts: [f64; 2]) -> Pair {
+fn pair(teeth: [u32; 2], shifts: [f64; 2]) -> GearPair {
     let distance = distance_of(&BASIC, External, teeth, shifts[0] + shifts[1]).unwrap();
-    Pair::new(BASIC, External, teeth, shifts, distance).unwrap()
+    GearPair::new(BASIC, External, teeth, shifts, distance).unwrap()
 }
 
 #[test]
@@ -102,22 +102,22 @@ fn the_contact_ratio_is_the_mean_number_of_contacts() {
 #[test]
 fn impossible_pairs_are_none() {
     assert_eq!(operating(&BASIC, External, [20, 40], 50.0), None);
-    assert!(Pair::new(BASIC, External, [20, 40], [0.0, 0.0], 50.0).is_none());
-    assert!(Pair::new(BASIC, External, [2, 40], [0.0, 0.0], 42.0).is_none());
+    assert!(GearPair::new(BASIC, External, [20, 40], [0.0, 0.0], 50.0).is_none());
+    assert!(GearPair::new(BASIC, External, [2, 40], [0.0, 0.0], 42.0).is_none());
 }
 
 /// Gears in rings, teeth and shifts: neither do tips overlap nor do flanks cut into one another.
 const RINGS: &[([u32; 2], [f64; 2])] =
     &[([20, 80], [0.0, 0.0]), ([24, 60], [0.2, 0.35]), ([30, 48], [0.3, 0.3]), ([18, 54], [0.5, 0.2]), ([40, 60], [-0.1, 0.2])];
 
-fn ring(teeth: [u32; 2], shifts: [f64; 2]) -> Pair {
+fn ring(teeth: [u32; 2], shifts: [f64; 2]) -> GearPair {
     let distance = distance_of(&BASIC, Mate::Ring, teeth, shifts[1] - shifts[0]).unwrap();
-    Pair::new(BASIC, Mate::Ring, teeth, shifts, distance).unwrap()
+    GearPair::new(BASIC, Mate::Ring, teeth, shifts, distance).unwrap()
 }
 
 /// Returns the largest depth, as an angle of the ring, to which any point of the gear's teeth
 /// enters the ring's teeth while the gear turns through a pitch.
-fn overlap(p: &Pair) -> f64 {
+fn overlap(p: &GearPair) -> f64 {
     let [g, r] = &p.gears;
     let (pitch, ring_pitch) = (2.0 * PI / f64::from(g.teeth), 2.0 * PI / f64::from(r.teeth));
     let mut worst = f64::NEG_INFINITY;
@@ -175,7 +175,7 @@ fn tips_in_a_ring_overlap_where_the_teeth_do() {
 #[test]
 fn a_gear_rolls_on_its_rack() {
     for (z, x) in [(20, 0.0), (12, 0.35), (40, -0.2), (17, 0.1)] {
-        let p = Pair::new(BASIC, Mate::Rack, [z, 0], [x, 0.0], f64::from(z) * BASIC.module / 2.0).unwrap();
+        let p = GearPair::new(BASIC, Mate::Rack, [z, 0], [x, 0.0], f64::from(z) * BASIC.module / 2.0).unwrap();
         let g = &p.gears[0];
         assert_eq!(p.interferes(), x < g.least_shift(&BASIC), "z = {z}");
         // Points of the gear's teeth against the straight flanks, while the gear rolls through a

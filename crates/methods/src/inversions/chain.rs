@@ -4,7 +4,7 @@ use hodograph_scene::{GuidePath, LinkId, Scene};
 
 /// A link of the slider-crank chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum ChainLink {
     /// The link that carries the guide.
     Guide,
     /// The link that slides in the guide.
@@ -16,7 +16,7 @@ pub enum Part {
 }
 
 /// Returns the role of a link in the slider-crank chain; `None` in every other chain.
-pub fn part(scene: &Scene, link: LinkId) -> Option<Part> {
+pub fn part(scene: &Scene, link: LinkId) -> Option<ChainLink> {
     let [guide] = &scene.guides[..] else { return None };
     let (GuidePath::Line { .. }, Some(slider)) = (&guide.path, guide.slider) else { return None };
     if scene.links.len() != 4 || !scene.rolling.is_empty() || !scene.cams.is_empty() {
@@ -30,10 +30,10 @@ pub fn part(scene: &Scene, link: LinkId) -> Option<Part> {
     let (crank, coupler) = if on_slider(b) { (a, b) } else { (b, a) };
     let closes = on_slider(coupler) && pinned(crank, coupler) && pinned(crank, guide.on) && !on_slider(crank);
     let of = |l: LinkId| match l {
-        l if l == guide.on => Part::Guide,
-        l if l == slider => Part::Slider,
-        l if l == crank => Part::Crank,
-        _ => Part::Coupler,
+        l if l == guide.on => ChainLink::Guide,
+        l if l == slider => ChainLink::Slider,
+        l if l == crank => ChainLink::Crank,
+        _ => ChainLink::Coupler,
     };
     closes.then(|| of(link))
 }

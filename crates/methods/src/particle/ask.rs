@@ -1,22 +1,22 @@
 //! The questions about a motion without a mechanism, and their notation.
 
-use super::plate::Part;
-use super::{Kind, Problem};
+use super::plate::PlateComponent;
+use super::{ParticleMotionKind, ParticleProblem};
 use hodograph_base::diag::{Diagnostic, Span, both};
 use hodograph_base::json::fields::suggest;
 
 /// A question.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Find {
+pub struct ParticleQuestion {
     /// The question as written.
     pub text: String,
     /// Its meaning.
-    pub what: Asked,
+    pub what: ParticleQuantity,
 }
 
 /// The quantity asked for; points are given by the index of their motion in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Asked {
+pub enum ParticleQuantity {
     /// `T_AB`: the time at which pursuer and target meet.
     MeetingTime(usize),
     /// `P_AB`: the place at which they meet.
@@ -34,7 +34,7 @@ pub enum Asked {
     /// `rho_A`: the radius of curvature of the path.
     Curvature(usize),
     /// `ve_M` and the other parts of the motion of a point on a plate.
-    Part(usize, Part),
+    Part(usize, PlateComponent),
     /// `l_AB` and the other quantities of two points of which neither pursues the other.
     Between([usize; 2], Mutual),
 }
@@ -65,102 +65,106 @@ impl Mutual {
     }
 }
 
-impl Asked {
+impl ParticleQuantity {
     /// Returns the indices of the motions that the quantity depends on.
     pub(super) fn motions(self) -> Vec<usize> {
         match self {
-            Asked::MeetingTime(k)
-            | Asked::MeetingPlace(k)
-            | Asked::Distance(k)
-            | Asked::LineOmega(k)
-            | Asked::Place(k)
-            | Asked::Velocity(k)
-            | Asked::Acceleration(k)
-            | Asked::Curvature(k)
-            | Asked::Part(k, _) => vec![k],
-            Asked::Between(two, _) => two.to_vec(),
+            ParticleQuantity::MeetingTime(k)
+            | ParticleQuantity::MeetingPlace(k)
+            | ParticleQuantity::Distance(k)
+            | ParticleQuantity::LineOmega(k)
+            | ParticleQuantity::Place(k)
+            | ParticleQuantity::Velocity(k)
+            | ParticleQuantity::Acceleration(k)
+            | ParticleQuantity::Curvature(k)
+            | ParticleQuantity::Part(k, _) => vec![k],
+            ParticleQuantity::Between(two, _) => two.to_vec(),
         }
     }
 
     /// True for a place, which is given by its coordinates alone.
     pub fn is_place(self) -> bool {
         match self {
-            Asked::MeetingPlace(_) | Asked::Place(_) => true,
-            Asked::MeetingTime(_)
-            | Asked::Distance(_)
-            | Asked::LineOmega(_)
-            | Asked::Velocity(_)
-            | Asked::Acceleration(_)
-            | Asked::Curvature(_)
-            | Asked::Part(..)
-            | Asked::Between(..) => false,
+            ParticleQuantity::MeetingPlace(_) | ParticleQuantity::Place(_) => true,
+            ParticleQuantity::MeetingTime(_)
+            | ParticleQuantity::Distance(_)
+            | ParticleQuantity::LineOmega(_)
+            | ParticleQuantity::Velocity(_)
+            | ParticleQuantity::Acceleration(_)
+            | ParticleQuantity::Curvature(_)
+            | ParticleQuantity::Part(..)
+            | ParticleQuantity::Between(..) => false,
         }
     }
 }
 
 /// Returns the questions that are answered if the file asks none, the most informative first: all
 /// except those about points at rest only.
-pub fn all(problem: &Problem) -> Vec<Find> {
+pub fn all(problem: &ParticleProblem) -> Vec<ParticleQuestion> {
     let moves = |k: usize| match &problem.motions[k].kind {
-        Kind::Fixed(way) => !way.is_at_rest(),
-        Kind::OnPlate(..) | Kind::Toward { .. } => true,
+        ParticleMotionKind::Fixed(way) => !way.is_at_rest(),
+        ParticleMotionKind::OnPlate(..) | ParticleMotionKind::Toward { .. } => true,
     };
     possible(problem).into_iter().filter(|f| f.what.motions().into_iter().any(moves)).collect()
 }
 
-fn possible(problem: &Problem) -> Vec<Find> {
-    let mut out: Vec<Find> = Vec::new();
-    let mut add = |text: String, what: Asked| out.push(Find { text, what });
+fn possible(problem: &ParticleProblem) -> Vec<ParticleQuestion> {
+    let mut out: Vec<ParticleQuestion> = Vec::new();
+    let mut add = |text: String, what: ParticleQuantity| out.push(ParticleQuestion { text, what });
     for (k, m) in problem.motions.iter().enumerate() {
         let name = &m.point;
         if let Some((_, target)) = problem.chase(m) {
             let pair = format!("{name}{target}");
-            add(format!("T_{pair}"), Asked::MeetingTime(k));
-            add(format!("P_{pair}"), Asked::MeetingPlace(k));
-            add(format!("l_{pair}"), Asked::Distance(k));
-            add(format!("omega_{pair}"), Asked::LineOmega(k));
+            add(format!("T_{pair}"), ParticleQuantity::MeetingTime(k));
+            add(format!("P_{pair}"), ParticleQuantity::MeetingPlace(k));
+            add(format!("l_{pair}"), ParticleQuantity::Distance(k));
+            add(format!("omega_{pair}"), ParticleQuantity::LineOmega(k));
         }
-        add(format!("r_{name}"), Asked::Place(k));
-        add(format!("v_{name}"), Asked::Velocity(k));
-        add(format!("a_{name}"), Asked::Acceleration(k));
-        if let Kind::OnPlate(..) = m.kind {
-            for (word, part) in Part::ALL {
-                add(format!("{word}_{name}"), Asked::Part(k, part));
+        add(format!("r_{name}"), ParticleQuantity::Place(k));
+        add(format!("v_{name}"), ParticleQuantity::Velocity(k));
+        add(format!("a_{name}"), ParticleQuantity::Acceleration(k));
+        if let ParticleMotionKind::OnPlate(..) = m.kind {
+            for (word, part) in PlateComponent::ALL {
+                add(format!("{word}_{name}"), ParticleQuantity::Part(k, part));
             }
         }
-        add(format!("rho_{name}"), Asked::Curvature(k));
+        add(format!("rho_{name}"), ParticleQuantity::Curvature(k));
     }
-    let by_law = |k: usize| matches!(problem.motions[k].kind, Kind::Fixed(_));
+    let by_law = |k: usize| matches!(problem.motions[k].kind, ParticleMotionKind::Fixed(_));
     out.extend(between(problem).into_iter().filter(|([a, b], _)| a < b && by_law(*a) && by_law(*b)).map(|(_, find)| find));
     out
 }
 
 /// Returns all questions about two points, each with the two indices; points on plates are left
 /// out.
-fn between(problem: &Problem) -> Vec<([usize; 2], Find)> {
-    let plane = |k: &usize| !matches!(problem.motions[*k].kind, Kind::OnPlate(..));
+fn between(problem: &ParticleProblem) -> Vec<([usize; 2], ParticleQuestion)> {
+    let plane = |k: &usize| !matches!(problem.motions[*k].kind, ParticleMotionKind::OnPlate(..));
     let all: Vec<usize> = (0..problem.motions.len()).filter(plane).collect();
     let name = |k: usize| problem.motions[k].point.as_str();
     let pairs = all.iter().flat_map(|a| all.iter().map(|b| [*a, *b])).filter(|[a, b]| a != b);
-    pairs.flat_map(|two| Mutual::ALL.map(|m| (two, Find { text: m.text(two.map(name)), what: Asked::Between(two, m) }))).collect()
+    pairs
+        .flat_map(|two| {
+            Mutual::ALL.map(|m| (two, ParticleQuestion { text: m.text(two.map(name)), what: ParticleQuantity::Between(two, m) }))
+        })
+        .collect()
 }
 
 /// Returns the meaning of a question; a part may be followed by a slash and the number of the plate
 /// (`ak_M/2`).
-pub fn meaning(problem: &Problem, text: &str, span: Span) -> Result<Find, Diagnostic> {
+pub fn meaning(problem: &ParticleProblem, text: &str, span: Span) -> Result<ParticleQuestion, Diagnostic> {
     let mut known = possible(problem);
     let more = between(problem).into_iter().map(|(_, find)| find).filter(|f| known.iter().all(|k| k.text != f.text)).collect::<Vec<_>>();
     known.extend(more);
-    let plain = |f: &&Find| f.text == text || f.text.strip_prefix("T_").is_some_and(|pair| text == "T" && !pair.is_empty());
-    let framed = |f: &&Find| {
-        let Asked::Part(k, _) = f.what else { return false };
+    let plain = |f: &&ParticleQuestion| f.text == text || f.text.strip_prefix("T_").is_some_and(|pair| text == "T" && !pair.is_empty());
+    let framed = |f: &&ParticleQuestion| {
+        let ParticleQuantity::Part(k, _) = f.what else { return false };
         match &problem.motions[k].kind {
-            Kind::OnPlate(plate, _) => text == format!("{}/{}", f.text, problem.plates[*plate].link),
-            Kind::Fixed(_) | Kind::Toward { .. } => false,
+            ParticleMotionKind::OnPlate(plate, _) => text == format!("{}/{}", f.text, problem.plates[*plate].link),
+            ParticleMotionKind::Fixed(_) | ParticleMotionKind::Toward { .. } => false,
         }
     };
     if let Some(found) = known.iter().find(plain).or_else(|| known.iter().find(framed)) {
-        return Ok(Find { text: text.to_owned(), what: found.what });
+        return Ok(ParticleQuestion { text: text.to_owned(), what: found.what });
     }
     let d = Diagnostic::error("unknown-question", both!("`{text}` is no quantity of this file", "`{text}` 不是此文件中的量")).at(span);
     Err(d.help(suggest(text, known.iter().map(|f| f.text.as_str()), both!("there are", "有"))))

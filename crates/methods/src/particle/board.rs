@@ -12,10 +12,10 @@ mod chase;
 
 pub use chase::{FINE, SIGHTS};
 
-use super::ask::Asked;
-use super::law::{Way, jet, sine_cosine};
-use super::plate::Part;
-use super::{Kind, Motion, Problem};
+use super::ask::ParticleQuantity;
+use super::law::{PathLaw, jet, sine_cosine};
+use super::plate::PlateComponent;
+use super::{ParticleMotion, ParticleMotionKind, ParticleProblem};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
@@ -46,7 +46,7 @@ pub struct Arrow {
 
 /// The drawing of a motion.
 #[derive(Clone, Debug)]
-pub struct Drawn {
+pub struct MotionDrawing {
     /// The index of the motion.
     pub motion: usize,
     /// The scales: m, m/s and m/s² per millimetre.
@@ -54,7 +54,7 @@ pub struct Drawn {
     /// The steps of the drawing, one sentence each.
     pub steps: Vec<Both>,
     /// The measured or calculated values: vectors by their components, in SI.
-    pub readings: Vec<(Asked, Vec<f64>)>,
+    pub readings: Vec<(ParticleQuantity, Vec<f64>)>,
     /// True if the vectors are calculated and shown to scale, and none of them is measured.
     pub calculated: bool,
     /// The reason for which some answers are not measured.
@@ -63,7 +63,7 @@ pub struct Drawn {
     pub views: Views,
 }
 
-impl Drawn {
+impl MotionDrawing {
     /// Returns the scale of a diagram (SI per mm).
     pub fn scale(&self, on: DiagramKind) -> f64 {
         match on {
@@ -113,7 +113,7 @@ pub enum Views {
 /// The laws, evaluated at the instant with an accuracy of double precision for every instant. The
 /// sine of an angle of 10⁹ rad loses half of its digits if the angle is rounded first, so the laws
 /// are evaluated in longer numbers and then rounded.
-struct Told<'a> {
+struct InstantLaws<'a> {
     time: &'a Law,
 }
 
@@ -122,19 +122,19 @@ const BITS: usize = 256;
 
 type Jet3 = [f64; 3];
 
-impl Told<'_> {
-    fn told<T>(&self, of: impl FnOnce(Big) -> Result<T, Diagnostic>) -> Result<T, Diagnostic> {
+impl InstantLaws<'_> {
+    fn evaluated<T>(&self, of: impl FnOnce(Big) -> Result<T, Diagnostic>) -> Result<T, Diagnostic> {
         within(BITS, || of(self.time.at(Big::from_f64(0.0))?.number.0[0]))
     }
 
     /// Returns a law's value and derivatives.
     fn law(&self, law: &Law) -> Result<Jet3, Diagnostic> {
-        self.told(|t| Ok(rounded(jet(law, t)?)))
+        self.evaluated(|t| Ok(rounded(jet(law, t)?)))
     }
 
     /// Returns two coordinates with their derivatives.
-    fn way(&self, way: &Way) -> Result<[Jet3; 2], Diagnostic> {
-        self.told(|t| Ok(way.at(t)?.map(rounded)))
+    fn way(&self, way: &PathLaw) -> Result<[Jet3; 2], Diagnostic> {
+        self.evaluated(|t| Ok(way.at(t)?.map(rounded)))
     }
 }
 
@@ -147,7 +147,7 @@ fn rounded(jet: Jet<Big>) -> Jet3 {
 ///
 /// # Errors
 /// Laws without a value.
-pub fn draw(problem: &Problem) -> Result<Vec<Drawn>, Diagnostic> {
+pub fn draw(problem: &ParticleProblem) -> Result<Vec<MotionDrawing>, Diagnostic> {
     draw_again(problem, &[])
 }
 
@@ -156,13 +156,13 @@ pub fn draw(problem: &Problem) -> Result<Vec<Drawn>, Diagnostic> {
 ///
 /// # Errors
 /// The same as for [`draw`].
-pub fn draw_again(problem: &Problem, known: &[Drawn]) -> Result<Vec<Drawn>, Diagnostic> {
+pub fn draw_again(problem: &ParticleProblem, known: &[MotionDrawing]) -> Result<Vec<MotionDrawing>, Diagnostic> {
     let mut out = Vec::new();
     for (k, m) in problem.motions.iter().enumerate() {
         match m.kind {
-            Kind::Toward { .. } => out.extend(chase::draw(problem, k, m, known.iter().find(|d| d.motion == k))?),
-            Kind::OnPlate(..) => out.extend(plate(problem, k, m)?),
-            Kind::Fixed(_) => {}
+            ParticleMotionKind::Toward { .. } => out.extend(chase::draw(problem, k, m, known.iter().find(|d| d.motion == k))?),
+            ParticleMotionKind::OnPlate(..) => out.extend(plate(problem, k, m)?),
+            ParticleMotionKind::Fixed(_) => {}
         }
     }
     Ok(out)
@@ -190,23 +190,23 @@ struct OnPlate {
     tangential: Vec2,
 }
 
-fn on_plate(way: &Way, told: &Told) -> Result<OnPlate, Diagnostic> {
-    let [r, z] = told.way(way)?;
+fn on_plate(way: &PathLaw, laws: &InstantLaws) -> Result<OnPlate, Diagnostic> {
+    let [r, z] = laws.way(way)?;
     let place = Point::new(r[0], z[0]);
     Ok(match way {
-        Way::Line { angle, s, .. } => {
-            let [sine, cosine] = told.told(|t| sine_cosine(angle, t).map(|(s, c)| [s, c].map(rounded)))?;
-            let (along, s) = (Vec2::new(sine[0], cosine[0]), told.law(s)?);
+        PathLaw::Line { angle, s, .. } => {
+            let [sine, cosine] = laws.evaluated(|t| sine_cosine(angle, t).map(|(s, c)| [s, c].map(rounded)))?;
+            let (along, s) = (Vec2::new(sine[0], cosine[0]), laws.law(s)?);
             OnPlate { place, velocity: along * s[1], normal: Vec2::ZERO, tangential: along * s[2] }
         }
-        Way::Circle { centre, radius, s, .. } => {
-            let centre = Point::new(told.law(&centre[0])?[0], told.law(&centre[1])?[0]);
-            let (radius, s) = (told.law(radius)?[0], told.law(s)?);
+        PathLaw::Circle { centre, radius, s, .. } => {
+            let centre = Point::new(laws.law(&centre[0])?[0], laws.law(&centre[1])?[0]);
+            let (radius, s) = (laws.law(radius)?[0], laws.law(s)?);
             let inward = (centre - place) * (1.0 / radius);
             let along = -inward.perp();
             OnPlate { place, velocity: along * s[1], normal: inward * (s[1] * s[1] / radius), tangential: along * s[2] }
         }
-        Way::Polar { .. } | Way::Free(_) => {
+        PathLaw::Polar { .. } | PathLaw::Free(_) => {
             let (velocity, a) = (Vec2::new(r[1], z[1]), Vec2::new(r[2], z[2]));
             let tangential = velocity.unit().map_or(a, |e| e * e.dot(a));
             OnPlate { place, velocity, normal: a - tangential, tangential }
@@ -214,13 +214,13 @@ fn on_plate(way: &Way, told: &Told) -> Result<OnPlate, Diagnostic> {
     })
 }
 
-fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagnostic> {
-    let Kind::OnPlate(p, way) = &m.kind else { return Ok(None) };
-    let (plate, told) = (&problem.plates[*p], Told { time: &problem.time });
-    let offset = plate.offset.as_ref().map(|law| told.law(law)).transpose()?.map_or(0.0, |j| j[0]);
-    let on = on_plate(way, &told)?;
+fn plate(problem: &ParticleProblem, k: usize, m: &ParticleMotion) -> Result<Option<MotionDrawing>, Diagnostic> {
+    let ParticleMotionKind::OnPlate(p, way) = &m.kind else { return Ok(None) };
+    let (plate, laws) = (&problem.plates[*p], InstantLaws { time: &problem.time });
+    let offset = plate.offset.as_ref().map(|law| laws.law(law)).transpose()?.map_or(0.0, |j| j[0]);
+    let on = on_plate(way, &laws)?;
     // cos φ and sin φ, ω and α.
-    let [cosine, sine, w, alpha] = told.told(|t| {
+    let [cosine, sine, w, alpha] = laws.evaluated(|t| {
         let turn = plate.turning.at(t)?;
         Ok([turn.cos.0[0], turn.sin.0[0], turn.omega, turn.alpha].map(|x| x.approx()))
     })?;
@@ -280,20 +280,20 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
         out
     };
     let flat = |v: Vec2| space(along * v.x, v.y);
-    let part = |part: Part, v: Vec<f64>| (Asked::Part(k, part), v);
+    let part = |part: PlateComponent, v: Vec<f64>| (ParticleQuantity::Part(k, part), v);
     let readings = vec![
-        (Asked::Place(k), space(seen.to_vec2(), front.y * mu_l)),
-        (Asked::Velocity(k), space(v_top_whole * mu_v, paper_v(on.velocity).y * mu_v)),
-        (Asked::Acceleration(k), space(paper_a(whole) * mu_a, paper_a(a_r).y * mu_a)),
-        part(Part::TransportVelocity, space(ve, 0.0)),
-        part(Part::RelativeVelocity, flat(on.velocity)),
-        part(Part::Transport, space(aen + aet, 0.0)),
-        part(Part::TransportNormal, space(aen, 0.0)),
-        part(Part::TransportTangential, space(aet, 0.0)),
-        part(Part::Relative, flat(a_r)),
-        part(Part::RelativeNormal, flat(on.normal)),
-        part(Part::RelativeTangential, flat(on.tangential)),
-        part(Part::Coriolis, space(ak, 0.0)),
+        (ParticleQuantity::Place(k), space(seen.to_vec2(), front.y * mu_l)),
+        (ParticleQuantity::Velocity(k), space(v_top_whole * mu_v, paper_v(on.velocity).y * mu_v)),
+        (ParticleQuantity::Acceleration(k), space(paper_a(whole) * mu_a, paper_a(a_r).y * mu_a)),
+        part(PlateComponent::TransportVelocity, space(ve, 0.0)),
+        part(PlateComponent::RelativeVelocity, flat(on.velocity)),
+        part(PlateComponent::Transport, space(aen + aet, 0.0)),
+        part(PlateComponent::TransportNormal, space(aen, 0.0)),
+        part(PlateComponent::TransportTangential, space(aet, 0.0)),
+        part(PlateComponent::Relative, flat(a_r)),
+        part(PlateComponent::RelativeNormal, flat(on.normal)),
+        part(PlateComponent::RelativeTangential, flat(on.tangential)),
+        part(PlateComponent::Coriolis, space(ak, 0.0)),
     ];
     let steps = vec![
         both!(
@@ -340,5 +340,5 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
     ];
     let views = Views::Plate { places: [front, top], along, velocities: [v_front, v_top], accelerations: [a_front, a_top] };
     let steps = steps.into_iter().map(Both::sentence).collect();
-    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, calculated: true, unread: None, views }))
+    Ok(Some(MotionDrawing { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, calculated: true, unread: None, views }))
 }

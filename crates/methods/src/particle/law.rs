@@ -11,12 +11,12 @@ use hodograph_scene::folded::Folded;
 use hodograph_scene::front::Law;
 
 /// Two coordinates and their derivatives.
-pub type Pair<N> = [Jet<N>; 2];
+pub type JetPair<N> = [Jet<N>; 2];
 
 /// The path of a point with its law of motion: laws as written, or folded for one kind of number
 /// ([`Folded`]).
 #[derive(Clone, Debug)]
-pub enum Way<L = Law> {
+pub enum PathLaw<L = Law> {
     /// A straight line from a place; the angle is measured from the direction of the first
     /// coordinate to that of the second, or in the opposite order (from the axis of a plate).
     Line {
@@ -69,21 +69,21 @@ pub fn sine_cosine<N: Real>(law: &Law, t: N) -> Result<(Jet<N>, Jet<N>), Diagnos
     law.at(t).map(|v| v.sin_cos())
 }
 
-impl<N: Real> Way<Folded<N>> {
+impl<N: Real> PathLaw<Folded<N>> {
     /// Returns the coordinates at a time.
     ///
     /// # Errors
     /// If a law has no value.
-    pub fn at(&self, t: N) -> Result<Pair<N>, Diagnostic> {
+    pub fn at(&self, t: N) -> Result<JetPair<N>, Diagnostic> {
         let value = |law: &Folded<N>| law.at(t).map(|v| v.si());
         let pair = |[x, y]: &[Folded<N>; 2]| Ok([value(x)?, value(y)?]);
         match self {
-            Way::Line { from, angle, from_axis, s } => {
+            PathLaw::Line { from, angle, from_axis, s } => {
                 let ([x, y], s, (sine, cosine)) = (pair(from)?, value(s)?, angle.sine_cosine(t)?);
                 let (along, up) = if *from_axis { (sine, cosine) } else { (cosine, sine) };
                 Ok([x + s * along, y + s * up])
             }
-            Way::Circle { centre, radius, angle, s } => {
+            PathLaw::Circle { centre, radius, angle, s } => {
                 let ([x, y], r, s) = (pair(centre)?, value(radius)?, value(s)?);
                 let (sine, cosine) = (s / r).sin_cos();
                 let (s0, c0) = match angle {
@@ -92,32 +92,32 @@ impl<N: Real> Way<Folded<N>> {
                 };
                 Ok([x + r * (cosine * c0 - sine * s0), y + r * (sine * c0 + cosine * s0)])
             }
-            Way::Polar { pole, r, phi } => {
+            PathLaw::Polar { pole, r, phi } => {
                 let ([x, y], r, (sine, cosine)) = (pair(pole)?, value(r)?, phi.sine_cosine(t)?);
                 Ok([x + r * cosine, y + r * sine])
             }
-            Way::Free(laws) => pair(laws),
+            PathLaw::Free(laws) => pair(laws),
         }
     }
 }
 
-impl Way {
+impl PathLaw {
     /// Returns the way folded for one kind of number, for many evaluations.
     ///
     /// # Errors
     /// If a part of a law without the time has no value.
-    pub fn folded<N: Real>(&self) -> Result<Way<Folded<N>>, Diagnostic> {
+    pub fn folded<N: Real>(&self) -> Result<PathLaw<Folded<N>>, Diagnostic> {
         let pair = |[x, y]: &[Law; 2]| Ok([x.folded()?, y.folded()?]);
         Ok(match self {
-            Way::Line { from, angle, from_axis, s } => {
-                Way::Line { from: pair(from)?, angle: angle.folded()?, from_axis: *from_axis, s: s.folded()? }
+            PathLaw::Line { from, angle, from_axis, s } => {
+                PathLaw::Line { from: pair(from)?, angle: angle.folded()?, from_axis: *from_axis, s: s.folded()? }
             }
-            Way::Circle { centre, radius, angle, s } => {
+            PathLaw::Circle { centre, radius, angle, s } => {
                 let angle = angle.as_ref().map(Law::folded).transpose()?;
-                Way::Circle { centre: pair(centre)?, radius: radius.folded()?, angle, s: s.folded()? }
+                PathLaw::Circle { centre: pair(centre)?, radius: radius.folded()?, angle, s: s.folded()? }
             }
-            Way::Polar { pole, r, phi } => Way::Polar { pole: pair(pole)?, r: r.folded()?, phi: phi.folded()? },
-            Way::Free(laws) => Way::Free(pair(laws)?),
+            PathLaw::Polar { pole, r, phi } => PathLaw::Polar { pole: pair(pole)?, r: r.folded()?, phi: phi.folded()? },
+            PathLaw::Free(laws) => PathLaw::Free(pair(laws)?),
         })
     }
 
@@ -125,7 +125,7 @@ impl Way {
     ///
     /// # Errors
     /// If a law has no value.
-    pub fn at<N: Real>(&self, t: N) -> Result<Pair<N>, Diagnostic> {
+    pub fn at<N: Real>(&self, t: N) -> Result<JetPair<N>, Diagnostic> {
         self.folded()?.at(t)
     }
 
@@ -137,22 +137,22 @@ impl Way {
     /// Returns the laws, with the names of their keys.
     pub fn laws(&self) -> Vec<(&'static str, &Law)> {
         match self {
-            Way::Line { angle, s, from_axis, .. } => vec![(if *from_axis { "to_axis" } else { "angle" }, angle), ("s", s)],
-            Way::Circle { radius, angle, s, .. } => {
+            PathLaw::Line { angle, s, from_axis, .. } => vec![(if *from_axis { "to_axis" } else { "angle" }, angle), ("s", s)],
+            PathLaw::Circle { radius, angle, s, .. } => {
                 let mut all = vec![("radius", radius)];
                 all.extend(angle.as_ref().map(|a| ("angle", a)));
                 all.push(("s", s));
                 all
             }
-            Way::Polar { r, phi, .. } => vec![("r", r), ("phi", phi)],
-            Way::Free([x, y]) => vec![("x", x), ("y", y)],
+            PathLaw::Polar { r, phi, .. } => vec![("r", r), ("phi", phi)],
+            PathLaw::Free([x, y]) => vec![("x", x), ("y", y)],
         }
     }
 }
 
 /// The rotation of a plate.
 #[derive(Clone, Debug)]
-pub enum Turning {
+pub enum PlateRotation {
     /// A law of the angle.
     Law(Law),
     /// The angle at the instant and its derivatives there; the rotation at other times is not
@@ -169,7 +169,7 @@ pub enum Turning {
 
 /// Sine and cosine of the angle of a plate with their derivatives, and its ω and α.
 #[derive(Clone, Copy, Debug)]
-pub struct Turn<N> {
+pub struct PlateAngle<N> {
     /// sin φ.
     pub sin: Jet<N>,
     /// cos φ.
@@ -180,22 +180,22 @@ pub struct Turn<N> {
     pub alpha: N,
 }
 
-impl Turning {
+impl PlateRotation {
     /// Returns the rotation `dt` later (s): a law is unchanged; rates at an instant continue with
     /// constant α.
     ///
     /// # Errors
     /// If a law has no value.
-    pub fn later(&self, dt: f64) -> Result<Turning, Diagnostic> {
+    pub fn later(&self, dt: f64) -> Result<PlateRotation, Diagnostic> {
         Ok(match self {
-            Turning::Law(law) => Turning::Law(law.clone()),
-            Turning::Now { .. } if dt == 0.0 => self.clone(),
-            Turning::Now { angle, omega, alpha } => {
+            PlateRotation::Law(law) => PlateRotation::Law(law.clone()),
+            PlateRotation::Now { .. } if dt == 0.0 => self.clone(),
+            PlateRotation::Now { angle, omega, alpha } => {
                 let value = |law: &Law| jet(law, 0.0).map(|j| j.0[0]);
                 let (w, second) = (value(omega)?, alpha.as_ref().map(value).transpose()?.unwrap_or(0.0));
                 let (sine, cosine) = sine_cosine(angle, 0.0)?;
                 let start = libm::atan2(sine.0[0], cosine.0[0]);
-                Turning::Now {
+                PlateRotation::Now {
                     angle: Law::number(start + w * dt + second * dt * dt / 2.0),
                     omega: Law::number(w + second * dt),
                     alpha: alpha.clone(),
@@ -208,21 +208,21 @@ impl Turning {
     ///
     /// # Errors
     /// If a law has no value.
-    pub fn at<N: Real>(&self, t: N) -> Result<Turn<N>, Diagnostic> {
+    pub fn at<N: Real>(&self, t: N) -> Result<PlateAngle<N>, Diagnostic> {
         match self {
-            Turning::Law(law) => {
+            PlateRotation::Law(law) => {
                 let [_, omega, alpha] = jet(law, t)?.0;
                 let (sin, cos) = sine_cosine(law, t)?;
-                Ok(Turn { sin, cos, omega, alpha })
+                Ok(PlateAngle { sin, cos, omega, alpha })
             }
-            Turning::Now { angle, omega, alpha } => {
+            PlateRotation::Now { angle, omega, alpha } => {
                 let value = angle.at(t)?;
                 let (s, c) = (value.sin_cos().0.0[0], value.sin_cos().1.0[0]);
                 let omega = jet(omega, t)?.0[0];
                 let alpha = alpha.as_ref().map(|a| jet(a, t)).transpose()?.map_or(N::from_f64(0.0), |a| a.0[0]);
                 let square = omega * omega;
                 let (sin, cos) = (Jet([s, c * omega, c * alpha - s * square]), Jet([c, -(s * omega), -(s * alpha) - c * square]));
-                Ok(Turn { sin, cos, omega, alpha })
+                Ok(PlateAngle { sin, cos, omega, alpha })
             }
         }
     }

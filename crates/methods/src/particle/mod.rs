@@ -2,7 +2,7 @@
 //! point that moves by a law of time on a plate that turns about an axis in space.
 //!
 //! Such a file has the front of a scene, `time`, `points`, `plates`, `motions` and `find`, and no
-//! links. [`read`] gives a [`Problem`], [`solve`] its answers with error bounds: laws are
+//! links. [`read`] gives a [`ParticleProblem`], [`solve`] its answers with error bounds: laws are
 //! differentiated exactly ([`law`]); a pursuit is integrated ([`pursuit`]), and the output says so.
 //! The drawing with ruler and paper is in [`board`], which uses the laws at the instant and none of
 //! the results computed here.
@@ -30,18 +30,18 @@ pub mod schema;
 mod solve;
 pub mod templates;
 
-pub use ask::{Asked, Find, Mutual};
+pub use ask::{Mutual, ParticleQuantity, ParticleQuestion};
 pub use read::{is_problem, read};
-pub use solve::{Answer, Solved, Value, course, solve, solve_again};
+pub use solve::{ParticleAnswer, ParticleSolution, ParticleValue, course, solve, solve_again};
 
 use hodograph_base::diag::{Both, Diagnostic};
 use hodograph_scene::front::Law;
 use hodograph_scene::{self as scene, Book, Lang, Localized, Paper};
-use law::{Turning, Way};
+use law::{PathLaw, PlateRotation};
 
 /// The content of a file.
 #[derive(Clone, Debug)]
-pub struct Problem {
+pub struct ParticleProblem {
     /// The title.
     pub title: Both,
     /// The statement, with the values of its parameters inserted.
@@ -59,14 +59,14 @@ pub struct Problem {
     /// The plates.
     pub plates: Vec<Plate>,
     /// The motions.
-    pub motions: Vec<Motion>,
+    pub motions: Vec<ParticleMotion>,
     /// The questions; if the file has none, all possible ones.
-    pub find: Vec<Find>,
+    pub find: Vec<ParticleQuestion>,
 }
 
 /// A coordinate axis of space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
+pub enum SpaceAxis {
     /// x.
     X,
     /// y.
@@ -75,16 +75,16 @@ pub enum Axis {
     Z,
 }
 
-impl Axis {
+impl SpaceAxis {
     /// The three axes, in order.
-    pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+    pub const ALL: [SpaceAxis; 3] = [SpaceAxis::X, SpaceAxis::Y, SpaceAxis::Z];
 
     /// Returns the letter of the axis.
     pub fn letter(self) -> &'static str {
         match self {
-            Axis::X => "x",
-            Axis::Y => "y",
-            Axis::Z => "z",
+            SpaceAxis::X => "x",
+            SpaceAxis::Y => "y",
+            SpaceAxis::Z => "z",
         }
     }
 
@@ -92,9 +92,9 @@ impl Axis {
     /// right-handed system with it, then its own index.
     pub fn order(self) -> [usize; 3] {
         match self {
-            Axis::X => [1, 2, 0],
-            Axis::Y => [2, 0, 1],
-            Axis::Z => [0, 1, 2],
+            SpaceAxis::X => [1, 2, 0],
+            SpaceAxis::Y => [2, 0, 1],
+            SpaceAxis::Z => [0, 1, 2],
         }
     }
 }
@@ -105,29 +105,29 @@ pub struct Plate {
     /// The number of the plate.
     pub link: String,
     /// The axis.
-    pub axis: Axis,
+    pub axis: SpaceAxis,
     /// The rotation: the angle from the axis that follows cyclically in x, y, z.
-    pub turning: Turning,
+    pub turning: PlateRotation,
     /// The distance of the plate from the axis, to the side of its positive rotation.
     pub offset: Option<Law>,
 }
 
 /// The motion of a point.
 #[derive(Clone, Debug)]
-pub struct Motion {
+pub struct ParticleMotion {
     /// The point.
     pub point: String,
     /// The kind of motion.
-    pub kind: Kind,
+    pub kind: ParticleMotionKind,
 }
 
 /// The kind of motion of a point.
 #[derive(Clone, Debug)]
-pub enum Kind {
+pub enum ParticleMotionKind {
     /// In the fixed plane by a law.
-    Fixed(Way),
+    Fixed(PathLaw),
     /// On a plate by a law; the index of the plate in the list.
-    OnPlate(usize, Way),
+    OnPlate(usize, PathLaw),
     /// Always toward another point.
     Toward {
         /// The place at t = 0.
@@ -139,17 +139,17 @@ pub enum Kind {
     },
 }
 
-impl Problem {
+impl ParticleProblem {
     /// Returns the motion of a point.
-    pub fn motion(&self, point: &str) -> Option<&Motion> {
+    pub fn motion(&self, point: &str) -> Option<&ParticleMotion> {
         self.motions.iter().find(|m| m.point == point)
     }
 
     /// Returns the chase of a pursuer, and the name of its target.
-    pub fn chase(&self, motion: &Motion) -> Option<(pursuit::Chase<'_>, &str)> {
+    pub fn chase(&self, motion: &ParticleMotion) -> Option<(pursuit::Chase<'_>, &str)> {
         let own = self.motions.iter().find(|m| m.point == motion.point)?;
-        let Kind::Toward { from, target, speed } = &own.kind else { return None };
-        let Motion { point, kind: Kind::Fixed(target) } = self.motions.get(*target)? else { return None };
+        let ParticleMotionKind::Toward { from, target, speed } = &own.kind else { return None };
+        let ParticleMotion { point, kind: ParticleMotionKind::Fixed(target) } = self.motions.get(*target)? else { return None };
         Some((pursuit::Chase { from, speed, target }, point))
     }
 
@@ -158,7 +158,7 @@ impl Problem {
     ///
     /// # Errors
     /// Laws of a plate without a value.
-    pub fn at(&self, t: f64, mu: Option<[f64; 3]>) -> Result<Problem, Diagnostic> {
+    pub fn at(&self, t: f64, mu: Option<[f64; 3]>) -> Result<ParticleProblem, Diagnostic> {
         let mut moved = self.clone();
         moved.time = Law::number(t);
         for plate in &mut moved.plates {

@@ -1,6 +1,6 @@
 //! Reads single names and texts of a file that may have faults elsewhere.
 
-use hodograph_base::json::{Kind as NodeKind, Node, Word};
+use hodograph_base::json::{Node, NodeKind, Word};
 
 /// Returns the text of a member of an object, even if other members have faults.
 pub(super) fn named(node: &Node, wanted: &str) -> Option<Word> {

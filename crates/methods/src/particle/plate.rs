@@ -6,8 +6,8 @@
 //! derivative of the coordinates; the parts come from the theorem of composite motion, so that
 //! their sum proves both.
 
-use super::law::{Turn, jet};
-use super::{Kind, Motion, Plate, Problem};
+use super::law::{PlateAngle, jet};
+use super::{ParticleMotion, ParticleMotionKind, ParticleProblem, Plate};
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::number::{Jet, Real};
 
@@ -16,7 +16,7 @@ pub type Space<N> = [N; 3];
 
 /// A part of the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum PlateComponent {
     /// v_e.
     TransportVelocity,
     /// v_r.
@@ -37,31 +37,31 @@ pub enum Part {
     Coriolis,
 }
 
-impl Part {
+impl PlateComponent {
     /// All parts, with their symbols in questions.
-    pub const ALL: [(&'static str, Part); 9] = [
-        ("ve", Part::TransportVelocity),
-        ("vr", Part::RelativeVelocity),
-        ("ae", Part::Transport),
-        ("aen", Part::TransportNormal),
-        ("aet", Part::TransportTangential),
-        ("ar", Part::Relative),
-        ("arn", Part::RelativeNormal),
-        ("art", Part::RelativeTangential),
-        ("ak", Part::Coriolis),
+    pub const ALL: [(&'static str, PlateComponent); 9] = [
+        ("ve", PlateComponent::TransportVelocity),
+        ("vr", PlateComponent::RelativeVelocity),
+        ("ae", PlateComponent::Transport),
+        ("aen", PlateComponent::TransportNormal),
+        ("aet", PlateComponent::TransportTangential),
+        ("ar", PlateComponent::Relative),
+        ("arn", PlateComponent::RelativeNormal),
+        ("art", PlateComponent::RelativeTangential),
+        ("ak", PlateComponent::Coriolis),
     ];
 
     /// True for a part of the velocity.
     pub fn is_velocity(self) -> bool {
-        matches!(self, Part::TransportVelocity | Part::RelativeVelocity)
+        matches!(self, PlateComponent::TransportVelocity | PlateComponent::RelativeVelocity)
     }
 }
 
 /// The state of plate and point at a time.
 #[derive(Clone, Copy, Debug)]
-pub struct State<N> {
+pub struct PlateState<N> {
     /// The rotation of the plate.
-    pub turn: Turn<N>,
+    pub turn: PlateAngle<N>,
     /// The distance of the point from the axis along the plate.
     pub r: Jet<N>,
     /// The height of the point along the axis.
@@ -71,17 +71,17 @@ pub struct State<N> {
     order: [usize; 3],
 }
 
-impl<N: Real> State<N> {
+impl<N: Real> PlateState<N> {
     /// Returns the state of a motion on a plate at a time; `None` for other motions.
     ///
     /// # Errors
     /// If a law has no value.
-    pub fn of(problem: &Problem, motion: &Motion, t: N) -> Result<Option<State<N>>, Diagnostic> {
-        let Kind::OnPlate(k, way) = &motion.kind else { return Ok(None) };
+    pub fn of(problem: &ParticleProblem, motion: &ParticleMotion, t: N) -> Result<Option<PlateState<N>>, Diagnostic> {
+        let ParticleMotionKind::OnPlate(k, way) = &motion.kind else { return Ok(None) };
         let Plate { axis, turning, offset, .. } = &problem.plates[*k];
         let [r, z] = way.at(t)?;
         let e = offset.as_ref().map(|law| jet(law, t)).transpose()?.map_or(N::from_f64(0.0), |j| j.0[0]);
-        Ok(Some(State { turn: turning.at(t)?, r, z, e, order: axis.order() }))
+        Ok(Some(PlateState { turn: turning.at(t)?, r, z, e, order: axis.order() }))
     }
 
     /// Returns a vector as x, y, z, from its components along the two axes square to the rotation
@@ -109,9 +109,9 @@ impl<N: Real> State<N> {
     }
 
     /// Returns a part of the motion.
-    pub fn part(&self, part: Part) -> Space<N> {
+    pub fn part(&self, part: PlateComponent) -> Space<N> {
         let zero = N::from_f64(0.0);
-        let Turn { omega: w, alpha, .. } = self.turn;
+        let PlateAngle { omega: w, alpha, .. } = self.turn;
         let ([r, r1, r2], [_, z1, z2], e) = (self.r.0, self.z.0, self.e);
         let normal = [-(w * w * r), -(w * w * e), zero];
         let tangential = [-(alpha * e), alpha * r, zero];
@@ -119,17 +119,17 @@ impl<N: Real> State<N> {
         let v2 = r1 * r1 + z1 * z1;
         let along = if v2.approx() == 0.0 { [r2, zero, z2] } else { [r1, zero, z1].map(|x| x * ((r1 * r2 + z1 * z2) / v2)) };
         self.of_plate(match part {
-            Part::TransportVelocity => [-(w * e), w * r, zero],
-            Part::RelativeVelocity => [r1, zero, z1],
-            Part::Transport => [0, 1, 2].map(|k| normal[k] + tangential[k]),
-            Part::TransportNormal => normal,
-            Part::TransportTangential => tangential,
-            Part::Relative => [r2, zero, z2],
-            Part::RelativeNormal if v2.approx() == 0.0 => [zero; 3],
+            PlateComponent::TransportVelocity => [-(w * e), w * r, zero],
+            PlateComponent::RelativeVelocity => [r1, zero, z1],
+            PlateComponent::Transport => [0, 1, 2].map(|k| normal[k] + tangential[k]),
+            PlateComponent::TransportNormal => normal,
+            PlateComponent::TransportTangential => tangential,
+            PlateComponent::Relative => [r2, zero, z2],
+            PlateComponent::RelativeNormal if v2.approx() == 0.0 => [zero; 3],
             // Across v_r: (r₂z₁ − z₂r₁)(z₁, −r₁)/v².
-            Part::RelativeNormal => [z1, zero, -r1].map(|x| x * ((r2 * z1 - z2 * r1) / v2)),
-            Part::RelativeTangential => along,
-            Part::Coriolis => [zero, N::from_f64(2.0) * w * r1, zero],
+            PlateComponent::RelativeNormal => [z1, zero, -r1].map(|x| x * ((r2 * z1 - z2 * r1) / v2)),
+            PlateComponent::RelativeTangential => along,
+            PlateComponent::Coriolis => [zero, N::from_f64(2.0) * w * r1, zero],
         })
     }
 }

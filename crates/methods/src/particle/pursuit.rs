@@ -9,7 +9,7 @@
 //! place. The error of a step is taken as the difference of its last two extrapolations, which is
 //! the error of the worse one.
 
-use super::law::{Way, jet};
+use super::law::{PathLaw, jet};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::number::{Ball, Dd, Real};
 use hodograph_scene::folded::Folded;
@@ -44,18 +44,18 @@ pub struct Chase<'a> {
     /// The speed of the pursuer.
     pub speed: &'a Law,
     /// The motion of the target.
-    pub target: &'a Way,
+    pub target: &'a PathLaw,
 }
 
 /// A chase in one kind of number, with laws that are evaluated at every step.
-struct Course<N> {
+struct PursuitLaws<N> {
     speed: Folded<N>,
-    target: Way<Folded<N>>,
+    target: PathLaw<Folded<N>>,
 }
 
 /// The vector from pursuer to target at a time.
 #[derive(Clone, Copy, Debug)]
-pub struct State<N> {
+pub struct PursuitState<N> {
     /// The time (s).
     pub t: N,
     /// From the pursuer to the target (m).
@@ -66,7 +66,7 @@ pub struct State<N> {
 
 /// The end of a pursuit.
 #[derive(Clone, Copy, Debug)]
-pub enum End {
+pub enum PursuitEnd {
     /// The two meet.
     Meet {
         /// The time (s).
@@ -83,7 +83,7 @@ pub enum End {
     },
 }
 
-impl<N: Real> State<N> {
+impl<N: Real> PursuitState<N> {
     /// Returns |D|.
     pub fn distance(&self) -> f64 {
         self.d[0].hypot(self.d[1]).approx()
@@ -107,7 +107,7 @@ fn fineness<N: Real>() -> (f64, f64) {
     if longer { (1e-29, 1e-22) } else { (2e-16, 1e-14) }
 }
 
-impl<N: Real> Course<N> {
+impl<N: Real> PursuitLaws<N> {
     /// Returns the speed of the pursuer and the velocity of the target at a time.
     fn rates(&self, t: N) -> Result<(N, [N; 2]), Diagnostic> {
         let b = self.target.at(t)?;
@@ -121,7 +121,7 @@ impl<N: Real> Course<N> {
     }
 
     /// Performs the modified midpoint rule with `n` parts.
-    fn midpoint(&self, from: &State<N>, h: N, n: usize) -> Result<[N; 2], Diagnostic> {
+    fn midpoint(&self, from: &PursuitState<N>, h: N, n: usize) -> Result<[N; 2], Diagnostic> {
         let part = h / N::from_f64(n as f64);
         let two = N::from_f64(2.0);
         let ahead = |d: [N; 2], by: N, s: [N; 2]| [d[0] + by * s[0], d[1] + by * s[1]];
@@ -137,7 +137,7 @@ impl<N: Real> Course<N> {
 
     /// Performs one step of Gragg, Bulirsch and Stoer, and returns it with its error; `None` if the
     /// extrapolation has not converged.
-    fn step(&self, from: &State<N>, h: N, tolerance: f64) -> Result<Option<([N; 2], f64)>, Diagnostic> {
+    fn step(&self, from: &PursuitState<N>, h: N, tolerance: f64) -> Result<Option<([N; 2], f64)>, Diagnostic> {
         let mut row: Vec<[N; 2]> = Vec::new();
         for k in 0..COLUMNS {
             let n = 2 * (k + 1);
@@ -167,15 +167,15 @@ impl Chase<'_> {
     ///
     /// # Errors
     /// If a law has no value.
-    pub fn start<N: Real>(&self) -> Result<State<N>, Diagnostic> {
+    pub fn start<N: Real>(&self) -> Result<PursuitState<N>, Diagnostic> {
         let zero = N::from_f64(0.0);
         let b = self.target.at(zero)?;
         let place = |k: usize| Ok(b[k].0[0] - jet(&self.from[k], zero)?.0[0]);
-        Ok(State { t: zero, d: [place(0)?, place(1)?], error: 0.0 })
+        Ok(PursuitState { t: zero, d: [place(0)?, place(1)?], error: 0.0 })
     }
 
-    fn folded<N: Real>(&self) -> Result<Course<N>, Diagnostic> {
-        Ok(Course { speed: self.speed.folded()?, target: self.target.folded()? })
+    fn folded<N: Real>(&self) -> Result<PursuitLaws<N>, Diagnostic> {
+        Ok(PursuitLaws { speed: self.speed.folded()?, target: self.target.folded()? })
     }
 
     /// Integrates to a time, or until the two have almost met; `seen` gets every state on the way.
@@ -184,10 +184,10 @@ impl Chase<'_> {
     /// Laws without a value, and a course that the steps do not follow.
     pub fn follow<N: Real>(
         &self,
-        start: State<N>,
+        start: PursuitState<N>,
         until: Option<N>,
-        seen: &mut dyn FnMut(&State<N>),
-    ) -> Result<(State<N>, bool), Diagnostic> {
+        seen: &mut dyn FnMut(&PursuitState<N>),
+    ) -> Result<(PursuitState<N>, bool), Diagnostic> {
         let (unit, near) = fineness::<N>();
         let (first, laws) = (self.start::<N>()?.distance(), self.folded::<N>()?);
         let mut here = start;
@@ -232,7 +232,7 @@ impl Chase<'_> {
                     if h >= left * (1.0 - 1e-9) { (until.map_or(N::from_f64(h), |u| u - here.t), true) } else { (N::from_f64(h), false) };
                 if let Some((d, error)) = laws.step(&here, by, 32.0 * unit * l.max(near * first))? {
                     let t = if last { until.unwrap_or(here.t + by) } else { here.t + by };
-                    break Some(State { t, d, error: here.error + error + 64.0 * unit * first });
+                    break Some(PursuitState { t, d, error: here.error + error + 64.0 * unit * first });
                 }
                 h *= 0.5;
                 halved = true;
@@ -263,7 +263,7 @@ impl Chase<'_> {
     ///
     /// # Errors
     /// The same as for [`Chase::follow`].
-    pub fn end<N: Real + Into<Dd>>(&self) -> Result<End, Diagnostic> {
+    pub fn end<N: Real + Into<Dd>>(&self) -> Result<PursuitEnd, Diagnostic> {
         self.end_seen::<N>(&mut |_| {})
     }
 
@@ -271,10 +271,10 @@ impl Chase<'_> {
     ///
     /// # Errors
     /// The same as for [`Chase::follow`].
-    pub fn end_seen<N: Real + Into<Dd>>(&self, seen: &mut dyn FnMut(&State<N>)) -> Result<End, Diagnostic> {
+    pub fn end_seen<N: Real + Into<Dd>>(&self, seen: &mut dyn FnMut(&PursuitState<N>)) -> Result<PursuitEnd, Diagnostic> {
         let (last, met) = self.follow(self.start::<N>()?, None, seen)?;
         if !met {
-            return Ok(End::Apart { until: last.t.approx(), distance: last.distance() });
+            return Ok(PursuitEnd::Apart { until: last.t.approx(), distance: last.distance() });
         }
         // The two meet after the rest of the way within these times, independent of the target's
         // motion.
@@ -286,7 +286,7 @@ impl Chase<'_> {
             Ball::new(last.t.into() + Dd::from_f64(0.5 * (low + high)), 0.5 * (high - low) + last.t.approx() * fineness::<N>().0 * 64.0);
         let b = self.target.at(last.t)?;
         let place = [0, 1].map(|k| Ball::new(b[k].0[0].into(), w * high + b[k].0[0].approx().abs() * fineness::<N>().0 * 64.0));
-        Ok(End::Meet { time, place })
+        Ok(PursuitEnd::Meet { time, place })
     }
 }
 
@@ -319,7 +319,7 @@ mod tests {
             let mut steps = 0;
             let end = chase.end_seen::<f64>(&mut |_| steps += 1);
             assert!(steps <= MOST_TO_MEET + 1, "{speed} m/s: {steps} steps");
-            assert_eq!(matches!(end, Ok(End::Meet { .. })), meets, "{speed} m/s: {end:?}");
+            assert_eq!(matches!(end, Ok(PursuitEnd::Meet { .. })), meets, "{speed} m/s: {end:?}");
         }
     }
 }

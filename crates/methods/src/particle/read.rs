@@ -1,16 +1,16 @@
 //! Reads the file: its keys, and their consistency.
 
 use super::ask;
-use super::law::{Turning, Way, jet};
+use super::law::{PathLaw, PlateRotation, jet};
 use super::peek::{member, named, texts};
 use super::rest;
-use super::{Axis, Kind, Motion, Plate, Problem};
+use super::{ParticleMotion, ParticleMotionKind, ParticleProblem, Plate, SpaceAxis};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use hodograph_base::json::fields::{Fields, list, object, suggest, word};
-use hodograph_base::json::{self, Kind as NodeKind, Node, Word};
+use hodograph_base::json::{self, Node, NodeKind, Word};
 use hodograph_scene::Localized;
 use hodograph_scene::front::{self, Front, Law, RawFront, TIME};
-use hodograph_scene::units::Wanted;
+use hodograph_scene::units::RequiredQuantity;
 
 /// The keys in addition to those of the front.
 pub(super) const KEYS: [&str; 6] = ["statement", "time", "points", "plates", "motions", "find"];
@@ -39,7 +39,7 @@ pub fn is_problem(source: &[u8]) -> bool {
 ///
 /// # Errors
 /// All faults of the file in one list, each with its place as byte offsets into `source`.
-pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Problem>, Faults> {
+pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<ParticleProblem>, Faults> {
     let mut faults = Faults::default();
     let (text, root) = json::parse(source.as_ref(), &mut faults)?;
     let found = problem(&root, text, &mut faults);
@@ -54,7 +54,7 @@ pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Problem>, Faults> {
 }
 
 /// The file, with a list of its faults.
-struct Reader<'a> {
+struct ParticleReader<'a> {
     front: &'a Front<'a>,
     faults: &'a mut Faults,
     /// The places of points: name, coordinates.
@@ -67,7 +67,7 @@ struct Reader<'a> {
     faulty: Vec<Option<String>>,
 }
 
-fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
+fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProblem> {
     let keys: Vec<&str> = front::KEYS.iter().chain(&KEYS).copied().collect();
     let f = Fields::open(root, both!("a file of motions without a mechanism", "无机构的运动文件"), &keys, faults)?;
     let raw = RawFront::decode(root, faults);
@@ -87,7 +87,7 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
         faults.push(d.at(name.span).help(both!("call it `t0`", "可改称 `t0`")));
         return None;
     }
-    let mut r = Reader { front: &front, faults, places: Vec::new(), now, misplaced: Vec::new(), faulty: Vec::new() };
+    let mut r = ParticleReader { front: &front, faults, places: Vec::new(), now, misplaced: Vec::new(), faulty: Vec::new() };
     r.points(f.get("points"));
     let plates = r.plates(f.get("plates"));
     let motions = r.motions(&f, &plates);
@@ -96,7 +96,7 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
     let statement = f.get("statement").and_then(|n| front.localized(n, "\"statement\"", r.faults));
     let statement = statement.map(|s| filled(s, &front.parameters()));
     let title = front.title.as_ref().map_or_else(|| usual_title(&motions), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
-    let mut out = Problem {
+    let mut out = ParticleProblem {
         title,
         statement,
         language: front.language,
@@ -108,7 +108,7 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
         motions,
         find: Vec::new(),
     };
-    let used = |name: &Word, motions: &[Motion]| {
+    let used = |name: &Word, motions: &[ParticleMotion]| {
         motions.iter().any(|m| m.point == name.text) || faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text))
     };
     let idle = r.places.iter().filter(|(name, _)| !used(name, &out.motions));
@@ -137,25 +137,25 @@ fn filled(text: Localized, parameters: &[(String, String)]) -> Localized {
     Localized { en: fill(&text.en), zh: fill(&text.zh) }
 }
 
-fn usual_title(motions: &[Motion]) -> Both {
-    let any = |is: fn(&Kind) -> bool| motions.iter().any(|m| is(&m.kind));
-    if any(|k| matches!(k, Kind::Toward { .. })) {
+fn usual_title(motions: &[ParticleMotion]) -> Both {
+    let any = |is: fn(&ParticleMotionKind) -> bool| motions.iter().any(|m| is(&m.kind));
+    if any(|k| matches!(k, ParticleMotionKind::Toward { .. })) {
         both!("Pursuit", "追踪问题")
-    } else if any(|k| matches!(k, Kind::OnPlate(..))) {
+    } else if any(|k| matches!(k, ParticleMotionKind::OnPlate(..))) {
         both!("A point on a turning plate", "转动平板上的点")
     } else {
         both!("Motion by laws of time", "按给定规律的运动")
     }
 }
 
-impl Reader<'_> {
+impl ParticleReader<'_> {
     fn fault(&mut self, code: &'static str, at: Span, message: Both, help: Both) {
         self.faults.push(Diagnostic::error(code, message).at(at).help(help));
     }
 
     /// Reads the radius of a circle: a length greater than zero at the instant.
     fn radius(&mut self, f: &Fields) -> Option<Law> {
-        let law = self.need(f, "radius", Wanted::Length, "\"200 mm\"")?;
+        let law = self.need(f, "radius", RequiredQuantity::Length, "\"200 mm\"")?;
         // A law without a value is reported when it is evaluated.
         let Some(value) = jet(&law, self.now).ok().map(|r| r.0[0]).filter(|r| *r <= 0.0) else { return Some(law) };
         let at = f.get("radius").map_or(f.span(), |n| n.span);
@@ -164,7 +164,7 @@ impl Reader<'_> {
         None
     }
 
-    fn law(&mut self, node: &Node, wanted: Wanted, key: &str) -> Option<Law> {
+    fn law(&mut self, node: &Node, wanted: RequiredQuantity, key: &str) -> Option<Law> {
         self.front.law(node, wanted, self.now, &format!("\"{key}\""), self.faults)
     }
 
@@ -173,12 +173,12 @@ impl Reader<'_> {
         word(node, &format!("\"{key}\""), self.faults)
     }
 
-    fn need(&mut self, f: &Fields, key: &'static str, wanted: Wanted, example: &str) -> Option<Law> {
+    fn need(&mut self, f: &Fields, key: &'static str, wanted: RequiredQuantity, example: &str) -> Option<Law> {
         let node = f.need(key, example, self.faults)?;
         self.law(node, wanted, key)
     }
 
-    fn may(&mut self, f: &Fields, key: &'static str, wanted: Wanted) -> Option<Law> {
+    fn may(&mut self, f: &Fields, key: &'static str, wanted: RequiredQuantity) -> Option<Law> {
         let node = f.get(key)?;
         self.law(node, wanted, key)
     }
@@ -191,7 +191,7 @@ impl Reader<'_> {
             self.fault("wrong-count", node.span, message, both!("write [\"0 m\", \"3 km\"]", "请写 [\"0 m\", \"3 km\"]"));
             return None;
         };
-        let (x, y) = (self.law(x, Wanted::Length, key), self.law(y, Wanted::Length, key));
+        let (x, y) = (self.law(x, RequiredQuantity::Length, key), self.law(y, RequiredQuantity::Length, key));
         Some([x?, y?])
     }
 
@@ -227,18 +227,18 @@ impl Reader<'_> {
         let axis = match f.get("axis") {
             Some(n) => {
                 let found = word(n, "\"axis\"", self.faults)?;
-                let axis = Axis::ALL.into_iter().find(|a| a.letter() == found.text);
+                let axis = SpaceAxis::ALL.into_iter().find(|a| a.letter() == found.text);
                 if axis.is_none() {
                     let message = both!("there is no axis `{}`", "没有轴 `{}`", found.text);
                     self.fault("unknown-word", found.span, message, both!("the axes are x, y, z", "轴有 x、y、z"));
                 }
                 axis?
             }
-            None => Axis::Z,
+            None => SpaceAxis::Z,
         };
-        let angle = self.need(&f, "angle", Wanted::Angle, "\"90 deg\", or a law such as \"1/3 rad/s*t\"");
-        let offset = self.may(&f, "offset", Wanted::Length);
-        let (omega, alpha) = (self.may(&f, "omega", Wanted::Omega), self.may(&f, "alpha", Wanted::Alpha));
+        let angle = self.need(&f, "angle", RequiredQuantity::Angle, "\"90 deg\", or a law such as \"1/3 rad/s*t\"");
+        let offset = self.may(&f, "offset", RequiredQuantity::Length);
+        let (omega, alpha) = (self.may(&f, "omega", RequiredQuantity::Omega), self.may(&f, "alpha", RequiredQuantity::Alpha));
         let angle = angle?;
         let turning = if angle.depends_on_time() {
             for key in ["omega", "alpha"] {
@@ -247,10 +247,10 @@ impl Reader<'_> {
                     self.fault("given-twice", n.span, message, both!("leave `{key}` out", "请去掉 `{key}`"));
                 }
             }
-            Turning::Law(angle)
+            PlateRotation::Law(angle)
         } else {
-            let omega = if f.get("omega").is_some() { omega } else { self.need(&f, "omega", Wanted::Omega, "\"2 rad/s\"") };
-            Turning::Now { angle, omega: omega?, alpha }
+            let omega = if f.get("omega").is_some() { omega } else { self.need(&f, "omega", RequiredQuantity::Omega, "\"2 rad/s\"") };
+            PlateRotation::Now { angle, omega: omega?, alpha }
         };
         if let Some(law) = offset.as_ref().filter(|law| law.depends_on_time()) {
             let at = f.get("offset").map_or(node.span, |n| n.span);
@@ -260,7 +260,7 @@ impl Reader<'_> {
         Some(Plate { link: link?.text, axis, turning, offset })
     }
 
-    fn motions(&mut self, f: &Fields, plates: &[Plate]) -> Vec<Motion> {
+    fn motions(&mut self, f: &Fields, plates: &[Plate]) -> Vec<ParticleMotion> {
         let node = f.need("motions", "[{\"point\": \"A\", \"toward\": \"B\", \"speed\": \"5 m/s\"}]", self.faults);
         let items = node.and_then(|n| list(n, "\"motions\"", self.faults)).unwrap_or_default();
         if items.is_empty() || items.len() > MOST {
@@ -269,7 +269,7 @@ impl Reader<'_> {
             self.fault("wrong-count", node.map_or(f.span(), |n| n.span), message, both!("say how points move", "请给出点的运动"));
             return Vec::new();
         }
-        let (mut all, mut toward): (Vec<Motion>, Vec<(usize, Word)>) = (Vec::new(), Vec::new());
+        let (mut all, mut toward): (Vec<ParticleMotion>, Vec<(usize, Word)>) = (Vec::new(), Vec::new());
         let mut astray: Vec<Word> = Vec::new();
         for node in items {
             let Some((point, kind, target)) = self.motion(node, plates) else {
@@ -282,7 +282,7 @@ impl Reader<'_> {
                 self.fault("twice", point.span, message, both!("keep one of them", "请保留一个"));
             }
             toward.extend(target.map(|t| (all.len(), t)));
-            all.push(Motion { point: point.text, kind });
+            all.push(ParticleMotion { point: point.text, kind });
         }
         for (k, name) in toward {
             let unread = self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text));
@@ -292,12 +292,12 @@ impl Reader<'_> {
                 Some(all.len() - 1)
             });
             match found.map(|t| (t, &all[t].kind)) {
-                Some((t, Kind::Fixed(_))) => {
-                    if let Kind::Toward { target, .. } = &mut all[k].kind {
+                Some((t, ParticleMotionKind::Fixed(_))) => {
+                    if let ParticleMotionKind::Toward { target, .. } = &mut all[k].kind {
                         *target = t;
                     }
                 }
-                Some((_, Kind::Toward { .. } | Kind::OnPlate(..))) => {
+                Some((_, ParticleMotionKind::Toward { .. } | ParticleMotionKind::OnPlate(..))) => {
                     let message = both!(
                         "`{}` is no target: it has no law of its own in the plane",
                         "`{}` 不能作目标：它在平面内没有自己的运动规律",
@@ -324,22 +324,22 @@ impl Reader<'_> {
         all
     }
 
-    fn no_motion(&mut self, name: &Word, all: &[Motion]) {
+    fn no_motion(&mut self, name: &Word, all: &[ParticleMotion]) {
         let message = both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text);
         let near = suggest(&name.text, all.iter().map(|m| m.point.as_str()), both!("points that move are", "运动的点有"));
         self.fault("unknown-point", name.span, message, near);
     }
 
-    fn motion(&mut self, node: &Node, plates: &[Plate]) -> Option<(Word, Kind, Option<Word>)> {
+    fn motion(&mut self, node: &Node, plates: &[Plate]) -> Option<(Word, ParticleMotionKind, Option<Word>)> {
         let f = Fields::open(node, both!("a motion", "运动"), &MOTION, self.faults)?;
         let point = self.word(&f, "point", "\"A\"")?;
         if f.get("toward").is_some() || f.get("speed").is_some() {
             let wrong = ["on", "angle", "to_axis", "centre", "radius", "s", "x", "y", "r", "phi"];
             self.none_of(&f, &wrong, &both!("a point that runs toward another one", "追踪运动"));
             let target = self.word(&f, "toward", "\"B\"");
-            let speed = self.need(&f, "speed", Wanted::Velocity, "\"5 m/s\"");
+            let speed = self.need(&f, "speed", RequiredQuantity::Velocity, "\"5 m/s\"");
             let from = self.from(&f, &point, true);
-            return Some((point, Kind::Toward { from: from?, target: 0, speed: speed? }, Some(target?)));
+            return Some((point, ParticleMotionKind::Toward { from: from?, target: 0, speed: speed? }, Some(target?)));
         }
         let plate = match f.get("on") {
             None => None,
@@ -355,7 +355,7 @@ impl Reader<'_> {
             }
         };
         let way = self.way(&f, &point, plate.is_some())?;
-        Some((point, plate.map_or(Kind::Fixed(way.clone()), |k| Kind::OnPlate(k, way)), None))
+        Some((point, plate.map_or(ParticleMotionKind::Fixed(way.clone()), |k| ParticleMotionKind::OnPlate(k, way)), None))
     }
 
     fn none_of(&mut self, f: &Fields, wrong: &[&'static str], what: &Both) {
@@ -385,27 +385,29 @@ impl Reader<'_> {
         known
     }
 
-    fn way(&mut self, f: &Fields, point: &Word, on_plate: bool) -> Option<Way> {
+    fn way(&mut self, f: &Fields, point: &Word, on_plate: bool) -> Option<PathLaw> {
         let has = |key: &str| f.get(key).is_some();
         if has("r") || has("phi") {
             let wrong = ["angle", "to_axis", "centre", "radius", "s", "x", "y"];
             self.none_of(f, &wrong, &both!("a motion by polar coordinates", "以极坐标给出的运动"));
-            let (r, phi) = (self.need(f, "r", Wanted::Length, "\"4 m/s*t\""), self.need(f, "phi", Wanted::Angle, "\"2 rad/s*t\""));
+            let (r, phi) =
+                (self.need(f, "r", RequiredQuantity::Length, "\"4 m/s*t\""), self.need(f, "phi", RequiredQuantity::Angle, "\"2 rad/s*t\""));
             let pole = self.from(f, point, false);
-            return Some(Way::Polar { pole: pole?, r: r?, phi: phi? });
+            return Some(PathLaw::Polar { pole: pole?, r: r?, phi: phi? });
         }
         if has("x") || has("y") {
             self.none_of(f, &["angle", "to_axis", "centre", "radius", "s", "from"], &both!("a motion by coordinates", "以坐标给出的运动"));
-            let (x, y) = (self.need(f, "x", Wanted::Length, "\"4 m/s*t\""), self.need(f, "y", Wanted::Length, "\"3 km\""));
-            return Some(Way::Free([x?, y?]));
+            let (x, y) =
+                (self.need(f, "x", RequiredQuantity::Length, "\"4 m/s*t\""), self.need(f, "y", RequiredQuantity::Length, "\"3 km\""));
+            return Some(PathLaw::Free([x?, y?]));
         }
-        let s = self.need(f, "s", Wanted::Length, "\"4 m/s*t\"");
+        let s = self.need(f, "s", RequiredQuantity::Length, "\"4 m/s*t\"");
         if has("centre") {
             self.none_of(f, &["to_axis", "from"], &both!("a motion on a circle", "圆周运动"));
             let centre = f.get("centre").and_then(|n| self.two(n, "centre"));
             let radius = self.radius(f);
-            let angle = self.may(f, "angle", Wanted::Angle);
-            return Some(Way::Circle { centre: centre?, radius: radius?, angle, s: s? });
+            let angle = self.may(f, "angle", RequiredQuantity::Angle);
+            return Some(PathLaw::Circle { centre: centre?, radius: radius?, angle, s: s? });
         }
         self.none_of(f, &["radius"], &both!("a motion along a line", "直线运动"));
         let from = self.from(f, point, !on_plate);
@@ -420,11 +422,11 @@ impl Reader<'_> {
                 both!("a line in the fixed plane", "定平面内的直线")
             },
         );
-        let angle = self.need(f, key, Wanted::Angle, example);
-        Some(Way::Line { from: from?, angle: angle?, from_axis: on_plate, s: s? })
+        let angle = self.need(f, key, RequiredQuantity::Angle, example);
+        Some(PathLaw::Line { from: from?, angle: angle?, from_axis: on_plate, s: s? })
     }
 
-    fn find(&mut self, f: &Fields, problem: &Problem) -> Vec<ask::Find> {
+    fn find(&mut self, f: &Fields, problem: &ParticleProblem) -> Vec<ask::ParticleQuestion> {
         let Some(node) = f.get("find") else { return ask::all(problem) };
         let items = list(node, "\"find\"", self.faults).unwrap_or_default();
         let mut out = Vec::new();

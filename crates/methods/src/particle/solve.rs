@@ -4,10 +4,10 @@
 //! leave fewer digits than wanted. Quantities of a pursuit start from the integrated place with its
 //! error bound.
 
-use super::ask::{Asked, Mutual};
-use super::plate::State;
-use super::pursuit::{self, Chase, End};
-use super::{Kind, Motion, Problem};
+use super::ask::{Mutual, ParticleQuantity};
+use super::plate::PlateState;
+use super::pursuit::{self, Chase, PursuitEnd};
+use super::{ParticleMotion, ParticleMotionKind, ParticleProblem};
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::number::decimal::{Certain, Enclosure};
 use hodograph_base::number::{Ball, Big, Dd, Real, within};
@@ -17,16 +17,16 @@ const BITS: usize = 256;
 
 /// An answer.
 #[derive(Clone, Debug)]
-pub struct Answer {
+pub struct ParticleAnswer {
     /// The index of the question.
     pub find: usize,
     /// The value, or the reason for which there is none.
-    pub value: Value,
+    pub value: ParticleValue,
 }
 
 /// A value (SI).
 #[derive(Clone, Debug)]
-pub enum Value {
+pub enum ParticleValue {
     /// A vector or place by x, y and, in space, z; then its magnitude.
     Vector(Vec<Enclosure>, Enclosure),
     /// A number.
@@ -35,31 +35,31 @@ pub enum Value {
     None(Diagnostic),
 }
 
-impl Value {
+impl ParticleValue {
     /// Returns the number, to `f64`.
     pub fn scalar(&self) -> Option<f64> {
         match self {
-            Value::Scalar(e) => Some(e.approx),
-            Value::Vector(..) | Value::None(_) => None,
+            ParticleValue::Scalar(e) => Some(e.approx),
+            ParticleValue::Vector(..) | ParticleValue::None(_) => None,
         }
     }
 
     /// Returns the components, to `f64`.
     pub fn vector(&self) -> Option<Vec<f64>> {
         match self {
-            Value::Vector(all, _) => Some(all.iter().map(|e| e.approx).collect()),
-            Value::Scalar(_) | Value::None(_) => None,
+            ParticleValue::Vector(all, _) => Some(all.iter().map(|e| e.approx).collect()),
+            ParticleValue::Scalar(_) | ParticleValue::None(_) => None,
         }
     }
 }
 
 /// The answers of a problem.
 #[derive(Clone, Debug)]
-pub struct Solved {
+pub struct ParticleSolution {
     /// The answers, one for each question, in order.
-    pub answers: Vec<Answer>,
+    pub answers: Vec<ParticleAnswer>,
     /// The end of each pursuit, with the index of its motion in the list.
-    pub ends: Vec<(usize, End)>,
+    pub ends: Vec<(usize, PursuitEnd)>,
 }
 
 /// Solves a problem.
@@ -67,7 +67,7 @@ pub struct Solved {
 /// # Errors
 /// Laws without a value at the instant, pursuits that cannot be followed, an instant after the
 /// meeting.
-pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
+pub fn solve(problem: &ParticleProblem) -> Result<ParticleSolution, Faults> {
     let mut ends = Vec::new();
     let (mut chases, mut lost) = (Vec::new(), Vec::new());
     for (k, m) in problem.motions.iter().enumerate() {
@@ -81,7 +81,7 @@ pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
         let end = ends.iter().find(|e| e.0 == k).map(|e| &e.1);
         chases.push((k, caught(problem, &chase, m, target, end, longer(&chase)?)?));
     }
-    Ok(Solved { answers: answered(problem, &chases, &ends, &lost)?, ends })
+    Ok(ParticleSolution { answers: answered(problem, &chases, &ends, &lost)?, ends })
 }
 
 /// Solves a problem at another instant: ends of pursuits are known, and courses are followed in
@@ -89,37 +89,42 @@ pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
 ///
 /// # Errors
 /// The same as for [`solve`].
-pub fn solve_again(problem: &Problem, known: &Solved) -> Result<Solved, Faults> {
+pub fn solve_again(problem: &ParticleProblem, known: &ParticleSolution) -> Result<ParticleSolution, Faults> {
     let mut chases = Vec::new();
     for (k, end) in &known.ends {
         let m = &problem.motions[*k];
         let Some((chase, target)) = problem.chase(m) else { continue };
         chases.push((*k, caught(problem, &chase, m, target, Some(end), false)?));
     }
-    Ok(Solved { answers: answered(problem, &chases, &known.ends, &[])?, ends: known.ends.clone() })
+    Ok(ParticleSolution { answers: answered(problem, &chases, &known.ends, &[])?, ends: known.ends.clone() })
 }
 
 fn answered(
-    problem: &Problem,
-    chases: &[(usize, Line)],
-    ends: &[(usize, End)],
+    problem: &ParticleProblem,
+    chases: &[(usize, PursuitVector)],
+    ends: &[(usize, PursuitEnd)],
     lost: &[(usize, Diagnostic)],
-) -> Result<Vec<Answer>, Diagnostic> {
-    let answer = |(find, question): (usize, &super::Find)| {
-        let gone = |k: usize| lost.iter().find(|l| l.0 == k).map(|l| Value::None(l.1.clone()));
+) -> Result<Vec<ParticleAnswer>, Diagnostic> {
+    let answer = |(find, question): (usize, &super::ParticleQuestion)| {
+        let gone = |k: usize| lost.iter().find(|l| l.0 == k).map(|l| ParticleValue::None(l.1.clone()));
         let value = match question.what {
-            Asked::MeetingTime(k) | Asked::MeetingPlace(k) if gone(k).is_some() => gone(k).unwrap_or_else(|| Value::None(undecided())),
-            Asked::MeetingTime(k) => meeting(problem, k, ends, |time, _| scalar(time)),
-            Asked::MeetingPlace(k) => meeting(problem, k, ends, |_, place| vector(&place)),
-            Asked::Distance(k) | Asked::LineOmega(k) => of_chase(problem, k, chases, question.what)?,
-            Asked::Place(k) | Asked::Velocity(k) | Asked::Acceleration(k) | Asked::Curvature(k) => match problem.motions[k].kind {
-                Kind::Toward { .. } => of_chase(problem, k, chases, question.what)?,
-                Kind::Fixed(_) | Kind::OnPlate(..) => by_law(problem, k, question.what)?,
+            ParticleQuantity::MeetingTime(k) | ParticleQuantity::MeetingPlace(k) if gone(k).is_some() => {
+                gone(k).unwrap_or_else(|| ParticleValue::None(undecided()))
+            }
+            ParticleQuantity::MeetingTime(k) => meeting(problem, k, ends, |time, _| scalar(time)),
+            ParticleQuantity::MeetingPlace(k) => meeting(problem, k, ends, |_, place| vector(&place)),
+            ParticleQuantity::Distance(k) | ParticleQuantity::LineOmega(k) => of_chase(problem, k, chases, question.what)?,
+            ParticleQuantity::Place(k)
+            | ParticleQuantity::Velocity(k)
+            | ParticleQuantity::Acceleration(k)
+            | ParticleQuantity::Curvature(k) => match problem.motions[k].kind {
+                ParticleMotionKind::Toward { .. } => of_chase(problem, k, chases, question.what)?,
+                ParticleMotionKind::Fixed(_) | ParticleMotionKind::OnPlate(..) => by_law(problem, k, question.what)?,
             },
-            Asked::Part(k, _) => by_law(problem, k, question.what)?,
-            Asked::Between(two, m) => between(problem, two, m, chases)?,
+            ParticleQuantity::Part(k, _) => by_law(problem, k, question.what)?,
+            ParticleQuantity::Between(two, m) => between(problem, two, m, chases)?,
         };
-        Ok(Answer { find, value })
+        Ok(ParticleAnswer { find, value })
     };
     problem.find.iter().enumerate().map(answer).collect()
 }
@@ -127,11 +132,11 @@ fn answered(
 /// Returns the end of a pursuit, in the longest numbers in which its laws have values. `f64`
 /// decides whether there is an end: a pursuit that circles behind a faster target for ever, or for
 /// a long time before the meeting, is not followed in numbers that take fifty times as long.
-fn ended(chase: &Chase) -> Result<End, Diagnostic> {
+fn ended(chase: &Chase) -> Result<PursuitEnd, Diagnostic> {
     let mut steps = 0;
     match chase.end_seen::<f64>(&mut |_| steps += 1)? {
-        End::Meet { .. } if longer(chase)? && steps <= pursuit::MOST_LONGER => chase.end::<Dd>(),
-        end @ (End::Meet { .. } | End::Apart { .. }) => Ok(end),
+        PursuitEnd::Meet { .. } if longer(chase)? && steps <= pursuit::MOST_LONGER => chase.end::<Dd>(),
+        end @ (PursuitEnd::Meet { .. } | PursuitEnd::Apart { .. }) => Ok(end),
     }
 }
 
@@ -141,12 +146,19 @@ fn longer(chase: &Chase) -> Result<bool, Diagnostic> {
     Ok(start.d.iter().all(|x| x.is_decided()) && chase.target.at(start.t)?.iter().all(|j| j.is_decided()))
 }
 
-type Line = [Ball<Dd>; 2];
+type PursuitVector = [Ball<Dd>; 2];
 
 /// Returns the vector from pursuer to target at the instant.
-fn caught(problem: &Problem, chase: &Chase, m: &Motion, target: &str, end: Option<&End>, long: bool) -> Result<Line, Faults> {
+fn caught(
+    problem: &ParticleProblem,
+    chase: &Chase,
+    m: &ParticleMotion,
+    target: &str,
+    end: Option<&PursuitEnd>,
+    long: bool,
+) -> Result<PursuitVector, Faults> {
     let now = problem.instant();
-    if let Some(End::Meet { time, .. }) = end
+    if let Some(PursuitEnd::Meet { time, .. }) = end
         && now >= time.approx() - time.radius()
     {
         let d = Diagnostic::error(
@@ -163,7 +175,7 @@ fn caught(problem: &Problem, chase: &Chase, m: &Motion, target: &str, end: Optio
     Ok(if long { at_instant::<Dd>(problem, chase)? } else { at_instant::<f64>(problem, chase)? })
 }
 
-fn at_instant<N: Real + Into<Dd>>(problem: &Problem, chase: &Chase) -> Result<Line, Diagnostic> {
+fn at_instant<N: Real + Into<Dd>>(problem: &ParticleProblem, chase: &Chase) -> Result<PursuitVector, Diagnostic> {
     let t = problem.time.at(N::from_f64(0.0))?.number.0[0];
     let (state, _) = chase.follow(chase.start::<N>()?, Some(t), &mut |_| {})?;
     Ok(state.enclosed())
@@ -173,7 +185,7 @@ fn at_instant<N: Real + Into<Dd>>(problem: &Problem, chase: &Chase) -> Result<Li
 ///
 /// # Errors
 /// The same as for [`Chase::follow`].
-pub fn course(chase: &Chase, times: &[f64]) -> Result<Vec<pursuit::State<f64>>, Diagnostic> {
+pub fn course(chase: &Chase, times: &[f64]) -> Result<Vec<pursuit::PursuitState<f64>>, Diagnostic> {
     let mut here = chase.start::<f64>()?;
     let mut out = Vec::new();
     for t in times {
@@ -187,29 +199,34 @@ fn undecided() -> Diagnostic {
     Diagnostic::error("undecided", both!("its digits cannot be told apart from zero", "无法确定其数字"))
 }
 
-fn scalar<N: Certain>(x: N) -> Value {
-    x.enclosure().map_or_else(|| Value::None(undecided()), Value::Scalar)
+fn scalar<N: Certain>(x: N) -> ParticleValue {
+    x.enclosure().map_or_else(|| ParticleValue::None(undecided()), ParticleValue::Scalar)
 }
 
-fn vector<N: Certain>(all: &[N]) -> Value {
+fn vector<N: Certain>(all: &[N]) -> ParticleValue {
     let zero = N::from_f64(0.0);
     let size = all.iter().fold(zero, |s, x| s + *x * *x);
     // The root of a value that is zero to rounding would lose half of the digits.
     let size = if all.iter().all(|x| x.approx() == 0.0 && x.radius() == 0.0) { zero } else { size.sqrt() };
     let parts: Option<Vec<Enclosure>> = all.iter().map(|x| x.enclosure()).collect();
     match (parts, size.enclosure()) {
-        (Some(parts), Some(size)) => Value::Vector(parts, size),
-        _ => Value::None(undecided()),
+        (Some(parts), Some(size)) => ParticleValue::Vector(parts, size),
+        _ => ParticleValue::None(undecided()),
     }
 }
 
 /// Returns the answer from time and place of a meeting.
-fn meeting(problem: &Problem, k: usize, ends: &[(usize, End)], tell: impl Fn(Ball<Dd>, [Ball<Dd>; 2]) -> Value) -> Value {
+fn meeting(
+    problem: &ParticleProblem,
+    k: usize,
+    ends: &[(usize, PursuitEnd)],
+    tell: impl Fn(Ball<Dd>, [Ball<Dd>; 2]) -> ParticleValue,
+) -> ParticleValue {
     let m = &problem.motions[k];
     let target = problem.chase(m).map_or("", |c| c.1);
     match ends.iter().find(|e| e.0 == k).map(|e| e.1) {
-        Some(End::Meet { time, place }) => tell(time, place),
-        Some(End::Apart { until, distance }) => Value::None(Diagnostic::error(
+        Some(PursuitEnd::Meet { time, place }) => tell(time, place),
+        Some(PursuitEnd::Apart { until, distance }) => ParticleValue::None(Diagnostic::error(
             "never-meets",
             both!(
                 "{} does not catch {target}: at {until:.4e} s they are {distance:.4e} m apart",
@@ -217,7 +234,7 @@ fn meeting(problem: &Problem, k: usize, ends: &[(usize, End)], tell: impl Fn(Bal
                 m.point
             ),
         )),
-        None => Value::None(undecided()),
+        None => ParticleValue::None(undecided()),
     }
 }
 
@@ -236,7 +253,7 @@ struct Pursuer<N> {
 
 /// Returns the quantities that follow from the vector from pursuer to target at the instant: v
 /// along it, its ω, and a = v′ along it and vω square to it.
-fn pursuer(problem: &Problem, k: usize, chases: &[(usize, Line)]) -> Result<Option<Pursuer<Ball<Dd>>>, Diagnostic> {
+fn pursuer(problem: &ParticleProblem, k: usize, chases: &[(usize, PursuitVector)]) -> Result<Option<Pursuer<Ball<Dd>>>, Diagnostic> {
     type N = Ball<Dd>;
     let m = &problem.motions[k];
     let (Some((chase, _)), Some((_, d))) = (problem.chase(m), chases.iter().find(|c| c.0 == k)) else {
@@ -262,60 +279,68 @@ fn pursuer(problem: &Problem, k: usize, chases: &[(usize, Line)]) -> Result<Opti
     Ok(Some(Pursuer { line: [l, omega], state: [place, v, a], speed: speed[0] }))
 }
 
-fn of_chase(problem: &Problem, k: usize, chases: &[(usize, Line)], what: Asked) -> Result<Value, Diagnostic> {
+fn of_chase(
+    problem: &ParticleProblem,
+    k: usize,
+    chases: &[(usize, PursuitVector)],
+    what: ParticleQuantity,
+) -> Result<ParticleValue, Diagnostic> {
     let Some(Pursuer { line: [l, omega], state: [place, v, a], speed }) = pursuer(problem, k, chases)? else {
-        return Ok(Value::None(undecided()));
+        return Ok(ParticleValue::None(undecided()));
     };
     Ok(match what {
-        Asked::Distance(_) => scalar(l),
-        Asked::LineOmega(_) => scalar(omega),
-        Asked::Place(_) => vector(&place),
-        Asked::Velocity(_) => vector(&v),
-        Asked::Acceleration(_) => vector(&a),
-        Asked::Curvature(_) if omega.contains_zero() => Value::None(straight(&problem.motions[k].point)),
-        Asked::Curvature(_) => scalar(if omega.approx() < 0.0 { -(speed / omega) } else { speed / omega }),
-        Asked::MeetingTime(_) | Asked::MeetingPlace(_) | Asked::Part(..) | Asked::Between(..) => Value::None(undecided()),
+        ParticleQuantity::Distance(_) => scalar(l),
+        ParticleQuantity::LineOmega(_) => scalar(omega),
+        ParticleQuantity::Place(_) => vector(&place),
+        ParticleQuantity::Velocity(_) => vector(&v),
+        ParticleQuantity::Acceleration(_) => vector(&a),
+        ParticleQuantity::Curvature(_) if omega.contains_zero() => ParticleValue::None(straight(&problem.motions[k].point)),
+        ParticleQuantity::Curvature(_) => scalar(if omega.approx() < 0.0 { -(speed / omega) } else { speed / omega }),
+        ParticleQuantity::MeetingTime(_)
+        | ParticleQuantity::MeetingPlace(_)
+        | ParticleQuantity::Part(..)
+        | ParticleQuantity::Between(..) => ParticleValue::None(undecided()),
     })
 }
 
 /// Returns a quantity of two points: from their laws in long numbers, or with a pursuer in the
 /// numbers of its course.
-fn between(problem: &Problem, two: [usize; 2], m: Mutual, chases: &[(usize, Line)]) -> Result<Value, Diagnostic> {
-    let pursues = |k: usize| matches!(problem.motions[k].kind, Kind::Toward { .. });
+fn between(problem: &ParticleProblem, two: [usize; 2], m: Mutual, chases: &[(usize, PursuitVector)]) -> Result<ParticleValue, Diagnostic> {
+    let pursues = |k: usize| matches!(problem.motions[k].kind, ParticleMotionKind::Toward { .. });
     if two.into_iter().any(pursues) {
         let mut states = Vec::new();
         for k in two {
             let found = if pursues(k) { pursuer(problem, k, chases)?.map(|p| p.state) } else { by_way::<Ball<Dd>>(problem, k)? };
             states.extend(found);
         }
-        return Ok(<[_; 2]>::try_from(states).map_or_else(|_| Value::None(undecided()), |[a, b]| mutual(a, b, m)));
+        return Ok(<[_; 2]>::try_from(states).map_or_else(|_| ParticleValue::None(undecided()), |[a, b]| mutual(a, b, m)));
     }
     let fine = within(BITS, || mutual_by_laws::<Ball<Big>>(problem, two, m))?;
     match fine {
-        Value::None(d) if d.code == "undecided" => mutual_by_laws::<Ball<f64>>(problem, two, m),
+        ParticleValue::None(d) if d.code == "undecided" => mutual_by_laws::<Ball<f64>>(problem, two, m),
         other => Ok(other),
     }
 }
 
-fn mutual_by_laws<N: Certain>(problem: &Problem, [a, b]: [usize; 2], m: Mutual) -> Result<Value, Diagnostic> {
-    let (Some(a), Some(b)) = (by_way::<N>(problem, a)?, by_way::<N>(problem, b)?) else { return Ok(Value::None(undecided())) };
+fn mutual_by_laws<N: Certain>(problem: &ParticleProblem, [a, b]: [usize; 2], m: Mutual) -> Result<ParticleValue, Diagnostic> {
+    let (Some(a), Some(b)) = (by_way::<N>(problem, a)?, by_way::<N>(problem, b)?) else { return Ok(ParticleValue::None(undecided())) };
     Ok(mutual(a, b, m))
 }
 
 /// Returns place, velocity and acceleration of a point that moves in the plane by a law.
-fn by_way<N: Real>(problem: &Problem, k: usize) -> Result<Option<[[N; 2]; 3]>, Diagnostic> {
-    let Kind::Fixed(way) = &problem.motions[k].kind else { return Ok(None) };
+fn by_way<N: Real>(problem: &ParticleProblem, k: usize) -> Result<Option<[[N; 2]; 3]>, Diagnostic> {
+    let ParticleMotionKind::Fixed(way) = &problem.motions[k].kind else { return Ok(None) };
     let [x, y] = way.at(problem.time.at(N::from_f64(0.0))?.number.0[0])?;
     Ok(Some([0, 1, 2].map(|order| [x.0[order], y.0[order]])))
 }
 
-fn mutual<N: Certain>(a: [[N; 2]; 3], b: [[N; 2]; 3], m: Mutual) -> Value {
+fn mutual<N: Certain>(a: [[N; 2]; 3], b: [[N; 2]; 3], m: Mutual) -> ParticleValue {
     let off = |order: usize| [0, 1].map(|c| a[order][c] - b[order][c]);
     let d = off(0);
     let square = d[0] * d[0] + d[1] * d[1];
     match m {
         Mutual::Distance | Mutual::Turning if square.approx() == 0.0 => {
-            Value::None(Diagnostic::error("straight", both!("the two points are in one place", "两点重合")))
+            ParticleValue::None(Diagnostic::error("straight", both!("the two points are in one place", "两点重合")))
         }
         Mutual::Distance => scalar(square.sqrt()),
         Mutual::Turning => scalar(cross(d, off(1)) / square),
@@ -330,47 +355,47 @@ fn straight(point: &str) -> Diagnostic {
 
 /// Returns an answer from laws alone: in `f64` with its error bound, or in longer numbers if that
 /// leaves too few digits.
-fn by_law(problem: &Problem, k: usize, what: Asked) -> Result<Value, Diagnostic> {
+fn by_law(problem: &ParticleProblem, k: usize, what: ParticleQuantity) -> Result<ParticleValue, Diagnostic> {
     let fine = within(BITS, || in_numbers::<Ball<Big>>(problem, k, what))?;
     match fine {
-        Value::None(d) if d.code == "undecided" => in_numbers::<Ball<f64>>(problem, k, what),
-        other @ (Value::Vector(..) | Value::Scalar(_) | Value::None(_)) => Ok(other),
+        ParticleValue::None(d) if d.code == "undecided" => in_numbers::<Ball<f64>>(problem, k, what),
+        other @ (ParticleValue::Vector(..) | ParticleValue::Scalar(_) | ParticleValue::None(_)) => Ok(other),
     }
 }
 
-fn in_numbers<N: Certain>(problem: &Problem, k: usize, what: Asked) -> Result<Value, Diagnostic> {
+fn in_numbers<N: Certain>(problem: &ParticleProblem, k: usize, what: ParticleQuantity) -> Result<ParticleValue, Diagnostic> {
     let t = problem.time.at(N::from_f64(0.0))?.number.0[0];
     let m = &problem.motions[k];
     let [place, v, a] = match &m.kind {
-        Kind::Fixed(way) => {
+        ParticleMotionKind::Fixed(way) => {
             let [x, y] = way.at(t)?;
             [0, 1, 2].map(|order| vec![x.0[order], y.0[order]])
         }
-        Kind::OnPlate(..) => {
-            let Some(state) = State::of(problem, m, t)? else { return Ok(Value::None(undecided())) };
-            if let Asked::Part(_, part) = what {
+        ParticleMotionKind::OnPlate(..) => {
+            let Some(state) = PlateState::of(problem, m, t)? else { return Ok(ParticleValue::None(undecided())) };
+            if let ParticleQuantity::Part(_, part) = what {
                 return Ok(vector(&state.part(part)));
             }
             state.absolute().map(|v| v.to_vec())
         }
-        Kind::Toward { .. } => return Ok(Value::None(undecided())),
+        ParticleMotionKind::Toward { .. } => return Ok(ParticleValue::None(undecided())),
     };
     Ok(match what {
-        Asked::Place(_) => vector(&place),
-        Asked::Velocity(_) => vector(&v),
-        Asked::Acceleration(_) => vector(&a),
-        Asked::Curvature(_) => curvature(&m.point, &v, &a),
-        Asked::MeetingTime(_)
-        | Asked::MeetingPlace(_)
-        | Asked::Distance(_)
-        | Asked::LineOmega(_)
-        | Asked::Part(..)
-        | Asked::Between(..) => Value::None(undecided()),
+        ParticleQuantity::Place(_) => vector(&place),
+        ParticleQuantity::Velocity(_) => vector(&v),
+        ParticleQuantity::Acceleration(_) => vector(&a),
+        ParticleQuantity::Curvature(_) => curvature(&m.point, &v, &a),
+        ParticleQuantity::MeetingTime(_)
+        | ParticleQuantity::MeetingPlace(_)
+        | ParticleQuantity::Distance(_)
+        | ParticleQuantity::LineOmega(_)
+        | ParticleQuantity::Part(..)
+        | ParticleQuantity::Between(..) => ParticleValue::None(undecided()),
     })
 }
 
 /// Returns the radius of curvature |v|³ / |v × a|.
-fn curvature<N: Certain>(point: &str, v: &[N], a: &[N]) -> Value {
+fn curvature<N: Certain>(point: &str, v: &[N], a: &[N]) -> ParticleValue {
     let zero = N::from_f64(0.0);
     let at = |v: &[N], k: usize| v.get(k).copied().unwrap_or(zero);
     let turned = |i: usize, j: usize| at(v, i) * at(a, j) - at(v, j) * at(a, i);
@@ -379,7 +404,7 @@ fn curvature<N: Certain>(point: &str, v: &[N], a: &[N]) -> Value {
     let v2 = v.iter().fold(zero, |s, x| s + *x * *x);
     if bend.approx() <= 2.0 * bend.radius() || bend.approx() <= 1e-60 * v2.approx() * a.iter().fold(0.0, |s, x| s + x.approx() * x.approx())
     {
-        return Value::None(straight(point));
+        return ParticleValue::None(straight(point));
     }
     scalar(v2 * v2.sqrt() / bend.sqrt())
 }

@@ -9,7 +9,7 @@ use super::extent::on_circle;
 
 /// The shape of an arrowhead.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Head {
+pub struct ArrowHead {
     /// Length from the tip to the barbs, along the shaft.
     pub length_mm: f64,
     /// Width from barb to barb.
@@ -24,18 +24,18 @@ pub struct Head {
 /// vector of 2 mm is no wider than its shaft.
 pub const HEAD_PART_MAX: f64 = 0.7;
 
-impl Head {
+impl ArrowHead {
     /// Head of vectors in polygons and on the mechanism: three times as long as wide, as in
     /// textbooks.
-    pub const VECTOR: Head = Head { length_mm: 3.0, width_mm: 1.0, notch: 0.25 };
+    pub const VECTOR: ArrowHead = ArrowHead { length_mm: 3.0, width_mm: 1.0, notch: 0.25 };
     /// Head of the arrows of angles and dimensions.
-    pub const THIN: Head = Head { length_mm: 2.2, width_mm: 0.75, notch: 0.2 };
+    pub const THIN: ArrowHead = ArrowHead { length_mm: 2.2, width_mm: 0.75, notch: 0.2 };
 
-    pub(super) fn limited(self, length_mm: f64) -> Head {
+    pub(super) fn limited(self, length_mm: f64) -> ArrowHead {
         let k = (length_mm * HEAD_PART_MAX / self.length_mm).min(1.0);
         // A short head is blunter than a long one (√k > k): the shaft keeps its width, and the head
         // must be visible beside it.
-        Head { length_mm: self.length_mm * k, width_mm: self.width_mm * k.sqrt(), ..self }
+        ArrowHead { length_mm: self.length_mm * k, width_mm: self.width_mm * k.sqrt(), ..self }
     }
 
     fn polygon(self, tip: Point, along: Vec2) -> [Point; 4] {
@@ -55,7 +55,7 @@ pub struct Straight {
 }
 
 /// Splits a straight arrow into shaft and head.
-pub fn straight(from: Point, to: Point, head: Head) -> Straight {
+pub fn straight(from: Point, to: Point, head: ArrowHead) -> Straight {
     let Some(along) = (to - from).unit() else {
         return Straight { shaft_end: to, head: Vec::new() };
     };
@@ -65,7 +65,7 @@ pub fn straight(from: Point, to: Point, head: Head) -> Straight {
 
 /// The parts of a bent arrow.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bent {
+pub struct BentArrow {
     /// Angle at the end of the shaft, inside the head.
     pub shaft_end_rad: f64,
     /// Corners of the head, tip first; empty for an arc of length zero.
@@ -74,16 +74,16 @@ pub struct Bent {
 
 /// Splits a bent arrow into shaft and head. The head lies along the chord of its own length, so
 /// that it follows the bend.
-pub fn bent(centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64, head: Head) -> Bent {
+pub fn bent(centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64, head: ArrowHead) -> BentArrow {
     let sweep = to_rad - from_rad;
     let head = head.limited(sweep.abs() * radius_mm);
     let tip = on_circle(centre, radius_mm, to_rad);
     let back = on_circle(centre, radius_mm, to_rad - sweep.signum() * head.length_mm / radius_mm);
     let Some(along) = (tip - back).unit() else {
-        return Bent { shaft_end_rad: to_rad, head: Vec::new() };
+        return BentArrow { shaft_end_rad: to_rad, head: Vec::new() };
     };
     let shaft_end_rad = to_rad - sweep.signum() * head.length_mm * (1.0 - head.notch) / radius_mm;
-    Bent { shaft_end_rad, head: head.polygon(tip, along).to_vec() }
+    BentArrow { shaft_end_rad, head: head.polygon(tip, along).to_vec() }
 }
 
 #[cfg(test)]
@@ -92,19 +92,19 @@ mod tests {
 
     #[test]
     fn head_points_at_the_end_and_shrinks() {
-        let long = straight(Point::ORIGIN, Point::new(30.0, 0.0), Head::VECTOR);
+        let long = straight(Point::ORIGIN, Point::new(30.0, 0.0), ArrowHead::VECTOR);
         assert_eq!(long.head[0], Point::new(30.0, 0.0));
         assert_eq!(long.head[1], Point::new(27.0, 0.5));
-        let short = straight(Point::ORIGIN, Point::new(2.0, 0.0), Head::VECTOR);
+        let short = straight(Point::ORIGIN, Point::new(2.0, 0.0), ArrowHead::VECTOR);
         assert!((short.head[1].x - 0.6).abs() < 1e-12, "70 % of 2 mm");
         assert!((0.25..0.5).contains(&short.head[1].y), "narrower than a full head, wider than the 0.4 mm shaft");
-        assert!(straight(Point::ORIGIN, Point::ORIGIN, Head::VECTOR).head.is_empty());
+        assert!(straight(Point::ORIGIN, Point::ORIGIN, ArrowHead::VECTOR).head.is_empty());
     }
 
     #[test]
     fn bent_arrow_points_the_way_it_turns() {
         for (from, to, down) in [(0.0, std::f64::consts::PI, true), (std::f64::consts::PI, 0.0, true), (-1.5, 0.0, false)] {
-            let a = bent(Point::ORIGIN, 10.0, from, to, Head::VECTOR);
+            let a = bent(Point::ORIGIN, 10.0, from, to, ArrowHead::VECTOR);
             let back = a.head[2];
             assert_eq!(back.y > a.head[0].y, down, "{from} to {to}: {a:?}");
         }

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use hodograph_base::geom::Point;
 
 use super::extent::{Rect, on_circle};
-use super::item::{Item, Piece, Shape, Stroke};
+use super::item::{FigureItem, LineStroke, PathPiece, Shape};
 
 /// Smallest width of lines that are never broken.
 const THICK_MM: f64 = 0.33;
@@ -42,7 +42,7 @@ pub fn seen(steps: usize, hidden: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
 }
 
 /// The course of a line without an area.
-enum Way {
+enum LineCourse {
     /// A chain of straight lines: its corners, each with the length of the line up to it (mm).
     Straight(Vec<(Point, f64)>),
     Bent {
@@ -53,31 +53,31 @@ enum Way {
     },
 }
 
-impl Way {
-    fn through(corners: impl IntoIterator<Item = Point>) -> Way {
+impl LineCourse {
+    fn through(corners: impl IntoIterator<Item = Point>) -> LineCourse {
         let mut way: Vec<(Point, f64)> = Vec::new();
         for p in corners {
             let length = way.last().map_or(0.0, |(last, length)| length + last.distance(p));
             way.push((p, length));
         }
-        Way::Straight(way)
+        LineCourse::Straight(way)
     }
 
     /// Returns the course and the stroke of a thin item; `None` for areas, labels and thick lines.
-    fn thin(shape: &Shape) -> Option<(Way, Stroke)> {
+    fn thin(shape: &Shape) -> Option<(LineCourse, LineStroke)> {
         let (way, stroke) = match shape {
-            Shape::Line { from, to, stroke } => (Way::through([*from, *to]), *stroke),
-            Shape::Arrow { from, to, stroke, .. } => (Way::through([*from, *to]), *stroke),
+            Shape::Line { from, to, stroke } => (LineCourse::through([*from, *to]), *stroke),
+            Shape::Arrow { from, to, stroke, .. } => (LineCourse::through([*from, *to]), *stroke),
             Shape::Polyline { points, closed, stroke: Some(stroke), fill: None } if points.len() > 1 => {
                 let back = points.first().copied().filter(|_| *closed);
-                (Way::through(points.iter().copied().chain(back)), *stroke)
+                (LineCourse::through(points.iter().copied().chain(back)), *stroke)
             }
             Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke }
             | Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, .. } => {
-                (Way::Bent { centre: *centre, radius_mm: *radius_mm, from_rad: *from_rad, sweep_rad: to_rad - from_rad }, *stroke)
+                (LineCourse::Bent { centre: *centre, radius_mm: *radius_mm, from_rad: *from_rad, sweep_rad: to_rad - from_rad }, *stroke)
             }
             Shape::Circle { centre, radius_mm, stroke: Some(stroke), fill: None } => {
-                (Way::Bent { centre: *centre, radius_mm: *radius_mm, from_rad: 0.0, sweep_rad: TAU }, *stroke)
+                (LineCourse::Bent { centre: *centre, radius_mm: *radius_mm, from_rad: 0.0, sweep_rad: TAU }, *stroke)
             }
             Shape::Circle { .. } | Shape::Polyline { .. } | Shape::Path { .. } | Shape::Label { .. } | Shape::Turned { .. } => return None,
         };
@@ -86,14 +86,14 @@ impl Way {
 
     fn length_mm(&self) -> f64 {
         match self {
-            Way::Straight(corners) => corners.last().map_or(0.0, |c| c.1),
-            Way::Bent { radius_mm, sweep_rad, .. } => radius_mm * sweep_rad.abs(),
+            LineCourse::Straight(corners) => corners.last().map_or(0.0, |c| c.1),
+            LineCourse::Bent { radius_mm, sweep_rad, .. } => radius_mm * sweep_rad.abs(),
         }
     }
 
     fn at(&self, t: f64) -> Point {
         match self {
-            Way::Straight(corners) => {
+            LineCourse::Straight(corners) => {
                 let wanted = t * self.length_mm();
                 let k = corners.partition_point(|c| c.1 < wanted).min(corners.len().saturating_sub(1)).max(1);
                 let (Some((from, before)), Some((to, length))) = (corners.get(k - 1).copied(), corners.get(k).copied()) else {
@@ -101,18 +101,18 @@ impl Way {
                 };
                 if length > before { from + (to - from) * ((wanted - before) / (length - before)) } else { to }
             }
-            Way::Bent { centre, radius_mm, from_rad, sweep_rad } => on_circle(*centre, *radius_mm, from_rad + sweep_rad * t),
+            LineCourse::Bent { centre, radius_mm, from_rad, sweep_rad } => on_circle(*centre, *radius_mm, from_rad + sweep_rad * t),
         }
     }
 
-    fn pieces(&self, [from, to]: [f64; 2]) -> Vec<Piece> {
+    fn pieces(&self, [from, to]: [f64; 2]) -> Vec<PathPiece> {
         match self {
-            Way::Straight(corners) => {
+            LineCourse::Straight(corners) => {
                 let whole = self.length_mm();
-                let between = corners.iter().filter(|c| from * whole < c.1 && c.1 < to * whole).map(|c| Piece::Line(c.0));
-                between.chain([Piece::Line(self.at(to))]).collect()
+                let between = corners.iter().filter(|c| from * whole < c.1 && c.1 < to * whole).map(|c| PathPiece::Line(c.0));
+                between.chain([PathPiece::Line(self.at(to))]).collect()
             }
-            Way::Bent { centre, radius_mm, from_rad, sweep_rad } => vec![Piece::Arc {
+            LineCourse::Bent { centre, radius_mm, from_rad, sweep_rad } => vec![PathPiece::Arc {
                 centre: *centre,
                 radius_mm: *radius_mm,
                 from_rad: from_rad + sweep_rad * from,
@@ -122,15 +122,16 @@ impl Way {
     }
 
     /// Returns the shape of one item that draws these runs of the line.
-    fn path(&self, runs: &[[f64; 2]], stroke: Stroke) -> Shape {
-        let pieces = runs.iter().flat_map(|run| std::iter::once(Piece::Move(self.at(run[0]))).chain(self.pieces(*run))).skip(1).collect();
+    fn path(&self, runs: &[[f64; 2]], stroke: LineStroke) -> Shape {
+        let pieces =
+            runs.iter().flat_map(|run| std::iter::once(PathPiece::Move(self.at(run[0]))).chain(self.pieces(*run))).skip(1).collect();
         Shape::Path { start: self.at(runs[0][0]), pieces, closed: false, stroke: Some(stroke), fill: None }
     }
 }
 
 /// Returns the last run of a broken arrow, which keeps the head; `None` if the head itself would be
 /// broken or made smaller.
-fn with_head(shape: &Shape, way: &Way, last: [f64; 2]) -> Option<Shape> {
+fn with_head(shape: &Shape, way: &LineCourse, last: [f64; 2]) -> Option<Shape> {
     let mut shape = shape.clone();
     let head = match &mut shape {
         Shape::Arrow { from, head, .. } => {
@@ -151,10 +152,10 @@ fn with_head(shape: &Shape, way: &Way, last: [f64; 2]) -> Option<Shape> {
 /// Breaks the thin lines among these items at the boxes of labels.
 ///
 /// The part of an arrow before its last break becomes an item of its own at the end of the list.
-pub fn break_at(items: &mut Vec<Item>, labels: &[Rect]) {
+pub fn break_at(items: &mut Vec<FigureItem>, labels: &[Rect]) {
     let mut before = Vec::new();
     for item in items.iter_mut() {
-        let Some((way, stroke)) = Way::thin(&item.shape) else { continue };
+        let Some((way, stroke)) = LineCourse::thin(&item.shape) else { continue };
         let Some(bounds) = item.bounds() else { continue };
         let near: Vec<Rect> = labels.iter().map(|r| r.grown(AIR_MM)).filter(|r| r.overlap_mm2(bounds) > 0.0).collect();
         if near.is_empty() {
@@ -173,7 +174,7 @@ pub fn break_at(items: &mut Vec<Item>, labels: &[Rect]) {
                 item.shape = headed;
                 if !shaft.is_empty() {
                     let id = if item.id.is_empty() { String::new() } else { format!("{}-shaft", item.id) };
-                    before.push(Item { id, shown: None, shape: way.path(shaft, stroke), ..item.clone() });
+                    before.push(FigureItem { id, shown: None, shape: way.path(shaft, stroke), ..item.clone() });
                 }
             }
         }
@@ -183,26 +184,27 @@ pub fn break_at(items: &mut Vec<Item>, labels: &[Rect]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::arrow::Head;
+    use super::super::arrow::ArrowHead;
     use super::*;
 
     #[test]
     fn a_thin_line_is_broken_at_a_label_and_a_thick_one_is_not() {
         let label = Rect::new(Point::new(4.0, -1.0), Point::new(6.0, 1.0));
-        let line = |width| Item::new("", Shape::Line { from: Point::ORIGIN, to: Point::new(20.0, 0.0), stroke: Stroke::new(width) });
-        let ring = Shape::Circle { centre: Point::new(5.0, 9.0), radius_mm: 9.0, stroke: Some(Stroke::new(0.2)), fill: None };
+        let line =
+            |width| FigureItem::new("", Shape::Line { from: Point::ORIGIN, to: Point::new(20.0, 0.0), stroke: LineStroke::new(width) });
+        let ring = Shape::Circle { centre: Point::new(5.0, 9.0), radius_mm: 9.0, stroke: Some(LineStroke::new(0.2)), fill: None };
         let angle = Shape::ArcArrow {
             centre: Point::new(5.0, 9.0),
             radius_mm: 9.0,
             from_rad: 3.0,
             to_rad: 9.0,
-            stroke: Stroke::new(0.2),
-            head: Head::VECTOR,
+            stroke: LineStroke::new(0.2),
+            head: ArrowHead::VECTOR,
         };
-        let mut items = vec![line(0.2), line(0.4), Item::new("", ring), Item::new("angle", angle.clone())];
+        let mut items = vec![line(0.2), line(0.4), FigureItem::new("", ring), FigureItem::new("angle", angle.clone())];
         break_at(&mut items, &[label]);
-        let parts = |item: &Item| match &item.shape {
-            Shape::Path { pieces, .. } => pieces.iter().filter(|p| !matches!(p, Piece::Move(_))).count(),
+        let parts = |item: &FigureItem| match &item.shape {
+            Shape::Path { pieces, .. } => pieces.iter().filter(|p| !matches!(p, PathPiece::Move(_))).count(),
             _ => 0,
         };
         assert_eq!(items.iter().map(parts).collect::<Vec<_>>(), [2, 0, 2, 0, 1]);
@@ -219,8 +221,8 @@ mod tests {
     #[test]
     fn a_line_that_would_be_gone_stays() {
         let label = Rect::new(Point::new(1.0, -1.0), Point::new(9.0, 1.0));
-        let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(10.0, 0.0), stroke: Stroke::new(0.2) };
-        let mut items = vec![Item::new("", shape.clone())];
+        let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(10.0, 0.0), stroke: LineStroke::new(0.2) };
+        let mut items = vec![FigureItem::new("", shape.clone())];
         break_at(&mut items, &[label]);
         assert_eq!(items[0].shape, shape);
     }

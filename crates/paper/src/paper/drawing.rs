@@ -11,10 +11,10 @@ use hodograph_base::geom::{Point, Vec2};
 
 use super::broken::break_at;
 use super::extent::{Rect, bounds, translate};
-use super::item::{COARSE, Item, PLACED, Shape, tag};
+use super::item::{COARSE, FigureItem, PLACED, Shape, tag};
 use super::label::Label;
-use super::place::{Habit, LabelRequest, Leads, Obstacles, Placement, Target, is_coarse, place_or_leave};
-use super::shown::{Shown, escaped};
+use super::place::{Habit, LabelRequest, LeaderReach, Obstacles, Placement, Target, is_coarse, place_or_leave};
+use super::shown::{ShownQuantity, escaped};
 use super::style::Style;
 
 /// Margin around the lines of a part in which its labels may be placed: the longest leader line and
@@ -31,9 +31,9 @@ const SAME_MM: f64 = 0.05;
 
 /// A finished part: its items in local coordinates and their bounding box.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct DrawingPart {
     /// The items to draw.
-    pub items: Vec<Item>,
+    pub items: Vec<FigureItem>,
     /// The bounding box of all ink.
     pub bounds: Rect,
     /// The places of the labels and their costs.
@@ -42,11 +42,11 @@ pub struct Part {
     pub left_out: Vec<String>,
 }
 
-impl Part {
+impl DrawingPart {
     /// Returns a part of finished items; an empty part has no size.
-    pub fn of(items: Vec<Item>) -> Part {
+    pub fn of(items: Vec<FigureItem>) -> DrawingPart {
         let bounds = bounds(&items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
-        Part { items, bounds, placements: Vec::new(), left_out: Vec::new() }
+        DrawingPart { items, bounds, placements: Vec::new(), left_out: Vec::new() }
     }
 
     /// Moves the part so that the upper left corner of its box is at `corner`.
@@ -74,9 +74,9 @@ pub type Habits = BTreeMap<String, Habit>;
 pub struct Drawing {
     kind: &'static str,
     style: Style,
-    items: Vec<Item>,
+    items: Vec<FigureItem>,
     obstacles: Obstacles,
-    wanted: Vec<Wanted>,
+    wanted: Vec<PendingLabel>,
     names: HashSet<String>,
     /// For each requested name, the highest number already in use.
     counts: HashMap<String, usize>,
@@ -86,7 +86,7 @@ pub struct Drawing {
 
 /// A label to be placed.
 #[derive(Debug)]
-struct Wanted {
+struct PendingLabel {
     request: LabelRequest,
     id: String,
     class: String,
@@ -107,7 +107,7 @@ impl Drawing {
 
     /// Draws an object of one or more items, named after `name`; returns its owner number for
     /// labels.
-    pub fn draw(&mut self, name: &str, class: &str, mut items: Vec<Item>) -> u32 {
+    pub fn draw(&mut self, name: &str, class: &str, mut items: Vec<FigureItem>) -> u32 {
         self.owners += 1;
         items = items.into_iter().map(|item| item.in_fonts(&self.style.fonts)).collect();
         tag(&mut items, &format!("{} {class}", self.kind).replace("  ", " "));
@@ -122,7 +122,7 @@ impl Drawing {
     }
 
     /// Counts the drawn objects that these items would cross, or approach to less than `air_mm`.
-    pub fn met_by(&self, items: &[Item], air_mm: f64) -> usize {
+    pub fn met_by(&self, items: &[FigureItem], air_mm: f64) -> usize {
         self.obstacles.met_by(&Obstacles::of(items), air_mm)
     }
 
@@ -149,9 +149,10 @@ impl Drawing {
         self.obstacles.bars[bars..].iter_mut().for_each(|bar| bar.faint = true);
         let added = self.items.split_off(before);
         // A plate area without an edge was moved to the back by an earlier call.
-        let edgeless = |i: &Item| matches!(i.shape, Shape::Polyline { stroke: None, fill: Some(_), .. });
-        let plate = |i: &Item| i.class.split(' ').any(|word| word == "plate");
-        let (mut areas, kept): (Vec<Item>, Vec<Item>) = std::mem::take(&mut self.items).into_iter().partition(|i| plate(i) && edgeless(i));
+        let edgeless = |i: &FigureItem| matches!(i.shape, Shape::Polyline { stroke: None, fill: Some(_), .. });
+        let plate = |i: &FigureItem| i.class.split(' ').any(|word| word == "plate");
+        let (mut areas, kept): (Vec<FigureItem>, Vec<FigureItem>) =
+            std::mem::take(&mut self.items).into_iter().partition(|i| plate(i) && edgeless(i));
         self.items = kept;
         for item in self.items.iter_mut().filter(|i| plate(i)) {
             let mut area = item.clone();
@@ -168,29 +169,29 @@ impl Drawing {
 
     /// Draws one item.
     pub fn shape(&mut self, name: &str, class: &str, shape: Shape) -> u32 {
-        self.draw(name, class, vec![Item::new("", shape)])
+        self.draw(name, class, vec![FigureItem::new("", shape)])
     }
 
     /// Draws a thin frame around other items: labels may be placed in it, and also across it.
     pub fn frame(&mut self, name: &str, class: &str, shape: Shape) {
-        let mut item = Item::new("", shape).with_id(self.name(name));
+        let mut item = FigureItem::new("", shape).with_id(self.name(name));
         tag(std::slice::from_mut(&mut item), &format!("{} {class}", self.kind));
         self.items.push(item);
     }
 
     /// Draws a vector of a quantity.
-    pub fn vector(&mut self, name: &str, class: &str, shape: Shape, shown: Shown) -> u32 {
-        self.draw(name, class, vec![Item::new("", shape).showing(shown)])
+    pub fn vector(&mut self, name: &str, class: &str, shape: Shape, shown: ShownQuantity) -> u32 {
+        self.draw(name, class, vec![FigureItem::new("", shape).showing(shown)])
     }
 
     /// Names a point without ink, for programs that measure on the drawing.
     ///
     /// The point is a circle of radius zero. Labels may cover it, but no letter of another point is
     /// placed nearer to it than to its own point.
-    pub fn mark(&mut self, name: &str, shown: Shown, at: Point) {
+    pub fn mark(&mut self, name: &str, shown: ShownQuantity, at: Point) {
         let shape = Shape::Circle { centre: at, radius_mm: 0.0, stroke: None, fill: None };
         let id = self.name(&format!("mark-{name}"));
-        self.items.push(Item::new(format!("{} mark", self.kind), shape).with_id(id).showing(shown));
+        self.items.push(FigureItem::new(format!("{} mark", self.kind), shape).with_id(id).showing(shown));
         self.obstacles.marks.push(at);
     }
 
@@ -198,13 +199,13 @@ impl Drawing {
     pub fn label(&mut self, name: &str, class: &str, mut request: LabelRequest) -> String {
         request.label = request.label.in_fonts(&self.style.fonts);
         let id = self.name(&format!("label-{name}"));
-        self.wanted.push(Wanted { request, id: id.clone(), class: format!("{} {class} {PLACED}", self.kind), link: self.link });
+        self.wanted.push(PendingLabel { request, id: id.clone(), class: format!("{} {class} {PLACED}", self.kind), link: self.link });
         id
     }
 
     /// Keeps only the letters of points and poles, for a drawing beside one that has all names.
     pub fn letters_only(&mut self) {
-        let is_letter = |w: &Wanted| w.request.point().is_some() && w.class.split(' ').any(|word| matches!(word, "point" | "pole"));
+        let is_letter = |w: &PendingLabel| w.request.point().is_some() && w.class.split(' ').any(|word| matches!(word, "point" | "pole"));
         self.wanted.retain(is_letter);
     }
 
@@ -219,7 +220,7 @@ impl Drawing {
     /// A region is crowded where more than [`CROWD`] points and short lines are within the height
     /// of a letter: leader lines could not distinguish them.
     pub fn thin_out(&mut self, kept: &[Point]) {
-        let small = |w: &Wanted| match w.request.target {
+        let small = |w: &PendingLabel| match w.request.target {
             Target::Point { at, .. } => Some((at, w.request.size_mm)),
             Target::Segment { from, to, .. } => {
                 (from.distance(to) < w.request.size_mm).then(|| (from + (to - from) * 0.5, w.request.size_mm))
@@ -261,23 +262,23 @@ impl Drawing {
     }
 
     /// Places the labels and returns the finished part.
-    pub fn finish(self) -> Part {
+    pub fn finish(self) -> DrawingPart {
         let room = self.room();
-        self.placed(&mut Habits::new(), room, Leads::Long)
+        self.placed(&mut Habits::new(), room, LeaderReach::Long)
     }
 
     /// Places the labels of a drawing in a series and returns the finished part.
     ///
     /// Each label keeps its place from the previous drawing if possible. Updates `habits` with the
     /// places taken.
-    pub fn finish_after(self, habits: &mut Habits) -> Part {
+    pub fn finish_after(self, habits: &mut Habits) -> DrawingPart {
         let room = self.room();
         self.finish_within(habits, room)
     }
 
     /// Places the labels of a drawing in a series within an area and returns the finished part.
-    pub fn finish_within(self, habits: &mut Habits, room: Rect) -> Part {
-        self.placed(habits, room, Leads::Short)
+    pub fn finish_within(self, habits: &mut Habits, room: Rect) -> DrawingPart {
+        self.placed(habits, room, LeaderReach::Short)
     }
 
     fn room(&self) -> Rect {
@@ -285,15 +286,15 @@ impl Drawing {
         self.bounds().grown(LABEL_ROOM_MM.max(widest + LABEL_AIR_MM))
     }
 
-    fn placed(mut self, habits: &mut Habits, room: Rect, leads: Leads) -> Part {
+    fn placed(mut self, habits: &mut Habits, room: Rect, leads: LeaderReach) -> DrawingPart {
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
         self.obstacles.marks.extend(requests.iter().filter_map(LabelRequest::point));
         let (first, coarse) = (habits.is_empty(), is_coarse(requests.len()));
         let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
         let placed = place_or_leave(&requests, &self.obstacles, (room, leads), &before);
-        if leads == Leads::Long {
+        if leads == LeaderReach::Long {
             // In a series, breaks would appear and disappear from figure to figure.
-            let fixed = self.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(Item::bounds);
+            let fixed = self.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(FigureItem::bounds);
             let boxes: Vec<Rect> = placed.iter().flatten().map(|p| p.bounds).chain(fixed).collect();
             break_at(&mut self.items, &boxes);
         }
@@ -313,7 +314,7 @@ impl Drawing {
                 self.items.push(if k == 0 { item.with_id(id.clone()) } else { item.with_id(format!("{id}-leader")) });
             }
         }
-        let mut part = Part::of(self.items);
+        let mut part = DrawingPart::of(self.items);
         part.left_out = placed.iter().zip(&self.wanted).filter(|(p, _)| p.is_none()).map(|(_, w)| w.id.clone()).collect();
         part.placements = placed.into_iter().flatten().collect();
         part
@@ -373,25 +374,25 @@ mod tests {
 
     #[test]
     fn a_plate_has_one_area_however_often_things_go_behind_it() {
-        use crate::paper::item::Stroke;
+        use crate::paper::item::LineStroke;
         let mut d = Drawing::new("mechanism", Style::default());
         let corners = [(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)].map(|(x, y)| Point::new(x, y));
         d.draw("link-2", "", sym::plate(&Style::default(), &corners));
         for k in 0..5 {
-            let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(9.0, f64::from(k)), stroke: Stroke::new(0.2) };
+            let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(9.0, f64::from(k)), stroke: LineStroke::new(0.2) };
             d.behind(|d| {
                 d.shape("ray", "ray", shape.clone());
             });
         }
         let part = d.finish();
-        let filled = |i: &Item| matches!(i.shape, Shape::Polyline { fill: Some(_), .. });
+        let filled = |i: &FigureItem| matches!(i.shape, Shape::Polyline { fill: Some(_), .. });
         assert_eq!(part.items.iter().filter(|i| filled(i)).count(), 1);
         assert!(filled(&part.items[0]), "the area is behind all rays");
     }
 
     #[test]
     fn a_part_stands_where_it_is_put() {
-        let mut part = Part::of(sym::pin(&Style::default(), Point::new(3.0, 4.0)));
+        let mut part = DrawingPart::of(sym::pin(&Style::default(), Point::new(3.0, 4.0)));
         part.stand_at(Point::new(10.0, 100.0));
         assert_eq!((part.bounds.min.x, part.bounds.max.y), (10.0, 100.0));
         assert_eq!(bounds(&part.items), Some(part.bounds));

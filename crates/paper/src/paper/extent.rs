@@ -3,7 +3,7 @@
 use hodograph_base::geom::{Point, Vec2};
 
 use super::arrow;
-use super::item::{Anchor, Item, Piece, Shape, Stroke};
+use super::item::{Anchor, FigureItem, LineStroke, PathPiece, Shape};
 use super::label::Label;
 use super::text;
 
@@ -78,8 +78,8 @@ fn arc_points(centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<
     points
 }
 
-impl Item {
-    /// Returns true if every number of the item is finite. ([`Item::bounds`] cannot show this: the
+impl FigureItem {
+    /// Returns true if every number of the item is finite. ([`FigureItem::bounds`] cannot show this: the
     /// smaller of NaN and 1 is 1.)
     pub fn is_finite(&self) -> bool {
         let all = |numbers: &[f64]| numbers.iter().all(|n| n.is_finite());
@@ -89,8 +89,10 @@ impl Item {
             Shape::Path { start, pieces, .. } => {
                 start.is_finite()
                     && pieces.iter().all(|p| match p {
-                        Piece::Move(q) | Piece::Line(q) => q.is_finite(),
-                        Piece::Arc { centre, radius_mm, from_rad, to_rad } => centre.is_finite() && all(&[*radius_mm, *from_rad, *to_rad]),
+                        PathPiece::Move(q) | PathPiece::Line(q) => q.is_finite(),
+                        PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => {
+                            centre.is_finite() && all(&[*radius_mm, *from_rad, *to_rad])
+                        }
                     })
             }
             Shape::Circle { centre, radius_mm, .. } => centre.is_finite() && radius_mm.is_finite(),
@@ -105,7 +107,7 @@ impl Item {
     /// Returns the bounding box of the item's ink; `None` for an item without ink, such as an empty
     /// label.
     pub fn bounds(&self) -> Option<Rect> {
-        let half = |s: &Option<Stroke>| s.map_or(0.0, |s| s.width_mm / 2.0);
+        let half = |s: &Option<LineStroke>| s.map_or(0.0, |s| s.width_mm / 2.0);
         match &self.shape {
             Shape::Line { from, to, stroke } => Some(Rect::new(*from, *to).grown(stroke.width_mm / 2.0)),
             Shape::Polyline { points, stroke, .. } => Rect::of_points(points.iter().copied()).map(|r| r.grown(half(stroke))),
@@ -113,8 +115,8 @@ impl Item {
                 let mut points = vec![*start];
                 for p in pieces {
                     match *p {
-                        Piece::Move(q) | Piece::Line(q) => points.push(q),
-                        Piece::Arc { centre, radius_mm, from_rad, to_rad } => {
+                        PathPiece::Move(q) | PathPiece::Line(q) => points.push(q),
+                        PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => {
                             points.extend(arc_points(centre, radius_mm, from_rad, to_rad));
                         }
                     }
@@ -152,8 +154,8 @@ impl Item {
                 *start = *start + by;
                 for p in pieces {
                     match p {
-                        Piece::Move(q) | Piece::Line(q) => *q = *q + by,
-                        Piece::Arc { centre, .. } => *centre = *centre + by,
+                        PathPiece::Move(q) | PathPiece::Line(q) => *q = *q + by,
+                        PathPiece::Arc { centre, .. } => *centre = *centre + by,
                     }
                 }
             }
@@ -196,13 +198,13 @@ pub fn anchor_shift_em(anchor: Anchor, width_em: f64) -> f64 {
 }
 
 /// Moves a list of items.
-pub fn translate(items: &mut [Item], by: Vec2) {
+pub fn translate(items: &mut [FigureItem], by: Vec2) {
     items.iter_mut().for_each(|item| item.translate(by));
 }
 
 /// Returns the bounding box of a list of items; `None` if none of them has ink.
-pub fn bounds(items: &[Item]) -> Option<Rect> {
-    items.iter().filter_map(Item::bounds).reduce(Rect::union)
+pub fn bounds(items: &[FigureItem]) -> Option<Rect> {
+    items.iter().filter_map(FigureItem::bounds).reduce(Rect::union)
 }
 
 #[cfg(test)]
@@ -211,9 +213,9 @@ mod tests {
     use crate::paper::item::Colour;
     use std::f64::consts::{FRAC_PI_2, PI};
 
-    fn arc(from_rad: f64, to_rad: f64) -> Item {
-        let shape = Shape::Arc { centre: Point::new(1.0, 2.0), radius_mm: 3.0, from_rad, to_rad, stroke: Stroke::new(0.2) };
-        Item::new("", shape)
+    fn arc(from_rad: f64, to_rad: f64) -> FigureItem {
+        let shape = Shape::Arc { centre: Point::new(1.0, 2.0), radius_mm: 3.0, from_rad, to_rad, stroke: LineStroke::new(0.2) };
+        FigureItem::new("", shape)
     }
 
     #[test]
@@ -229,8 +231,8 @@ mod tests {
         let path = Shape::Path {
             start: Point::ORIGIN,
             pieces: vec![
-                Piece::Line(Point::new(4.0, 0.0)),
-                Piece::Arc { centre: Point::new(4.0, 1.0), radius_mm: 1.0, from_rad: -FRAC_PI_2, to_rad: FRAC_PI_2 },
+                PathPiece::Line(Point::new(4.0, 0.0)),
+                PathPiece::Arc { centre: Point::new(4.0, 1.0), radius_mm: 1.0, from_rad: -FRAC_PI_2, to_rad: FRAC_PI_2 },
             ],
             closed: true,
             stroke: None,
@@ -238,7 +240,7 @@ mod tests {
         };
         let label =
             Shape::Label { at: Point::ORIGIN, label: Label::math("v_B"), size_mm: 4.0, anchor: Anchor::Middle, colour: Colour::BLACK };
-        for mut item in [arc(0.0, 1.0), Item::new("", path), Item::new("", label)] {
+        for mut item in [arc(0.0, 1.0), FigureItem::new("", path), FigureItem::new("", label)] {
             let before = item.bounds().unwrap();
             item.translate(Vec2::new(10.0, -5.0));
             let after = item.bounds().unwrap();

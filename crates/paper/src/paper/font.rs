@@ -19,7 +19,7 @@ mod outline;
 pub mod own;
 mod plans;
 
-pub use outline::{Ink, Outline, Segment};
+pub use outline::{Ink, Outline, OutlineSegment};
 
 use own::{Fonts, Own};
 use plans::Plans;
@@ -85,7 +85,7 @@ const BOLD_FIRST: [Face; 5] = [Face::Bold, Face::Italic, Face::Roman, Face::Math
 const ROMAN_FIRST: [Face; 4] = [Face::Roman, Face::Math, Face::Song, Face::Italic];
 const MATH_FIRST: [Face; 4] = [Face::Math, Face::Roman, Face::Song, Face::Italic];
 
-struct Loaded {
+struct LoadedFont {
     bytes: Bytes,
     shaper: ShaperData,
     plans: Plans,
@@ -93,15 +93,15 @@ struct Loaded {
     em: f64,
 }
 
-impl Loaded {
-    fn new(face: &Face) -> Loaded {
-        Loaded::try_new(face.bytes()).expect("an embedded font is readable: a test shapes with each of them")
+impl LoadedFont {
+    fn new(face: &Face) -> LoadedFont {
+        LoadedFont::try_new(face.bytes()).expect("an embedded font is readable: a test shapes with each of them")
     }
 
-    fn try_new(bytes: Bytes) -> Option<Loaded> {
+    fn try_new(bytes: Bytes) -> Option<LoadedFont> {
         let font = FontRef::from_index((*bytes).as_ref(), 0).ok()?;
         let (shaper, em) = (ShaperData::new(&font), f64::from(font.head().ok()?.units_per_em().max(1)));
-        Some(Loaded { bytes, shaper, plans: Plans::default(), em })
+        Some(LoadedFont { bytes, shaper, plans: Plans::default(), em })
     }
 
     /// Returns the font as a view of its file; only the table directory is parsed.
@@ -120,7 +120,7 @@ impl Loaded {
     }
 
     /// Shapes a run of characters; `ink_of` returns the ink box of a glyph, which may be cached.
-    fn shape(&self, run: &str, ink_of: impl Fn(u32) -> Ink) -> Run {
+    fn shape(&self, run: &str, ink_of: impl Fn(u32) -> Ink) -> GlyphRun {
         let em = self.em;
         let mut buffer = UnicodeBuffer::new();
         buffer.push_str(run);
@@ -145,15 +145,15 @@ impl Loaded {
             glyphs.push(Glyph { id: info.glyph_id, advance_em, offset_em, text: start..run.len() });
             pen += advance_em;
         }
-        Run { ink, advance_em: pen, glyphs }
+        GlyphRun { ink, advance_em: pen, glyphs }
     }
 }
 
-static ROMAN: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Roman));
-static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Italic));
-static BOLD: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Bold));
-static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Math));
-static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Song));
+static ROMAN: LazyLock<LoadedFont> = LazyLock::new(|| LoadedFont::new(&Face::Roman));
+static ITALIC: LazyLock<LoadedFont> = LazyLock::new(|| LoadedFont::new(&Face::Italic));
+static BOLD: LazyLock<LoadedFont> = LazyLock::new(|| LoadedFont::new(&Face::Bold));
+static MATH: LazyLock<LoadedFont> = LazyLock::new(|| LoadedFont::new(&Face::Math));
+static SONG: LazyLock<LoadedFont> = LazyLock::new(|| LoadedFont::new(&Face::Song));
 
 /// The upright font of HTML pages as WOFF2, with the constants that browsers use to lay out
 /// formulas.
@@ -172,7 +172,7 @@ const MOST_OUTLINES: usize = 2048;
 
 thread_local! {
     /// Only looked up in, never iterated.
-    static RUNS: RefCell<HashMap<(FaceKey, String), Rc<Run>>> = RefCell::default();
+    static RUNS: RefCell<HashMap<(FaceKey, String), Rc<GlyphRun>>> = RefCell::default();
     static KNOWN: RefCell<HashMap<(FaceKey, char), bool>> = RefCell::default();
     static OUTLINES: RefCell<HashMap<(FaceKey, u32), Rc<Outline>>> = RefCell::default();
 }
@@ -203,7 +203,7 @@ impl Face {
         Arc::new(embedded)
     }
 
-    fn loaded(&self) -> &Loaded {
+    fn loaded(&self) -> &LoadedFont {
         match self {
             Face::Roman => &ROMAN,
             Face::Italic => &ITALIC,
@@ -229,7 +229,7 @@ impl Face {
     /// Shapes a run of characters (kerning included).
     ///
     /// Results are cached: the placement of labels measures the same few runs many times.
-    pub fn shaped(&self, run: &str) -> Rc<Run> {
+    pub fn shaped(&self, run: &str) -> Rc<GlyphRun> {
         RUNS.with_borrow_mut(|runs| {
             if let Some(known) = runs.get(&(self.key(), run.to_owned())) {
                 return Rc::clone(known);
@@ -243,7 +243,7 @@ impl Face {
         })
     }
 
-    fn shape(&self, run: &str) -> Run {
+    fn shape(&self, run: &str) -> GlyphRun {
         // Outlines are cached: the ink of a letter is read from its font once.
         let ink_of = |glyph| self.outline(glyph).ink;
         let whole = self.loaded().shape(run, ink_of);
@@ -252,7 +252,7 @@ impl Face {
         }
         // The font is damaged and the measures of the run are wrong: its letters are shaped one by
         // one.
-        let mut out = Run { ink: Ink::NONE, advance_em: 0.0, glyphs: Vec::new() };
+        let mut out = GlyphRun { ink: Ink::NONE, advance_em: 0.0, glyphs: Vec::new() };
         for (at, c) in run.char_indices() {
             let one = self.loaded().shape(c.encode_utf8(&mut [0; 4]), ink_of);
             out.ink = out.ink.union(one.ink.placed(1.0, out.advance_em, 0.0));
@@ -264,7 +264,7 @@ impl Face {
 
     /// Returns the cached result of `find` for a character: for an embedded font, true if it has
     /// the character; for one of the author's, true if it can also draw it.
-    fn known(&self, c: char, find: impl FnOnce(&Loaded) -> bool) -> bool {
+    fn known(&self, c: char, find: impl FnOnce(&LoadedFont) -> bool) -> bool {
         KNOWN.with_borrow_mut(|known| {
             if known.len() >= MOST_RUNS {
                 known.clear();
@@ -290,7 +290,7 @@ impl Face {
 }
 
 /// Returns the outline of a character; `None` if the font does not have it or has a damaged glyph.
-fn drawn(loaded: &Loaded, c: char) -> Option<Outline> {
+fn drawn(loaded: &LoadedFont, c: char) -> Option<Outline> {
     let glyph = loaded.glyph(c)?;
     let text = String::from(c);
     let run = loaded.shape(&text, |g| loaded.outline(g).map_or(Ink::NONE, |o| o.ink));
@@ -301,7 +301,7 @@ fn drawn(loaded: &Loaded, c: char) -> Option<Outline> {
 }
 
 /// Returns true if the measures of a run are plausible for letters.
-fn sound(run: &Run, text: &str) -> bool {
+fn sound(run: &GlyphRun, text: &str) -> bool {
     let within = |v: f64, most: f64| v.is_finite() && v.abs() <= most;
     let glyph = |g: &Glyph| {
         let place = text.is_char_boundary(g.text.start) && text.is_char_boundary(g.text.end) && g.text.start <= g.text.end;
@@ -312,7 +312,7 @@ fn sound(run: &Run, text: &str) -> bool {
 
 /// A shaped run of one font.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
+pub struct GlyphRun {
     /// The box around all glyphs, with the origin of the first one at 0.
     pub ink: Ink,
     /// Distance to the origin of the next run, in em.

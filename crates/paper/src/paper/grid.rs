@@ -5,7 +5,7 @@
 
 use hodograph_base::geom::Point;
 
-use super::item::{Anchor, Colour, Item, Shape};
+use super::item::{Anchor, Colour, FigureItem, Shape};
 use super::label::Label;
 use super::text;
 
@@ -34,7 +34,7 @@ pub struct Row {
 }
 
 /// Places rows in columns that are as wide as their widest cell, with gaps of `gap_mm`.
-pub fn set(rows: &[Row], gap_mm: f64) -> Vec<Item> {
+pub fn set(rows: &[Row], gap_mm: f64) -> Vec<FigureItem> {
     let columns = rows.iter().map(|r| r.cells.len()).max().unwrap_or(0);
     let width = |c: &Cell| text::set(&c.label).width_em * c.size_mm;
     let widths: Vec<f64> =
@@ -58,7 +58,7 @@ pub fn set(rows: &[Row], gap_mm: f64) -> Vec<Item> {
                     anchor: c.anchor,
                     colour: Colour::BLACK,
                 };
-                items.push(Item::new(c.class.clone(), shape).with_id(c.id.clone()));
+                items.push(FigureItem::new(c.class.clone(), shape).with_id(c.id.clone()));
             }
             // An empty column has no gap.
             x += if *wide > 0.0 { wide + gap_mm } else { 0.0 };

@@ -7,10 +7,10 @@ use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Point;
 use std::collections::HashSet;
 
-use super::arrow::Head;
+use super::arrow::ArrowHead;
 use super::font::own::Fonts;
 use super::label::Label;
-use super::shown::Shown;
+use super::shown::ShownQuantity;
 
 /// A drawing on a sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,20 +28,20 @@ pub struct Figure {
     /// Colour of the paper; any colour but white is painted.
     pub paper: Colour,
     /// The items to draw, from back to front.
-    pub items: Vec<Item>,
+    pub items: Vec<FigureItem>,
 }
 
 impl Figure {
     /// Number of labels that were placed by search among the lines of a drawing; captions, tables
     /// and results have given positions and do not count.
     pub fn labels_placed(&self) -> usize {
-        let placed = |i: &&Item| matches!(i.shape, Shape::Label { .. }) && i.class.split(' ').next_back() == Some(PLACED);
+        let placed = |i: &&FigureItem| matches!(i.shape, Shape::Label { .. }) && i.class.split(' ').next_back() == Some(PLACED);
         self.items.iter().filter(placed).count()
     }
 
     /// Remarks on the figure for its reader: a note if it had too many labels for a full search.
     pub fn remarks(&self) -> Vec<Diagnostic> {
-        let coarse = |i: &&Item| i.class.rsplit(' ').nth(1) == Some(COARSE);
+        let coarse = |i: &&FigureItem| i.class.rsplit(' ').nth(1) == Some(COARSE);
         let count = self.items.iter().filter(coarse).count();
         let message = both!(
             "{count} labels are more than can be weighed against one another: each took the best place that was left",
@@ -64,7 +64,7 @@ pub const COARSE: &str = "coarse";
 
 /// One element of a figure.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Item {
+pub struct FigureItem {
     /// A name unique in the figure; may be empty.
     pub id: String,
     /// Fixed words for step-by-step display, such as `velocity edge unknown`; may be empty.
@@ -72,7 +72,7 @@ pub struct Item {
     /// The link that the item belongs to, by its index in the scene: styles may colour it.
     pub link: Option<usize>,
     /// The quantity that a vector or mark shows.
-    pub shown: Option<Box<Shown>>,
+    pub shown: Option<Box<ShownQuantity>>,
     /// The shape to draw.
     pub shape: Shape,
 }
@@ -143,7 +143,7 @@ pub enum Cap {
 
 /// The appearance of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stroke {
+pub struct LineStroke {
     /// Width of the line.
     pub width_mm: f64,
     /// Line pattern.
@@ -154,30 +154,30 @@ pub struct Stroke {
     pub colour: Colour,
 }
 
-impl Stroke {
+impl LineStroke {
     /// Returns a continuous black line with cut ends.
-    pub const fn new(width_mm: f64) -> Stroke {
-        Stroke { width_mm, dash: Dash::Solid, cap: Cap::Butt, colour: Colour::BLACK }
+    pub const fn new(width_mm: f64) -> LineStroke {
+        LineStroke { width_mm, dash: Dash::Solid, cap: Cap::Butt, colour: Colour::BLACK }
     }
 
     /// Returns the stroke with a pattern.
-    pub const fn dashed(self, dash: Dash) -> Stroke {
-        Stroke { dash, ..self }
+    pub const fn dashed(self, dash: Dash) -> LineStroke {
+        LineStroke { dash, ..self }
     }
 
     /// Returns the stroke with round ends.
-    pub const fn round(self) -> Stroke {
-        Stroke { cap: Cap::Round, ..self }
+    pub const fn round(self) -> LineStroke {
+        LineStroke { cap: Cap::Round, ..self }
     }
 
     /// Returns the stroke with cut ends.
-    pub const fn flat(self) -> Stroke {
-        Stroke { cap: Cap::Butt, ..self }
+    pub const fn flat(self) -> LineStroke {
+        LineStroke { cap: Cap::Butt, ..self }
     }
 
     /// Returns the stroke in another colour.
-    pub const fn coloured(self, colour: Colour) -> Stroke {
-        Stroke { colour, ..self }
+    pub const fn coloured(self, colour: Colour) -> LineStroke {
+        LineStroke { colour, ..self }
     }
 }
 
@@ -195,7 +195,7 @@ pub enum Anchor {
 
 /// A piece of a [`Shape::Path`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Piece {
+pub enum PathPiece {
     /// Starts at another point, as between the strokes of a hatching.
     Move(Point),
     /// A straight line to the point.
@@ -225,7 +225,7 @@ pub enum Shape {
         /// End point.
         to: Point,
         /// Line appearance.
-        stroke: Stroke,
+        stroke: LineStroke,
     },
     /// A chain of straight lines, or a polygon.
     Polyline {
@@ -234,7 +234,7 @@ pub enum Shape {
         /// True if the last corner is joined to the first.
         closed: bool,
         /// Outline, if any.
-        stroke: Option<Stroke>,
+        stroke: Option<LineStroke>,
         /// Fill colour, if any.
         fill: Option<Colour>,
     },
@@ -243,11 +243,11 @@ pub enum Shape {
         /// Start point.
         start: Point,
         /// The pieces after the start point.
-        pieces: Vec<Piece>,
+        pieces: Vec<PathPiece>,
         /// True if the path is closed.
         closed: bool,
         /// Outline, if any.
-        stroke: Option<Stroke>,
+        stroke: Option<LineStroke>,
         /// Fill colour, if any.
         fill: Option<Colour>,
     },
@@ -258,7 +258,7 @@ pub enum Shape {
         /// Radius.
         radius_mm: f64,
         /// Outline, if any.
-        stroke: Option<Stroke>,
+        stroke: Option<LineStroke>,
         /// Fill colour, if any.
         fill: Option<Colour>,
     },
@@ -273,7 +273,7 @@ pub enum Shape {
         /// Angle at the end.
         to_rad: f64,
         /// Line appearance.
-        stroke: Stroke,
+        stroke: LineStroke,
     },
     /// A vector with its head at `to`.
     Arrow {
@@ -282,9 +282,9 @@ pub enum Shape {
         /// Tip.
         to: Point,
         /// Shaft.
-        stroke: Stroke,
+        stroke: LineStroke,
         /// Head.
-        head: Head,
+        head: ArrowHead,
     },
     /// A bent arrow with its head at `to_rad`; counter-clockwise if `to_rad` > `from_rad`.
     ArcArrow {
@@ -297,9 +297,9 @@ pub enum Shape {
         /// Angle at the tip.
         to_rad: f64,
         /// Shaft.
-        stroke: Stroke,
+        stroke: LineStroke,
         /// Head.
-        head: Head,
+        head: ArrowHead,
     },
     /// A label in one line, turned about its anchor, the middle of its baseline, as the numbers of
     /// dimensions are.
@@ -330,9 +330,9 @@ pub enum Shape {
     },
 }
 
-impl Item {
+impl FigureItem {
     /// Returns the item with its letters in the author's fonts `fonts`.
-    pub fn in_fonts(mut self, fonts: &Fonts) -> Item {
+    pub fn in_fonts(mut self, fonts: &Fonts) -> FigureItem {
         if let Shape::Label { label, .. } | Shape::Turned { label, .. } = &mut self.shape
             && label.fonts() != fonts
         {
@@ -342,8 +342,8 @@ impl Item {
     }
 
     /// Returns an item without a name.
-    pub fn new(class: impl Into<String>, shape: Shape) -> Item {
-        Item { id: String::new(), class: class.into(), link: None, shown: None, shape }
+    pub fn new(class: impl Into<String>, shape: Shape) -> FigureItem {
+        FigureItem { id: String::new(), class: class.into(), link: None, shown: None, shape }
     }
 
     /// Returns the construction steps that draw the item, from its classes `step-N`.
@@ -352,20 +352,20 @@ impl Item {
     }
 
     /// Sets the quantity that the item shows.
-    pub fn showing(mut self, shown: Shown) -> Item {
+    pub fn showing(mut self, shown: ShownQuantity) -> FigureItem {
         self.shown = Some(Box::new(shown));
         self
     }
 
     /// Returns the item with a name.
-    pub fn with_id(mut self, id: impl Into<String>) -> Item {
+    pub fn with_id(mut self, id: impl Into<String>) -> FigureItem {
         self.id = id.into();
         self
     }
 }
 
 /// Puts words before the class of each item, such as the construction step that draws it.
-pub fn tag(items: &mut [Item], words: &str) {
+pub fn tag(items: &mut [FigureItem], words: &str) {
     for item in items {
         item.class = format!("{words} {}", item.class).trim_end().to_owned();
     }
@@ -373,7 +373,7 @@ pub fn tag(items: &mut [Item], words: &str) {
 
 /// Makes ids unique: the second item with an id gets `-2`, the third `-3`. Items without an id are
 /// named after their class.
-pub fn distinct(items: &mut [Item]) {
+pub fn distinct(items: &mut [FigureItem]) {
     let mut taken: HashSet<String> = HashSet::new();
     for item in items {
         let base = if item.id.is_empty() { item.class.trim().replace([' ', '_'], "-") } else { std::mem::take(&mut item.id) };

@@ -26,18 +26,18 @@ pub use parse::greek;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     source: String,
-    row: Vec<Node>,
+    row: Vec<LabelNode>,
     faults: Vec<Diagnostic>,
     fonts: Fonts,
-    kept: Kept,
+    kept: TypesetCache,
 }
 
 /// The typeset label, kept after the first request; it does not take part in comparisons of labels.
 #[derive(Clone, Debug, Default)]
-struct Kept(OnceLock<Arc<Typeset>>);
+struct TypesetCache(OnceLock<Arc<Typeset>>);
 
-impl PartialEq for Kept {
-    fn eq(&self, _: &Kept) -> bool {
+impl PartialEq for TypesetCache {
+    fn eq(&self, _: &TypesetCache) -> bool {
         true
     }
 }
@@ -59,7 +59,7 @@ pub enum Role {
 
 /// One atom with its scripts.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Node {
+pub struct LabelNode {
     /// The characters.
     pub text: String,
     /// Type style of the characters.
@@ -71,18 +71,18 @@ pub struct Node {
     /// Number of primes.
     pub primes: usize,
     /// The subscript's row; empty if there is none.
-    pub sub: Vec<Node>,
+    pub sub: Vec<LabelNode>,
     /// The superscript's row; empty if there is none.
-    pub sup: Vec<Node>,
+    pub sup: Vec<LabelNode>,
 }
 
-impl Node {
-    fn new(text: impl Into<String>, slant: Slant, role: Role) -> Node {
-        Node { text: text.into(), slant, role, space_em: 0.0, primes: 0, sub: Vec::new(), sup: Vec::new() }
+impl LabelNode {
+    fn new(text: impl Into<String>, slant: Slant, role: Role) -> LabelNode {
+        LabelNode { text: text.into(), slant, role, space_em: 0.0, primes: 0, sub: Vec::new(), sup: Vec::new() }
     }
 
-    fn space(em: f64) -> Node {
-        Node { space_em: em, ..Node::new("", Slant::Upright, Role::Ordinary) }
+    fn space(em: f64) -> LabelNode {
+        LabelNode { space_em: em, ..LabelNode::new("", Slant::Upright, Role::Ordinary) }
     }
 }
 
@@ -92,21 +92,21 @@ impl Label {
     pub fn math(source: impl Into<String>) -> Label {
         let source = source.into();
         let (row, faults) = parse::formula(&source);
-        Label { source, row, faults, fonts: Fonts::default(), kept: Kept::default() }
+        Label { source, row, faults, fonts: Fonts::default(), kept: TypesetCache::default() }
     }
 
     /// Returns a label of a sentence: every character upright and unchanged.
     pub fn text(source: impl Into<String>) -> Label {
         let source = source.into();
-        let row = vec![Node::new(source.as_str(), Slant::Upright, Role::Ordinary)];
-        Label { source, row, faults: Vec::new(), fonts: Fonts::default(), kept: Kept::default() }
+        let row = vec![LabelNode::new(source.as_str(), Slant::Upright, Role::Ordinary)];
+        Label { source, row, faults: Vec::new(), fonts: Fonts::default(), kept: TypesetCache::default() }
     }
 
     /// Returns the label typeset in the author's fonts; the figure passes the fonts of its style.
     pub fn in_fonts(mut self, fonts: &Fonts) -> Label {
         if self.fonts != *fonts {
             self.fonts = fonts.clone();
-            self.kept = Kept::default();
+            self.kept = TypesetCache::default();
         }
         self
     }
@@ -116,7 +116,7 @@ impl Label {
         self.source.push_str(&other.source);
         self.row.extend(other.row);
         self.faults.extend(other.faults);
-        self.kept = Kept::default();
+        self.kept = TypesetCache::default();
         self
     }
 
@@ -136,7 +136,7 @@ impl Label {
     }
 
     /// The row of atoms.
-    pub fn row(&self) -> &[Node] {
+    pub fn row(&self) -> &[LabelNode] {
         &self.row
     }
 
@@ -154,7 +154,7 @@ impl Label {
     }
 }
 
-fn plain_row(row: &[Node], out: &mut String) {
+fn plain_row(row: &[LabelNode], out: &mut String) {
     for node in row {
         let spaced = matches!(node.role, Role::Relation | Role::Binary);
         if spaced {
@@ -193,7 +193,7 @@ mod tests {
     use super::*;
 
     fn shape(source: &str) -> String {
-        fn row(nodes: &[Node]) -> String {
+        fn row(nodes: &[LabelNode]) -> String {
             nodes
                 .iter()
                 .map(|n| {

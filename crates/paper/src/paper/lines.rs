@@ -10,7 +10,7 @@ use unicode_linebreak::linebreaks;
 use super::font::own::Fonts;
 use super::label::Label;
 use super::text;
-use crate::paper::phrase::{Phrase, Piece};
+use crate::paper::phrase::{Phrase, PhrasePiece};
 
 /// Units that may follow a number given as a formula.
 const UNITS: [&str; 8] = ["mm", "cm", "m", "ft", "in", "rad/s", "m/s", "s"];
@@ -33,8 +33,8 @@ pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> V
     let mut formulas = VecDeque::new();
     for piece in phrase.pieces() {
         match piece {
-            Piece::Words(w) => plain.extend(w.chars().map(|c| if c == THING { char::REPLACEMENT_CHARACTER } else { c })),
-            Piece::Formula(f) => {
+            PhrasePiece::Words(w) => plain.extend(w.chars().map(|c| if c == THING { char::REPLACEMENT_CHARACTER } else { c })),
+            PhrasePiece::Formula(f) => {
                 for part in pieces_of(f) {
                     plain.push(THING);
                     formulas.push_back(part);

@@ -6,12 +6,12 @@ use hodograph_base::lang::Lang;
 /// A sentence: words that are printed unchanged, and formulas in the label language.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Phrase {
-    pieces: Vec<Piece>,
+    pieces: Vec<PhrasePiece>,
 }
 
 /// A piece of a sentence.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Piece {
+pub enum PhrasePiece {
     /// Words.
     Words(String),
     /// A formula.
@@ -25,32 +25,32 @@ impl Phrase {
             .split('$')
             .enumerate()
             .filter(|(_, s)| !s.is_empty())
-            .map(|(i, s)| if i % 2 == 0 { Piece::Words(s.into()) } else { Piece::Formula(s.into()) })
+            .map(|(i, s)| if i % 2 == 0 { PhrasePiece::Words(s.into()) } else { PhrasePiece::Formula(s.into()) })
             .collect();
         Phrase { pieces }
     }
 
     /// Returns a sentence of words only; dollar signs do not start a formula.
     pub fn of_words(words: &str) -> Phrase {
-        Phrase { pieces: vec![Piece::Words(words.into())] }
+        Phrase { pieces: vec![PhrasePiece::Words(words.into())] }
     }
 
     /// Returns a sentence of these pieces.
-    pub fn of_pieces(pieces: Vec<Piece>) -> Phrase {
+    pub fn of_pieces(pieces: Vec<PhrasePiece>) -> Phrase {
         Phrase { pieces }
     }
 
     /// Returns the sentence with its formulas between dollar signs, as [`Phrase::new`] reads it.
     pub fn source(&self) -> String {
-        let piece = |p: &Piece| match p {
-            Piece::Words(w) => w.clone(),
-            Piece::Formula(f) => format!("${f}$"),
+        let piece = |p: &PhrasePiece| match p {
+            PhrasePiece::Words(w) => w.clone(),
+            PhrasePiece::Formula(f) => format!("${f}$"),
         };
         self.pieces.iter().map(piece).collect()
     }
 
     /// The pieces of the sentence.
-    pub fn pieces(&self) -> &[Piece] {
+    pub fn pieces(&self) -> &[PhrasePiece] {
         &self.pieces
     }
 
@@ -58,8 +58,8 @@ impl Phrase {
     pub fn label(&self) -> Label {
         self.pieces.iter().fold(Label::text(""), |l, p| {
             l.then(match p {
-                Piece::Words(w) => Label::text(w.clone()),
-                Piece::Formula(f) => Label::math(f.clone()),
+                PhrasePiece::Words(w) => Label::text(w.clone()),
+                PhrasePiece::Formula(f) => Label::math(f.clone()),
             })
         })
     }
@@ -69,8 +69,8 @@ impl Phrase {
         self.pieces
             .iter()
             .map(|p| match p {
-                Piece::Words(w) => w.clone(),
-                Piece::Formula(f) => formula(f),
+                PhrasePiece::Words(w) => w.clone(),
+                PhrasePiece::Formula(f) => formula(f),
             })
             .collect()
     }

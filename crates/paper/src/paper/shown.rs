@@ -3,45 +3,45 @@
 
 use std::fmt::Write as _;
 
-use super::item::{Figure, Item, Shape};
+use super::item::{Figure, FigureItem, Shape};
 use hodograph_base::geom::Point;
 
 /// The quantity that an item shows.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
+pub struct ShownQuantity {
     /// The names of the quantity as `find` writes them: `v_B`. A vector on paper that shows several
     /// quantities has all their names; the id uses the first.
     pub names: Vec<String>,
     /// The length of a vector on paper and its value; `None` for marks.
-    pub length: Option<Length>,
+    pub length: Option<ShownLength>,
 }
 
 /// A vector's length on paper and its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Length {
+pub struct ShownLength {
     /// Length on paper in mm, as drawn.
     pub mm: f64,
     /// Value in SI units.
     pub si: f64,
 }
 
-impl Shown {
+impl ShownQuantity {
     /// Returns the quantity of a vector with one name, drawn from one point to another at a scale
     /// of `mu` SI units per mm.
-    pub fn vector(name: impl Into<String>, from: Point, to: Point, mu: f64) -> Shown {
+    pub fn vector(name: impl Into<String>, from: Point, to: Point, mu: f64) -> ShownQuantity {
         let mm = from.distance(to);
-        Shown { names: vec![name.into()], length: Some(Length { mm, si: mm * mu }) }
+        ShownQuantity { names: vec![name.into()], length: Some(ShownLength { mm, si: mm * mu }) }
     }
 
     /// Returns the quantity of a mark.
-    pub fn mark(name: impl Into<String>) -> Shown {
-        Shown { names: vec![name.into()], length: None }
+    pub fn mark(name: impl Into<String>) -> ShownQuantity {
+        ShownQuantity { names: vec![name.into()], length: None }
     }
 }
 
 /// A vector of a figure.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Vector<'a> {
+pub struct ShownVector<'a> {
     /// Id of its element in the SVG.
     pub id: &'a str,
     /// The names as `find` writes them.
@@ -58,7 +58,7 @@ pub struct Vector<'a> {
 
 /// A mark of a figure: a point for measuring lengths.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mark<'a> {
+pub struct ShownMark<'a> {
     /// Id of its element in the SVG.
     pub id: &'a str,
     /// The names: the vector from the pole that ends at the mark (`v_B`), the part that ends there
@@ -70,7 +70,7 @@ pub struct Mark<'a> {
 
 impl Figure {
     /// Returns the vectors of the figure, in drawing order.
-    pub fn vectors(&self) -> impl Iterator<Item = Vector<'_>> {
+    pub fn vectors(&self) -> impl Iterator<Item = ShownVector<'_>> {
         self.items.iter().filter_map(vector)
     }
 
@@ -79,47 +79,47 @@ impl Figure {
     ///
     /// ```
     /// use hodograph_base::geom::Point;
-    /// use hodograph_paper::paper::arrow::Head;
-    /// use hodograph_paper::paper::item::{Colour, Figure, Item, Shape, Stroke};
-    /// use hodograph_paper::paper::shown::Shown;
+    /// use hodograph_paper::paper::arrow::ArrowHead;
+    /// use hodograph_paper::paper::item::{Colour, Figure, FigureItem, Shape, LineStroke};
+    /// use hodograph_paper::paper::shown::ShownQuantity;
     /// let (from, to) = (Point::ORIGIN, Point::new(30.0, 40.0));
-    /// let arrow = Item::new("velocity edge", Shape::Arrow { from, to, stroke: Stroke::new(0.4), head: Head::VECTOR });
+    /// let arrow = FigureItem::new("velocity edge", Shape::Arrow { from, to, stroke: LineStroke::new(0.4), head: ArrowHead::VECTOR });
     /// // To a scale of 0.02 (m/s)/mm.
-    /// let items = vec![arrow.with_id("vel-abs-B").showing(Shown::vector("v_B", from, to, 0.02))];
+    /// let items = vec![arrow.with_id("vel-abs-B").showing(ShownQuantity::vector("v_B", from, to, 0.02))];
     /// let figure = Figure { width_mm: 50.0, height_mm: 50.0, title: "v".into(), desc: String::new(), lang: "en".into(), paper: Colour::WHITE, items };
     /// let b = figure.vector("v_B").unwrap();
     /// assert_eq!((b.id, b.mm, b.si), ("vel-abs-B", 50.0, 1.0));
     /// ```
-    pub fn vector(&self, name: &str) -> Option<Vector<'_>> {
-        let named = |i: &&Item| i.shown.as_ref().is_some_and(|s| s.names.iter().any(|n| n == name));
-        let inset = |i: &&Item| i.class.split(' ').any(|word| word == "inset");
+    pub fn vector(&self, name: &str) -> Option<ShownVector<'_>> {
+        let named = |i: &&FigureItem| i.shown.as_ref().is_some_and(|s| s.names.iter().any(|n| n == name));
+        let inset = |i: &&FigureItem| i.class.split(' ').any(|word| word == "inset");
         let all = || self.items.iter().filter(named);
         all().filter(|i| !inset(i)).find_map(vector).or_else(|| all().find_map(vector))
     }
 
     /// Returns the marks of the figure, in drawing order.
-    pub fn marks(&self) -> impl Iterator<Item = Mark<'_>> {
+    pub fn marks(&self) -> impl Iterator<Item = ShownMark<'_>> {
         self.items.iter().filter_map(mark)
     }
 
     /// Returns the mark with a name: `v_B` is the tip of v_B, `pole-v` the pole of the velocity
     /// polygon.
-    pub fn mark(&self, name: &str) -> Option<Mark<'_>> {
+    pub fn mark(&self, name: &str) -> Option<ShownMark<'_>> {
         self.marks().find(|m| m.names.iter().any(|n| n == name))
     }
 }
 
-fn vector(item: &Item) -> Option<Vector<'_>> {
+fn vector(item: &FigureItem) -> Option<ShownVector<'_>> {
     let (Some(shown), Shape::Arrow { from, to, .. }) = (&item.shown, &item.shape) else { return None };
-    let Length { mm, si } = shown.length?;
+    let ShownLength { mm, si } = shown.length?;
     // A thin vector may be broken at a label: the tail is computed as if without the break.
     let from = (*from - *to).unit().map_or(*from, |back| *to + back * mm);
-    Some(Vector { id: &item.id, names: &shown.names, from, to: *to, mm, si })
+    Some(ShownVector { id: &item.id, names: &shown.names, from, to: *to, mm, si })
 }
 
-fn mark(item: &Item) -> Option<Mark<'_>> {
+fn mark(item: &FigureItem) -> Option<ShownMark<'_>> {
     let (Some(shown), Shape::Circle { centre, .. }) = (&item.shown, &item.shape) else { return None };
-    Some(Mark { id: &item.id, names: &shown.names, at: *centre })
+    Some(ShownMark { id: &item.id, names: &shown.names, at: *centre })
 }
 
 /// Escapes a name for ids in ASCII: letters, digits and `-` are kept, a comma becomes `__`, and

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use hodograph_base::diag::{Diagnostic, both, shortened};
 
 use super::font::{Face, Glyph, Ink, Slant, own::Fonts};
-use super::label::{Label, Node, Role};
+use super::label::{Label, LabelNode, Role};
 
 /// `ScriptPercentScaleDown` = 70.
 const SCRIPT_SCALE: f64 = 0.70;
@@ -41,7 +41,7 @@ const MISSING_MAX: usize = 12;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Typeset {
     /// The runs with their fonts and positions.
-    pub runs: Vec<Run>,
+    pub runs: Vec<TextRun>,
     /// Advance width.
     pub width_em: f64,
     /// Start and end of the ink, from the start of the baseline: the advance ends beyond the ink,
@@ -59,7 +59,7 @@ pub struct Typeset {
 
 /// Characters of one font, size and place in a row.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
+pub struct TextRun {
     /// The font.
     pub face: Face,
     /// The text of the run.
@@ -93,7 +93,7 @@ pub fn set(label: &Label) -> Arc<Typeset> {
 }
 
 fn set_anew(label: &Label) -> Typeset {
-    let mut setter = Setter { fonts: label.fonts(), missing: Vec::new() };
+    let mut setter = TextSetter { fonts: label.fonts(), missing: Vec::new() };
     let line = setter.row(label.row());
     let mut faults = label.faults().to_vec();
     let mut told = BTreeSet::new();
@@ -113,20 +113,20 @@ fn set_anew(label: &Label) -> Typeset {
 
 /// A piece of typeset text relative to its own origin, in em.
 #[derive(Clone)]
-struct Line {
+struct TypesetLine {
     ink: Ink,
-    runs: Vec<Run>,
+    runs: Vec<TextRun>,
     advance: f64,
 }
 
-impl Line {
-    fn empty() -> Line {
-        Line { ink: Ink::NONE, runs: Vec::new(), advance: 0.0 }
+impl TypesetLine {
+    fn empty() -> TypesetLine {
+        TypesetLine { ink: Ink::NONE, runs: Vec::new(), advance: 0.0 }
     }
 
-    fn append(&mut self, other: Line, scale: f64, dx: f64, dy: f64) {
+    fn append(&mut self, other: TypesetLine, scale: f64, dx: f64, dy: f64) {
         self.ink = self.ink.union(other.ink.placed(scale, dx, dy));
-        let moved = |r: Run| Run { x_em: dx + r.x_em * scale, y_em: dy + r.y_em * scale, size_em: r.size_em * scale, ..r };
+        let moved = |r: TextRun| TextRun { x_em: dx + r.x_em * scale, y_em: dy + r.y_em * scale, size_em: r.size_em * scale, ..r };
         self.runs.extend(other.runs.into_iter().map(moved));
     }
 
@@ -141,14 +141,14 @@ impl Line {
     }
 }
 
-struct Setter<'a> {
+struct TextSetter<'a> {
     fonts: &'a Fonts,
     missing: Vec<char>,
 }
 
-impl Setter<'_> {
-    fn row(&mut self, row: &[Node]) -> Line {
-        let mut line = Line::empty();
+impl TextSetter<'_> {
+    fn row(&mut self, row: &[LabelNode]) -> TypesetLine {
+        let mut line = TypesetLine::empty();
         for (i, node) in row.iter().enumerate() {
             let side = match node.role {
                 Role::Relation => RELATION_SPACE,
@@ -170,7 +170,7 @@ impl Setter<'_> {
         line
     }
 
-    fn atom(&mut self, node: &Node) -> Line {
+    fn atom(&mut self, node: &LabelNode) -> TypesetLine {
         let mut line = self.characters(&node.text, node.slant);
         if node.primes == 0 && node.sub.is_empty() && node.sup.is_empty() {
             return line;
@@ -213,8 +213,8 @@ impl Setter<'_> {
     }
 
     /// Sets characters in a row, each in the first font that has it, shaped in runs of one font.
-    fn characters(&mut self, text: &str, slant: Slant) -> Line {
-        let mut line = Line::empty();
+    fn characters(&mut self, text: &str, slant: Slant) -> TypesetLine {
+        let mut line = TypesetLine::empty();
         let mut run = String::new();
         let mut face = None;
         for c in text.chars() {
@@ -234,12 +234,12 @@ impl Setter<'_> {
         line
     }
 
-    fn flush(line: &mut Line, run: &mut String, face: Option<Face>) {
+    fn flush(line: &mut TypesetLine, run: &mut String, face: Option<Face>) {
         if let (Some(face), false) = (face, run.is_empty()) {
             let set = face.shaped(run);
             let at = line.advance;
-            let run = Run { face, text: run.clone(), glyphs: set.glyphs.clone(), x_em: 0.0, y_em: 0.0, size_em: 1.0 };
-            line.append(Line { ink: set.ink, runs: vec![run], advance: set.advance_em }, 1.0, at, 0.0);
+            let run = TextRun { face, text: run.clone(), glyphs: set.glyphs.clone(), x_em: 0.0, y_em: 0.0, size_em: 1.0 };
+            line.append(TypesetLine { ink: set.ink, runs: vec![run], advance: set.advance_em }, 1.0, at, 0.0);
             line.advance += set.advance_em;
         }
         run.clear();
@@ -271,8 +271,8 @@ mod tests {
         assert!(close(vb.width_em, v.width_em + 0.611 * SCRIPT_SCALE + AFTER_SCRIPT), "{}", vb.width_em);
         assert!((0.0..0.01).contains(&(vb.descent_em - SUB_DOWN)), "{}", vb.descent_em);
         // The scripts are one above the other, separated by the gap.
-        let both = Setter { fonts: &Fonts::default(), missing: Vec::new() }.atom(&Label::math("a_3^2").row()[0].clone());
-        let ink = |r: &Run| r.face.shaped(&r.text).ink.placed(r.size_em, r.x_em, r.y_em);
+        let both = TextSetter { fonts: &Fonts::default(), missing: Vec::new() }.atom(&Label::math("a_3^2").row()[0].clone());
+        let ink = |r: &TextRun| r.face.shaped(&r.text).ink.placed(r.size_em, r.x_em, r.y_em);
         let (sup, sub) = (ink(&both.runs[1]), ink(&both.runs[2]));
         let gap = sup.min[1] - sub.max[1];
         assert!(gap >= SCRIPT_GAP - 1e-9, "gap {gap}");

@@ -34,7 +34,7 @@ pub enum Entity {
 
 /// Returns the file, with each entity on the layer given with it.
 pub fn dxf(entities: &[(&str, Entity)]) -> String {
-    let mut out = Out(String::new());
+    let mut out = DxfText(String::new());
     out.text(0, "SECTION").text(2, "HEADER").text(9, "$ACADVER").text(1, "AC1009").text(0, "ENDSEC");
     out.text(0, "SECTION").text(2, "ENTITIES");
     for (layer, entity) in entities {
@@ -62,15 +62,15 @@ pub fn dxf(entities: &[(&str, Entity)]) -> String {
     out.0
 }
 
-struct Out(String);
+struct DxfText(String);
 
-impl Out {
-    fn text(&mut self, code: u16, value: &str) -> &mut Out {
+impl DxfText {
+    fn text(&mut self, code: u16, value: &str) -> &mut DxfText {
         self.0 += &format!("{code:>3}\n{value}\n");
         self
     }
 
-    fn number(&mut self, code: u16, value: f64) -> &mut Out {
+    fn number(&mut self, code: u16, value: f64) -> &mut DxfText {
         // A nanometre is below the precision of any machine; there is no minus before a zero.
         let value = (value * 1e6).round() / 1e6 + 0.0;
         self.text(code, &format!("{value:.6}"))
@@ -78,7 +78,7 @@ impl Out {
 
     /// Coordinates of the first point have the codes 10, 20, those of the second 11, 21; the plane
     /// is at z = 0.
-    fn point(&mut self, which: u16, p: Vec2) -> &mut Out {
+    fn point(&mut self, which: u16, p: Vec2) -> &mut DxfText {
         self.number(10 + which, p.x).number(20 + which, p.y).number(30 + which, 0.0)
     }
 }

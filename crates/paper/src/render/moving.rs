@@ -113,14 +113,14 @@ fn between(shown: &[Vec<String>], from: &[usize], to: &[usize], seconds: f64, ou
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::paper::item::{Item, Shape, Stroke};
+    use crate::paper::item::{FigureItem, LineStroke, Shape};
     use hodograph_base::geom::Point;
 
     #[test]
     fn what_is_alike_is_written_once_and_the_rest_shown_in_turn() {
         let line = |x: f64| {
-            let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(x, 1.0), stroke: Stroke::new(0.5) };
-            Item::new("link", shape).with_id(format!("l{x}"))
+            let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(x, 1.0), stroke: LineStroke::new(0.5) };
+            FigureItem::new("link", shape).with_id(format!("l{x}"))
         };
         let figure = |x: f64| Figure {
             width_mm: 10.0,

@@ -1,7 +1,7 @@
 //! Pages of a document: items in mm of paper, with their structural role. The format (`pdf`) and
 //! the layout (the worksheet's pages) are decided elsewhere.
 
-use crate::paper::item::Item;
+use crate::paper::item::FigureItem;
 
 /// The role of a run of items, for readers that follow a document's structure.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +39,7 @@ pub struct Part {
     /// Role of the items.
     pub kind: Kind,
     /// The items.
-    pub items: Vec<Item>,
+    pub items: Vec<FigureItem>,
 }
 
 /// A page of a document.

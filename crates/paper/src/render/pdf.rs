@@ -24,12 +24,12 @@ use krilla::tagging::{Artifact, ArtifactType, ContentTag, Identifier, Node, Tag,
 use krilla::text::{Font, GlyphId, KrillaGlyph};
 use krilla::{Data, Document, SerializeSettings};
 
-use self::structure::List;
+use self::structure::OpenList;
 use super::pages::{Kind, Page, Part};
 use crate::paper::arrow;
 use crate::paper::extent::{anchor_shift_em, on_circle};
 use crate::paper::font::FaceKey;
-use crate::paper::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
+use crate::paper::item::{Cap, Colour, Figure, FigureItem, LineStroke, PathPiece, Shape};
 use crate::paper::label::Label;
 use crate::paper::text;
 use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
@@ -48,11 +48,11 @@ const MITRE: f32 = 4.0;
 /// Warnings and errors are those of [`document`].
 ///
 /// ```
-/// use hodograph_paper::paper::item::{Colour, Figure, Item, Shape, Stroke};
+/// use hodograph_paper::paper::item::{Colour, Figure, FigureItem, Shape, LineStroke};
 /// use hodograph_base::geom::Point;
 /// use hodograph_paper::render::pdf;
-/// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
-/// let items = vec![Item::new("link", edge)];
+/// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: LineStroke::new(0.4) };
+/// let items = vec![FigureItem::new("link", edge)];
 /// let (title, lang) = ("A link".into(), "en".into());
 /// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title, desc: String::new(), lang, paper: Colour::WHITE, items };
 /// let file = pdf::pdf(&[figure])?.value;
@@ -68,7 +68,7 @@ pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
             let corners = [(0.0, 0.0), (f.width_mm, 0.0), (f.width_mm, f.height_mm), (0.0, f.height_mm)];
             let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
             let ground = Shape::Polyline { points, closed: true, stroke: None, fill: Some(f.paper) };
-            parts.insert(0, Part { kind: Kind::Artifact, items: vec![Item::new("", ground)] });
+            parts.insert(0, Part { kind: Kind::Artifact, items: vec![FigureItem::new("", ground)] });
         }
         Page { width_mm: f.width_mm, height_mm: f.height_mm, parts }
     };
@@ -139,7 +139,7 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
 }
 
 fn written(pages: &[Page], title: &str, lang: &str, fonts: &BTreeMap<FaceKey, Font>, settings: SerializeSettings) -> KrillaResult<Vec<u8>> {
-    let mut writer = Writer { fonts, tags: Vec::new(), list: None, outline: Outline::new() };
+    let mut writer = PdfWriter { fonts, tags: Vec::new(), list: None, outline: Outline::new() };
     let mut file = Document::new_with(settings);
     for (n, page) in pages.iter().enumerate() {
         writer.page(&mut file, n, page);
@@ -163,15 +163,15 @@ fn without_suspects(mut file: Vec<u8>) -> Vec<u8> {
     file
 }
 
-struct Writer<'a> {
+struct PdfWriter<'a> {
     /// The fonts of all labels.
     fonts: &'a BTreeMap<FaceKey, Font>,
     tags: Vec<Node>,
-    list: Option<List>,
+    list: Option<OpenList>,
     outline: Outline,
 }
 
-impl Writer<'_> {
+impl PdfWriter<'_> {
     fn page(&mut self, file: &mut Document, number: usize, page: &Page) {
         let [w, h] = [page.width_mm, page.height_mm].map(|mm| mm as f32 * POINTS_PER_MM);
         let settings = PageSettings::from_wh(w, h).expect("the size has been checked");
@@ -179,7 +179,7 @@ impl Writer<'_> {
         let mut surface = sheet.surface();
         surface.push_transform(&Transform::from_scale(POINTS_PER_MM, POINTS_PER_MM));
         for part in &page.parts {
-            let paper = Paper { height_mm: page.height_mm };
+            let paper = PdfPaper { height_mm: page.height_mm };
             let alt = |words: &String| Some(words.clone()).filter(|w| !w.is_empty());
             let mut group = match &part.kind {
                 Kind::Artifact => {
@@ -217,20 +217,20 @@ impl Writer<'_> {
     }
 
     /// Draws items as one content for a tag.
-    fn content(&self, surface: &mut Surface, paper: Paper, items: &[Item]) -> Identifier {
+    fn content(&self, surface: &mut Surface, paper: PdfPaper, items: &[FigureItem]) -> Identifier {
         let identifier = surface.start_tagged(ContentTag::Other);
         items.iter().for_each(|i| self.item(surface, paper, i));
         surface.end_tagged();
         identifier
     }
 
-    fn artifact(&self, surface: &mut Surface, paper: Paper, items: &[Item]) {
+    fn artifact(&self, surface: &mut Surface, paper: PdfPaper, items: &[FigureItem]) {
         surface.start_tagged(ContentTag::Artifact(Artifact::with_kind(ArtifactType::PaginationOther)));
         items.iter().for_each(|i| self.item(surface, paper, i));
         surface.end_tagged();
     }
 
-    fn item(&self, surface: &mut Surface, paper: Paper, item: &Item) {
+    fn item(&self, surface: &mut Surface, paper: PdfPaper, item: &FigureItem) {
         let mut path = Trace { paper, builder: PathBuilder::new() };
         match &item.shape {
             Shape::Line { from, to, stroke } => {
@@ -245,9 +245,9 @@ impl Writer<'_> {
                 path.move_to(*start);
                 for piece in pieces {
                     match *piece {
-                        Piece::Move(p) => path.move_to(p),
-                        Piece::Line(p) => path.line_to(p),
-                        Piece::Arc { centre, radius_mm, from_rad, to_rad } => path.arc_to(centre, radius_mm, from_rad, to_rad),
+                        PathPiece::Move(p) => path.move_to(p),
+                        PathPiece::Line(p) => path.line_to(p),
+                        PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => path.arc_to(centre, radius_mm, from_rad, to_rad),
                     }
                 }
                 if *closed {
@@ -291,7 +291,7 @@ impl Writer<'_> {
         }
     }
 
-    fn label(&self, surface: &mut Surface, paper: Paper, at: Point, label: &Label, size_mm: f64, colour: Colour) {
+    fn label(&self, surface: &mut Surface, paper: PdfPaper, at: Point, label: &Label, size_mm: f64, colour: Colour) {
         surface.set_stroke(None);
         surface.set_fill(Some(fill(colour)));
         for run in &text::set(label).runs {
@@ -308,11 +308,11 @@ impl Writer<'_> {
 
 /// The paper of a page; converts from y up to y down.
 #[derive(Clone, Copy)]
-struct Paper {
+struct PdfPaper {
     height_mm: f64,
 }
 
-impl Paper {
+impl PdfPaper {
     /// Returns a position in the file, to 0.001 mm as in SVG: the same text on platforms that
     /// differ in the last bits.
     fn down(self, p: Point) -> At {
@@ -329,7 +329,7 @@ impl Paper {
 
 /// A path under construction.
 struct Trace {
-    paper: Paper,
+    paper: PdfPaper,
     builder: PathBuilder,
 }
 
@@ -380,7 +380,7 @@ impl Trace {
 
     /// Draws the path; a path without extent, such as the shaft of a vector of length zero, leaves
     /// no ink.
-    fn ink(self, surface: &mut Surface, stroke: Option<&Stroke>, area: Option<Colour>) {
+    fn ink(self, surface: &mut Surface, stroke: Option<&LineStroke>, area: Option<Colour>) {
         let Some(path) = self.builder.finish() else { return };
         if stroke.is_none() && area.is_none() {
             return;
@@ -395,7 +395,7 @@ fn fill(colour: Colour) -> Fill {
     Fill { paint: paint(colour), opacity: NormalizedF32::ONE, ..Fill::default() }
 }
 
-fn pen(s: &Stroke) -> Pen {
+fn pen(s: &LineStroke) -> Pen {
     let dash: Vec<f32> = s.dash.pattern_mm().iter().map(|mm| *mm as f32).collect();
     let (line_cap, line_join) = match s.cap {
         Cap::Round => (LineCap::Round, LineJoin::Round),

@@ -19,7 +19,7 @@ use ::svg::node::{Blob, Node, Text};
 
 use crate::paper::arrow;
 use crate::paper::extent::{anchor_shift_em, on_circle};
-use crate::paper::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
+use crate::paper::item::{Cap, Colour, Figure, FigureItem, LineStroke, PathPiece, Shape};
 use crate::paper::label::Label;
 use crate::paper::text::{self, Typeset};
 use hodograph_base::diag::{Faults, Warned, both};
@@ -27,7 +27,7 @@ use hodograph_base::geom::Point;
 
 use super::not_finite;
 use super::number::{mm, si};
-use letters::{Letter, LetterKey, editable, letters, outline_data, scale};
+use letters::{LetterGlyph, LetterKey, editable, letters, outline_data, scale};
 
 mod letters;
 mod prefix;
@@ -48,18 +48,18 @@ pub const CONTRACT: &str = "svg/1";
 /// is not finite, all of them in the order of the items.
 ///
 /// ```
-/// use hodograph_paper::paper::item::{Colour, Figure, Item, Shape, Stroke};
+/// use hodograph_paper::paper::item::{Colour, Figure, FigureItem, Shape, LineStroke};
 /// use hodograph_base::geom::Point;
 /// use hodograph_paper::render::svg;
-/// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
-/// let items = vec![Item::new("link", edge).with_id("crank")];
+/// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: LineStroke::new(0.4) };
+/// let items = vec![FigureItem::new("link", edge).with_id("crank")];
 /// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title: "A link".into(), desc: String::new(), lang: "en".into(), paper: Colour::WHITE, items };
 /// // y up on the paper, down in the file: 3 mm above the lower edge is 7 mm below the upper one.
 /// assert!(svg::write(&figure)?.value.contains(r#"x2="4" y1="10" y2="7""#));
 /// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
 pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
-    document(figure, Writing::Used)
+    document(figure, LetterForm::Used)
 }
 
 /// Writes a figure with labels as text, which drawing programs can edit; its appearance depends on
@@ -68,11 +68,11 @@ pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
 /// # Errors
 /// As [`write()`].
 pub fn write_editable(figure: &Figure) -> Result<Warned<String>, Faults> {
-    document(figure, Writing::Text)
+    document(figure, LetterForm::Text)
 }
 
-fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults> {
-    let mut writer = Writer { writing, ..Writer::new(figure.height_mm) };
+fn document(figure: &Figure, writing: LetterForm) -> Result<Warned<String>, Faults> {
+    let mut writer = SvgWriter { writing, ..SvgWriter::new(figure.height_mm) };
     writer.data = true;
     if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {
         return Err(not_finite(both!("the paper is {} mm by {} mm", "图纸为 {} mm × {} mm", figure.width_mm, figure.height_mm)).into());
@@ -113,20 +113,20 @@ fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults>
 /// Items as elements, one string each, for pages that assemble documents themselves. They have no
 /// data attributes, because the numbers of moving items differ between frames.
 pub struct Elements {
-    writer: Writer,
+    writer: SvgWriter,
 }
 
 impl Elements {
     /// Returns a writer for documents of this height.
     pub fn new(height_mm: f64) -> Elements {
-        Elements { writer: Writer::new(height_mm) }
+        Elements { writer: SvgWriter::new(height_mm) }
     }
 
     /// Returns the elements of these items, one for each.
     ///
     /// # Errors
     /// As [`write()`].
-    pub fn of(&mut self, items: &[Item]) -> Result<Vec<String>, Faults> {
+    pub fn of(&mut self, items: &[FigureItem]) -> Result<Vec<String>, Faults> {
         let list = items.iter().map(|item| self.writer.finite(item).map(|node| node.to_string()).unwrap_or_default()).collect();
         if self.writer.faults.has_errors() { Err(std::mem::take(&mut self.writer.faults)) } else { Ok(list) }
     }
@@ -134,32 +134,32 @@ impl Elements {
     /// Returns the outlines that all these elements use.
     pub fn letters<'a>(all: impl IntoIterator<Item = &'a Elements>) -> String {
         let letters = all.into_iter().flat_map(|e| &e.writer.letters).map(|(key, kept)| (*key, kept.clone())).collect();
-        Writer { letters, ..Writer::new(0.0) }.definitions().to_string()
+        SvgWriter { letters, ..SvgWriter::new(0.0) }.definitions().to_string()
     }
 }
 
 /// The form of letters in a document.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Writing {
+enum LetterForm {
     /// By reference; the outlines are in `<defs>`.
     Used,
     /// Text in the fonts of the viewer.
     Text,
 }
 
-struct Writer {
+struct SvgWriter {
     height_mm: f64,
-    writing: Writing,
+    writing: LetterForm,
     /// True if vectors and marks have data attributes.
     data: bool,
     /// The letters used, each with its name in the definitions.
-    letters: BTreeMap<LetterKey, (Letter, String)>,
+    letters: BTreeMap<LetterKey, (LetterGlyph, String)>,
     faults: Faults,
 }
 
-impl Writer {
-    fn new(height_mm: f64) -> Writer {
-        Writer { height_mm, writing: Writing::Used, data: false, letters: BTreeMap::new(), faults: Faults::default() }
+impl SvgWriter {
+    fn new(height_mm: f64) -> SvgWriter {
+        SvgWriter { height_mm, writing: LetterForm::Used, data: false, letters: BTreeMap::new(), faults: Faults::default() }
     }
 
     /// Converts a y coordinate from y up to y down.
@@ -173,7 +173,7 @@ impl Writer {
 
     /// Returns the item's element; a number that is not finite is an error, because every viewer
     /// would silently drop the whole path.
-    fn finite(&mut self, item: &Item) -> Option<Box<dyn Node>> {
+    fn finite(&mut self, item: &FigureItem) -> Option<Box<dyn Node>> {
         if item.is_finite() {
             return Some(self.item(item));
         }
@@ -182,7 +182,7 @@ impl Writer {
         None
     }
 
-    fn item(&mut self, item: &Item) -> Box<dyn Node> {
+    fn item(&mut self, item: &FigureItem) -> Box<dyn Node> {
         match &item.shape {
             Shape::Line { from, to, stroke } => self.line(*from, *to, stroke, item).into(),
             Shape::Polyline { points, closed, stroke, fill } => {
@@ -196,13 +196,13 @@ impl Writer {
                 let mut d = format!("M{}", self.xy(*start));
                 for piece in pieces {
                     match *piece {
-                        Piece::Move(p) => {
+                        PathPiece::Move(p) => {
                             let _ = write!(d, "M{}", self.xy(p));
                         }
-                        Piece::Line(p) => {
+                        PathPiece::Line(p) => {
                             let _ = write!(d, "L{}", self.xy(p));
                         }
-                        Piece::Arc { centre, radius_mm, from_rad, to_rad } => d += &self.arc_to(centre, radius_mm, from_rad, to_rad),
+                        PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => d += &self.arc_to(centre, radius_mm, from_rad, to_rad),
                     }
                 }
                 self.path(d, *closed, stroke.as_ref(), *fill, item).into()
@@ -223,14 +223,14 @@ impl Writer {
                 let parts = arrow::straight(*from, *to, *head);
                 let mut group = Group::new();
                 self.named(&mut group, item);
-                let nameless = Item::new("", item.shape.clone());
+                let nameless = FigureItem::new("", item.shape.clone());
                 group.add(self.line(*from, parts.shaft_end, stroke, &nameless)).add(self.head(&parts.head, stroke.colour)).into()
             }
             Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head } => {
                 let parts = arrow::bent(*centre, *radius_mm, *from_rad, *to_rad, *head);
                 let mut group = Group::new();
                 self.named(&mut group, item);
-                let nameless = Item::new("", item.shape.clone());
+                let nameless = FigureItem::new("", item.shape.clone());
                 let shaft = self.arc(*centre, *radius_mm, *from_rad, parts.shaft_end_rad);
                 group.add(self.path(shaft, false, Some(stroke), None, &nameless)).add(self.head(&parts.head, stroke.colour)).into()
             }
@@ -249,10 +249,10 @@ impl Writer {
 
     /// Returns a label whose line starts at the origin of `place`; with y down, angles have the
     /// opposite sign.
-    fn lettering(&mut self, item: &Item, place: &str, label: &Label, set: &Typeset, size_mm: f64, colour: Colour) -> Box<dyn Node> {
+    fn lettering(&mut self, item: &FigureItem, place: &str, label: &Label, set: &Typeset, size_mm: f64, colour: Colour) -> Box<dyn Node> {
         let (transform, content) = match self.writing {
-            Writing::Used => (format!("{place}scale({})", scale(size_mm)), self.used(set)),
-            Writing::Text => (place.to_owned(), editable(set, size_mm)),
+            LetterForm::Used => (format!("{place}scale({})", scale(size_mm)), self.used(set)),
+            LetterForm::Text => (place.to_owned(), editable(set, size_mm)),
         };
         let spoken = Group::new().set("aria-label", label.plain()).set("data-text", label.source());
         let mut node = spoken.set("transform", transform).add(Blob::new(content));
@@ -292,14 +292,14 @@ impl Writer {
         Definitions::new().add(Blob::new(out))
     }
 
-    fn line(&self, from: Point, to: Point, stroke: &Stroke, item: &Item) -> Line {
+    fn line(&self, from: Point, to: Point, stroke: &LineStroke, item: &FigureItem) -> Line {
         let mut line = Line::new().set("x1", mm(from.x)).set("y1", self.y(from.y)).set("x2", mm(to.x)).set("y2", self.y(to.y));
         self.named(&mut line, item);
         painted(&mut line, Some(stroke), None);
         line
     }
 
-    fn path(&self, mut d: String, closed: bool, stroke: Option<&Stroke>, fill: Option<Colour>, item: &Item) -> Path {
+    fn path(&self, mut d: String, closed: bool, stroke: Option<&LineStroke>, fill: Option<Colour>, item: &FigureItem) -> Path {
         if closed {
             d.push('Z');
         }
@@ -312,7 +312,7 @@ impl Writer {
         path
     }
 
-    fn named(&self, node: &mut impl Node, item: &Item) {
+    fn named(&self, node: &mut impl Node, item: &FigureItem) {
         if !item.id.is_empty() {
             node.assign("id", item.id.as_str());
         }
@@ -360,7 +360,7 @@ impl Writer {
     }
 }
 
-fn painted(node: &mut impl Node, stroke: Option<&Stroke>, fill: Option<Colour>) {
+fn painted(node: &mut impl Node, stroke: Option<&LineStroke>, fill: Option<Colour>) {
     if let Some(s) = stroke {
         node.assign("stroke", hex(s.colour));
         node.assign("stroke-width", mm(s.width_mm));

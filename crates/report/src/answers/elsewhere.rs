@@ -1,10 +1,10 @@
 //! Answers drawn on separate figures: instantaneous centres by two lines, and quantities of a pole
 //! by ruler construction.
 
-use hodograph_mechanism::answer::Value;
-use hodograph_methods::centres::{Centres, Origin, Place, centres};
-use hodograph_methods::curvature::plane::End;
-use hodograph_methods::curvature::{self, Curvature, OfLink, couplers, curvature};
+use hodograph_mechanism::answer::AnswerValue;
+use hodograph_methods::centres::{CentrePlace, Centres, Origin, centres};
+use hodograph_methods::curvature::plane::PlanePoint;
+use hodograph_methods::curvature::{self, LinkCurvatures, OfLink, couplers, curvature};
 use hodograph_scene::quantity::combined::combine;
 use hodograph_scene::quantity::{Curvature as Bend, InstantCentre, OfPath, OfPole};
 use hodograph_scene::{Asked, LinkId, PointId, Scene};
@@ -13,7 +13,7 @@ use std::cell::OnceCell;
 
 /// Returns for each question the value on a figure of centres or of curvature; `None` if neither
 /// draws it.
-pub fn drawn(scene: &Scene, worked: &Worked) -> Vec<Option<Value>> {
+pub fn drawn(scene: &Scene, worked: &Worked) -> Vec<Option<AnswerValue>> {
     let figures = Figures { scene, worked, centres: OnceCell::new() };
     scene.find.iter().map(|f| figures.value(&f.what)).collect()
 }
@@ -25,12 +25,12 @@ struct Figures<'a> {
 }
 
 impl Figures<'_> {
-    fn value(&self, what: &Asked) -> Option<Value> {
+    fn value(&self, what: &Asked) -> Option<AnswerValue> {
         match what {
-            Asked::InstantCentre(q) => self.centre(q).map(Value::Point),
+            Asked::InstantCentre(q) => self.centre(q).map(AnswerValue::Point),
             Asked::FromCentre(q) => {
                 let at = self.worked.configuration.points[q.point.0]?;
-                Some(Value::Scalar(self.centre(&q.centre)?.distance(at)))
+                Some(AnswerValue::Scalar(self.centre(&q.centre)?.distance(at)))
             }
             Asked::Curvature(Bend::Pole([(link, _), (against, _)], of)) => {
                 let found = self.bends(*link, *against, Vec::new())?;
@@ -41,10 +41,10 @@ impl Figures<'_> {
                 let link = p.link.or_else(|| couplers(self.scene).into_iter().find(carries))?;
                 let found = self.bends(link, self.scene.ground, vec![p.point])?;
                 let of_point = found.list.first()?.points.iter().find(|q| q.point == p.point)?;
-                let End::At(centre) = of_point.drawn?.centre else { return None };
+                let PlanePoint::At(centre) = of_point.drawn?.centre else { return None };
                 match of {
-                    OfPath::Radius => Some(Value::Scalar(centre.distance(of_point.at))),
-                    OfPath::Centre => Some(Value::Point(centre)),
+                    OfPath::Radius => Some(AnswerValue::Scalar(centre.distance(of_point.at))),
+                    OfPath::Centre => Some(AnswerValue::Point(centre)),
                     _ => None,
                 }
             }
@@ -72,25 +72,25 @@ impl Figures<'_> {
         let found = self.centres.get_or_init(|| centres(self.scene).ok().map(|found| found.value)).as_ref()?;
         let c = found.of(q.links[0].0, q.links[1].0)?;
         match (c.origin.as_ref()?, c.place?) {
-            (Origin::Pair | Origin::Crossing(_), Place::At(at)) => Some(at),
+            (Origin::Pair | Origin::Crossing(_), CentrePlace::At(at)) => Some(at),
             _ => None,
         }
     }
 
-    fn bends(&self, link: LinkId, against: LinkId, points: Vec<PointId>) -> Option<Curvature> {
-        let asked = curvature::Asked { links: vec![link], against: Some(against), points };
+    fn bends(&self, link: LinkId, against: LinkId, points: Vec<PointId>) -> Option<LinkCurvatures> {
+        let asked = curvature::CurvatureRequest { links: vec![link], against: Some(against), points };
         curvature(self.scene, &asked).ok().map(|found| found.value)
     }
 }
 
 /// Returns a quantity of a pole by ruler construction.
-fn pole(of_link: &OfLink, of: OfPole) -> Option<Value> {
+fn pole(of_link: &OfLink, of: OfPole) -> Option<AnswerValue> {
     let drawn = of_link.drawn()?;
     match of {
-        OfPole::InflectionPole => Some(Value::Point(drawn.pole + drawn.normal)),
-        OfPole::Diameter => Some(Value::Scalar(drawn.normal.norm())),
-        OfPole::AccelerationPole => drawn.acceleration_pole.map(Value::Point),
-        OfPole::PoleVelocity => drawn.pole_velocity.map(Value::Vector),
+        OfPole::InflectionPole => Some(AnswerValue::Point(drawn.pole + drawn.normal)),
+        OfPole::Diameter => Some(AnswerValue::Scalar(drawn.normal.norm())),
+        OfPole::AccelerationPole => drawn.acceleration_pole.map(AnswerValue::Point),
+        OfPole::PoleVelocity => drawn.pole_velocity.map(AnswerValue::Vector),
         // Nothing is drawn in the axes of a rotating link.
         _ => None,
     }

@@ -1,6 +1,6 @@
 //! Questions without an answer: the words printed instead of the number, and the reason.
 
-use hodograph_analytic::{Refused, Why as Refusal};
+use hodograph_analytic::{RefusalReason as Refusal, RefusedPart};
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Lang, Scene};
 use hodograph_worked::worked::{NoAnswer, Unanswered};
@@ -20,7 +20,7 @@ pub fn verdict(u: &Unanswered, lang: Lang) -> &'static str {
 
 /// Returns the reason why a question has no answer, with the links.
 pub fn reason(scene: &Scene, u: &Unanswered, lang: Lang) -> String {
-    let Refused { why, named, words, .. } = match &u.why {
+    let RefusedPart { why, named, words, .. } = match &u.why {
         NoAnswer::NoMotion(refused) => &**refused,
         NoAnswer::NoValue(words) | NoAnswer::Infinite(words) => {
             return match lang {

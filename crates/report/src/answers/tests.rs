@@ -21,7 +21,7 @@ fn asking(units: &str) -> Scene {
 /// Returns a position, certified to six digits.
 fn certified(scene: &Scene, place: Point) -> Certified {
     let ball = |x: f64| Ball::new(x, 1e-15);
-    let value = Value::Point(Point::new(ball(place.x), ball(place.y)));
+    let value = AnswerValue::Point(Point::new(ball(place.x), ball(place.y)));
     let what = &scene.find[0].what;
     let list = parts(what.kind(), value, 1.0, 6).and_then(|l| with_printed(&scene.book, what, value, l));
     Certified { rung: Rung::Double, parts: list.unwrap(), reading: None, why: None }
@@ -31,7 +31,7 @@ fn certified(scene: &Scene, place: Point) -> Certified {
 fn a_place_is_told_by_its_coordinates() {
     let place = Point::new(-0.123456789, 6.83);
     let near = |scene: &Scene| {
-        let (find, c, value) = (&scene.find[0], certified(scene, place), Value::Point(place));
+        let (find, c, value) = (&scene.find[0], certified(scene, place), AnswerValue::Point(place));
         let text = value_words(&scene.book, find, value, &c, 6, Lang::En);
         let json = in_unit(&scene.book, find, value, &c, 6);
         (text, amount(&scene.book, find, value, &c, 4), json.to_string())
@@ -41,5 +41,5 @@ fn a_place_is_told_by_its_coordinates() {
     let inches = asking(r#", "answers": {"length": "in"}"#);
     let json = r#"{"unit":"in","x":-4.860503503937008,"y":268.8976377952756,"text":"(-4.86050, 268.898)"}"#;
     assert_eq!(near(&inches), told("(-4.86050, 268.898) in", "(−4.861, 268.9)\\,\\text{in}", json));
-    assert_eq!(value(Value::Point(place)).to_string(), r#"{"x":-0.123456789,"y":6.83}"#);
+    assert_eq!(value(AnswerValue::Point(place)).to_string(), r#"{"x":-0.123456789,"y":6.83}"#);
 }

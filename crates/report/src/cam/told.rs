@@ -1,17 +1,17 @@
 //! Certified numbers of a cam: enclosed, and printed to as many digits as are certain.
 
 use super::{DIGITS, Report};
-use hodograph_base::cam::{Exact, Follower, Mark, Motion, Touch, Way, whole_turns};
+use hodograph_base::cam::{CamExtreme, CamMotion, ExactCam, Follower, FollowerTip, StageMotion, whole_turns};
 use hodograph_base::digits::significant;
 use hodograph_base::number::Real;
 use hodograph_base::number::decimal::{Certain, Enclosure};
-use hodograph_scene::{Kind, Scene, Turning};
+use hodograph_scene::{Kind, Scene, TurningCam};
 use hodograph_worked::accuracy::{Climb, Rung};
 use serde_json::{Value as Json, json};
 
 /// A number of a cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Which {
+pub enum CamNumber {
     /// Radius of the base circle.
     Base,
     /// Radius of a round end.
@@ -32,16 +32,16 @@ pub enum Which {
     /// Rise or return of a stage of the law.
     Gain(usize),
     /// Angle of an extreme.
-    At(Mark),
+    At(CamExtreme),
     /// Value of an extreme, rates by time; a pressure angle without its sign.
-    Most(Mark),
+    Most(CamExtreme),
     /// Value of an extreme, rates by the cam angle.
-    ByPhi(Mark),
+    ByPhi(CamExtreme),
     /// Angle of a shock.
     JumpAt(usize),
     /// Rate before (0) or after (1) a shock, by time.
     Jump(usize, usize),
-    /// [`Which::Jump`] by the cam angle.
+    /// [`CamNumber::Jump`] by the cam angle.
     JumpByPhi(usize, usize),
     /// Smallest radius of curvature of a concave part, without its sign.
     Hollow,
@@ -70,7 +70,7 @@ pub enum Now {
 
 /// Unit of a printed number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
+pub enum PrintedUnit {
     /// SI unit.
     Si,
     /// Unit of lengths.
@@ -86,65 +86,65 @@ fn in_turn<N: Real>(angle: N) -> N {
     angle - whole_turns(libm::floor(angle.approx() / std::f64::consts::TAU + 1e-13))
 }
 
-impl Which {
+impl CamNumber {
     /// Returns the number in SI; cam angles are reduced to one turn.
-    pub fn of<N: Real>(self, scene: &Scene, turning: &Turning) -> Option<N> {
+    pub fn of<N: Real>(self, scene: &Scene, turning: &TurningCam) -> Option<N> {
         let (cam, phi) = turning.exact::<N>(scene)?;
         let [w, a] = turning.rates_in::<N>(scene);
         let speed = |order: usize| (0..order).fold(N::from_f64(1.0), |s, _| s * w.magnitude());
         let disc = cam.disc();
         let program = || match &disc.motion {
-            Motion::Law { program, .. } => Some(program),
-            Motion::Profile(_) => None,
+            CamMotion::Law { program, .. } => Some(program),
+            CamMotion::Profile(_) => None,
         };
         match self {
-            Which::Base => cam.base(),
-            Which::End => match disc.touch {
-                Touch::Point { radius } => Some(radius),
-                Touch::Flat { .. } => None,
+            CamNumber::Base => cam.base(),
+            CamNumber::End => match disc.touch {
+                FollowerTip::Point { radius } => Some(radius),
+                FollowerTip::Flat { .. } => None,
             },
-            Which::Offset => match disc.follower {
+            CamNumber::Offset => match disc.follower {
                 Follower::Translating { offset, .. } => Some(if disc.sense < 0.0 { -offset } else { offset }),
                 Follower::Oscillating { .. } => None,
             },
-            Which::Distance | Which::Arm => match disc.follower {
-                Follower::Oscillating { pivot, .. } if self == Which::Distance => Some(pivot.norm()),
+            CamNumber::Distance | CamNumber::Arm => match disc.follower {
+                Follower::Oscillating { pivot, .. } if self == CamNumber::Distance => Some(pivot.norm()),
                 Follower::Oscillating { arm, .. } => Some(arm),
                 Follower::Translating { .. } => None,
             },
-            Which::Stroke => cam.stroke(),
-            Which::Phase(way, out) => cam.angle(way, out),
-            Which::Start(k) => program()?.joints().get(k).copied(),
-            Which::Gain(k) => match program()?.stages.get(k)?.way {
-                Way::Rise(h, _) | Way::Return(h, _) => Some(h),
-                Way::Dwell => None,
+            CamNumber::Stroke => cam.stroke(),
+            CamNumber::Phase(way, out) => cam.angle(way, out),
+            CamNumber::Start(k) => program()?.joints().get(k).copied(),
+            CamNumber::Gain(k) => match program()?.stages.get(k)?.way {
+                StageMotion::Rise(h, _) | StageMotion::Return(h, _) => Some(h),
+                StageMotion::Dwell => None,
             },
-            Which::At(mark) => cam.mark(mark).map(|[place, _]| in_turn(place)),
-            Which::Most(mark) => {
+            CamNumber::At(mark) => cam.mark(mark).map(|[place, _]| in_turn(place)),
+            CamNumber::Most(mark) => {
                 let [_, value] = cam.mark(mark)?;
                 Some(match mark {
-                    Mark::Rate(_) => value * speed(1),
-                    Mark::Bend(_) => value * speed(2),
-                    Mark::Pressure(_) => value.magnitude(),
-                    Mark::Radius => value,
+                    CamExtreme::Rate(_) => value * speed(1),
+                    CamExtreme::Bend(_) => value * speed(2),
+                    CamExtreme::Pressure(_) => value.magnitude(),
+                    CamExtreme::Radius => value,
                 })
             }
-            Which::ByPhi(mark) => cam.mark(mark).map(|[_, value]| value),
-            Which::JumpByPhi(k, side) => Some(cam.jump(k)?[1 + side]),
-            Which::Hollow => cam.hollow().map(|[_, rho]| -rho),
-            Which::HollowAt => cam.hollow().map(|[place, _]| in_turn(place)),
-            Which::JumpAt(k) => cam.jump(k).map(|j| in_turn(j[0])),
-            Which::Jump(k, side) => {
+            CamNumber::ByPhi(mark) => cam.mark(mark).map(|[_, value]| value),
+            CamNumber::JumpByPhi(k, side) => Some(cam.jump(k)?[1 + side]),
+            CamNumber::Hollow => cam.hollow().map(|[_, rho]| -rho),
+            CamNumber::HollowAt => cam.hollow().map(|[place, _]| in_turn(place)),
+            CamNumber::JumpAt(k) => cam.jump(k).map(|j| in_turn(j[0])),
+            CamNumber::Jump(k, side) => {
                 let (jump, order) = (cam.jump(k)?, turning.survey.of(&turning.disc).jumps[k].shock.order());
                 Some(jump[1 + side] * speed(order))
             }
-            Which::LeastBase => cam.least_base(),
-            Which::Now(now) => at_the_instant(now, &cam, (turning, phi), [w, a]),
+            CamNumber::LeastBase => cam.least_base(),
+            CamNumber::Now(now) => at_the_instant(now, &cam, (turning, phi), [w, a]),
         }
     }
 }
 
-fn at_the_instant<N: Real>(now: Now, cam: &Exact<N>, (turning, phi): (&Turning, N), [w, a]: [N; 2]) -> Option<N> {
+fn at_the_instant<N: Real>(now: Now, cam: &ExactCam<N>, (turning, phi): (&TurningCam, N), [w, a]: [N; 2]) -> Option<N> {
     let here = (turning.phi, turning.side);
     let station = || cam.station(here, phi);
     Some(match now {
@@ -162,16 +162,16 @@ fn at_the_instant<N: Real>(now: Now, cam: &Exact<N>, (turning, phi): (&Turning, 
 }
 
 /// A number of a report, to be evaluated in any number format, in its unit.
-struct Look<'a, 'b> {
+struct EnclosedNumber<'a, 'b> {
     report: &'b Report<'a>,
-    which: Which,
-    unit: Unit,
+    which: CamNumber,
+    unit: PrintedUnit,
 }
 
-impl Climb for Look<'_, '_> {
+impl Climb for EnclosedNumber<'_, '_> {
     type Found = Option<Enclosure>;
 
-    fn with<N: Certain + hodograph_mechanism::motion::Moved>(&self) -> Self::Found {
+    fn with<N: Certain + hodograph_mechanism::motion::MotionNumber>(&self) -> Self::Found {
         let si: N = self.which.of(self.report.scene, self.report.turning)?;
         self.report.in_unit(self.unit, si).enclosure()
     }
@@ -185,26 +185,26 @@ const RUNGS: [Rung; 3] = [Rung::Double, Rung::DoubleDouble, Rung::Long(384)];
 
 impl Report<'_> {
     /// Returns a number in the unit in which it is printed.
-    fn in_unit<N: Real>(&self, unit: Unit, si: N) -> N {
+    fn in_unit<N: Real>(&self, unit: PrintedUnit, si: N) -> N {
         let book = &self.scene.book;
         match unit {
-            Unit::Si => si,
-            Unit::Degrees => si * N::from_f64(180.0) / N::pi(),
-            Unit::Lift(0) if self.swings() => self.in_unit(Unit::Degrees, si),
-            Unit::Length | Unit::Lift(0) => match book.chosen(Kind::Length) {
+            PrintedUnit::Si => si,
+            PrintedUnit::Degrees => si * N::from_f64(180.0) / N::pi(),
+            PrintedUnit::Lift(0) if self.swings() => self.in_unit(PrintedUnit::Degrees, si),
+            PrintedUnit::Length | PrintedUnit::Lift(0) => match book.chosen(Kind::Length) {
                 Some(chosen) => chosen.of(si),
                 None => si * N::from_f64(self.scene.length_unit.denominator) / N::from_f64(self.scene.length_unit.numerator),
             },
-            Unit::Lift(order) => book.in_chosen(self.kind_of(order), si),
+            PrintedUnit::Lift(order) => book.in_chosen(self.kind_of(order), si),
         }
     }
 
     /// Returns an interval around a number, narrow enough for `digits` digits if possible; `None`
     /// if there is no such number.
-    pub fn enclosed(&self, which: Which, unit: Unit, digits: usize) -> Option<Enclosure> {
+    pub fn enclosed(&self, which: CamNumber, unit: PrintedUnit, digits: usize) -> Option<Enclosure> {
         let mut last = None;
         for rung in RUNGS {
-            last = rung.climb(&Look { report: self, which, unit }).or(last);
+            last = rung.climb(&EnclosedNumber { report: self, which, unit }).or(last);
             if last.as_ref().is_some_and(|e| e.holds(digits)) {
                 break;
             }
@@ -214,7 +214,7 @@ impl Report<'_> {
 
     /// Returns a number to at most `digits` digits, all of them correct; `None` if no digit is
     /// certain.
-    pub fn told(&self, which: Which, unit: Unit, digits: usize) -> Option<String> {
+    pub fn told(&self, which: CamNumber, unit: PrintedUnit, digits: usize) -> Option<String> {
         let e = self.enclosed(which, unit, digits)?;
         if e.contains_zero() {
             return (e.largest() <= NOTHING).then(|| "0".to_owned());
@@ -226,14 +226,14 @@ impl Report<'_> {
 
     /// Returns [`Report::told`] to the digits of the report; if nothing is certain, the approximate
     /// value from double precision.
-    pub(super) fn digits(&self, which: Which, unit: Unit, rough_si: f64) -> String {
+    pub(super) fn digits(&self, which: CamNumber, unit: PrintedUnit, rough_si: f64) -> String {
         self.told(which, unit, DIGITS).unwrap_or_else(|| format!("≈ {}", significant(self.in_unit(unit, rough_si), 2)))
     }
 
     /// Returns the nearest double of a number in SI, as JSON; the value of double precision if it
     /// is not enclosed.
-    pub(super) fn nearest(&self, which: Which, rough: f64) -> Json {
-        let told = self.enclosed(which, Unit::Si, 17).filter(|e| e.radius <= 1e-15 * e.approx.abs().max(NOTHING));
+    pub(super) fn nearest(&self, which: CamNumber, rough: f64) -> Json {
+        let told = self.enclosed(which, PrintedUnit::Si, 17).filter(|e| e.radius <= 1e-15 * e.approx.abs().max(NOTHING));
         let value = told.map_or(rough, |e| if e.contains_zero() { 0.0 } else { e.approx });
         if value.is_finite() { json!(value) } else { Json::Null }
     }

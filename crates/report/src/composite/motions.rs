@@ -1,21 +1,21 @@
 //! The three motions of a composite motion by name: absolute, relative, transport.
 
-use super::Words;
-use crate::writing::Writing;
-use hodograph_methods::composite::Choice;
+use super::CompositeWords;
+use crate::writing::PointForm;
+use hodograph_methods::composite::FrameChoice;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::quantity::Frame;
 use hodograph_scene::{Guide, GuidePath, Lang, LinkId, PointId};
 
-impl Words<'_> {
+impl CompositeWords<'_> {
     /// Returns the three motions by name:
     /// `Absolute motion: a circle about A. Relative motion: ... Transport motion: link 2 turns
     /// about C.`
-    pub(super) fn three_motions(&self, c: &Choice) -> Phrase {
+    pub(super) fn three_motions(&self, c: &FrameChoice) -> Phrase {
         let (scene, lang) = (self.scene, self.lang);
         let ground = &scene.links[scene.ground.0].points;
         let pivot =
-            |l: LinkId| scene.links[l.0].points.iter().find(|p| ground.contains(p)).map(|p| Writing::Marked.point(scene.point_name(*p)));
+            |l: LinkId| scene.links[l.0].points.iter().find(|p| ground.contains(p)).map(|p| PointForm::Marked.point(scene.point_name(*p)));
         let slides = |g: &Guide, l: Option<LinkId>, p: Option<PointId>| {
             g.on == scene.ground && matches!(g.path, GuidePath::Line { .. }) && (l.is_some() && g.slider == l || p.is_some() && g.pin == p)
         };
@@ -40,7 +40,7 @@ impl Words<'_> {
                 None => tr(lang, "plane motion", "平面运动").to_owned(),
             },
         };
-        let relative = self.path(c, Writing::Marked);
+        let relative = self.path(c, PointForm::Marked);
         let relative =
             relative.split_once([':', '：']).map_or_else(|| tr(lang, "not known", "未知").to_owned(), |(_, path)| path.trim().to_owned());
         Phrase::new(&match lang {

@@ -1,10 +1,10 @@
 //! Checks of the force polygons in words: the equilibrium of all links together, and Zhukovsky's
 //! lever.
 
-use super::{ForceWriter, NO_ARM_MM, Sum};
+use super::{ForceWriter, MomentSum, NO_ARM_MM};
 use hodograph_base::digits::{direction_degrees, inked, significant};
 use hodograph_base::geom::Vec2;
-use hodograph_board::equilibrium::{Lever, Term, Whole};
+use hodograph_board::equilibrium::{ForceTerm, ForceTotals, Lever};
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::position::Configuration;
 use hodograph_paper::paper::phrase::{Phrase, tr};
@@ -22,7 +22,7 @@ impl ForceWriter<'_> {
     /// Returns the checks with their heading: the forces on all links together, and the lever with
     /// the letter of its pole.
     pub fn checks(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> Option<(&'static str, Vec<Phrase>)> {
-        let whole = Whole::of(self.scene, at, self.of).map(|whole| self.whole(&whole));
+        let whole = ForceTotals::of(self.scene, at, self.of).map(|whole| self.whole(&whole));
         let by_lever = lever.map(|(lever, pole)| self.lever(lever, pole)).unwrap_or_default();
         let heading = match (whole.is_some(), by_lever.is_empty()) {
             (true, false) => tr(self.lang, "Checks: all links together, Zhukovsky's lever", "校核：整个机构的平衡、茹可夫斯基杠杆"),
@@ -34,7 +34,7 @@ impl ForceWriter<'_> {
     }
 
     /// Returns the sum of the loads beside that of the ground reactions.
-    fn whole(&self, whole: &Whole) -> Phrase {
+    fn whole(&self, whole: &ForceTotals) -> Phrase {
         let largest = self.of.forces.largest;
         let sum = |v: Vec2| match v.unit().filter(|_| v.norm() > ROUNDING * largest) {
             Some(u) => format!(
@@ -54,14 +54,14 @@ impl ForceWriter<'_> {
     /// Returns the moments of all loads about the pole, with arms as measured, and the result.
     /// `pole` is the letter of the pole.
     pub fn lever(&self, lever: &Lever, pole: &str) -> Vec<Phrase> {
-        let mut sum = Sum::default();
+        let mut sum = MomentSum::default();
         for force in lever.forces.iter().filter(|f| f.arm_mm > NO_ARM_MM) {
             let arm = inked(&significant(force.arm_mm, super::DIGITS));
-            sum.add(force.moment, format!("{}\\cdot {arm}\\,\\text{{mm}}", self.symbol(Term::Load(force.load))));
+            sum.add(force.moment, format!("{}\\cdot {arm}\\,\\text{{mm}}", self.symbol(ForceTerm::Load(force.load))));
         }
         for (load, moment) in &lever.couples {
             let link = name_label(self.scene.link_name(self.of.loads[*load].link));
-            sum.add(*moment, format!("|{}\\,\\omega_{{{link}}}|/\\mu_v", self.couple(Term::Load(*load))));
+            sum.add(*moment, format!("|{}\\,\\omega_{{{link}}}|/\\mu_v", self.couple(ForceTerm::Load(*load))));
         }
         let moment = inked(&significant(lever.moment, super::DIGITS));
         let equation = format!("$\\Sigma M_{{{pole}}} = {} = {moment}\\,\\text{{N·mm}}$", if sum.terms == 0 { "0" } else { &sum.text });

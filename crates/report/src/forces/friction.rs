@@ -2,8 +2,8 @@
 
 use super::{DIGITS, ForceWriter};
 use hodograph_base::digits::{inked, significant};
-use hodograph_board::equilibrium::Term;
-use hodograph_board::equilibrium::{GroupForces, Part, Party};
+use hodograph_board::equilibrium::ForceTerm;
+use hodograph_board::equilibrium::{GroupForces, Party, ReactionComponent};
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::quantity::{Contact, contacts};
@@ -12,7 +12,7 @@ use hodograph_scene::{Kind, Lang, LinkId, Rub};
 impl ForceWriter<'_> {
     /// Returns the part of a reaction that the polygon contains: for a guide with friction the
     /// normal force.
-    pub(super) fn part(&self, of: Party, on: LinkId, part: Part) -> Part {
+    pub(super) fn part(&self, of: Party, on: LinkId, part: ReactionComponent) -> ReactionComponent {
         let rubs = |by: LinkId| {
             self.scene.loads.friction.iter().any(|f| match f.at {
                 Rub::Guide { guide, .. } => contacts(self.scene, by, on).iter().any(|c| matches!(c, Contact::Guide(g, _) if *g == guide)),
@@ -20,7 +20,7 @@ impl ForceWriter<'_> {
             })
         };
         match of {
-            Party::Link(by) if part == Part::Whole && rubs(by) => Part::Normal,
+            Party::Link(by) if part == ReactionComponent::Whole && rubs(by) => ReactionComponent::Normal,
             Party::Link(_) | Party::Pin(_) | Party::Cylinder(_) | Party::Driver(_) => part,
         }
     }
@@ -35,7 +35,7 @@ impl ForceWriter<'_> {
                 continue;
             }
             seen.push(k);
-            let symbol = self.symbol(Term::Load(n));
+            let symbol = self.symbol(ForceTerm::Load(n));
             all.push(match &self.scene.loads.friction[k].at {
                 Rub::Pin { circle, .. } => {
                     let couple = load.wrench.couple.abs();

@@ -2,9 +2,9 @@
 
 use super::ForceWriter;
 use crate::plan::table;
-use hodograph_board::equilibrium::{About, Gives, GroupForces, Moments, Side};
+use hodograph_board::equilibrium::{About, ForceEdge, GroupForces, MomentResult, Moments};
 use hodograph_board::plan::names::{name_label, point_label};
-use hodograph_board::plan::text::Column;
+use hodograph_board::plan::text::EquationColumn;
 use hodograph_paper::paper::phrase::{formula, tr};
 use hodograph_scene::{Lang, LinkId};
 use serde_json::{Value as Json, json};
@@ -17,7 +17,8 @@ impl ForceWriter<'_> {
         let mut number = before;
         for group in &self.of.groups {
             out += &format!("  {}\n", self.heading(group));
-            let (after, first): (Vec<&Moments>, Vec<&Moments>) = group.moments.iter().partition(|m| matches!(m.gives, Gives::Offset(_)));
+            let (after, first): (Vec<&Moments>, Vec<&Moments>) =
+                group.moments.iter().partition(|m| matches!(m.gives, MomentResult::Offset(_)));
             let lines = |all: Vec<&Moments>| -> String { all.into_iter().map(|m| format!("  {}\n", self.moments_planned(m))).collect() };
             out += &lines(first);
             for sides in self.equations(group) {
@@ -36,7 +37,7 @@ impl ForceWriter<'_> {
         let names = |links: &[LinkId]| links.iter().map(|l| self.scene.link_name(*l)).collect::<Vec<_>>();
         let both = |tex: &str| json!({"text": formula(tex), "tex": tex});
         let moments = |m: &Moments| json!({"links": names(&m.links), "about": both(&self.about(m.about)), "gives": both(&self.given(m))});
-        let side = |s: &Side| json!({"symbol": both(&self.symbol(s.term)), "known": s.known});
+        let side = |s: &ForceEdge| json!({"symbol": both(&self.symbol(s.term)), "known": s.known});
         let group = |g: &GroupForces| {
             let equations: Vec<Json> = self.equations(g).iter().map(|sides| sides.iter().map(side).collect()).collect();
             json!({"links": names(&g.links), "kind": g.kind, "moments": g.moments.iter().map(moments).collect::<Vec<_>>(), "equations": equations})
@@ -49,22 +50,22 @@ impl ForceWriter<'_> {
         })
     }
 
-    fn planned(&self, sides: &[Side]) -> Vec<Column> {
-        let terms = self.columns(sides).into_iter().enumerate().map(|(k, c)| Column {
+    fn planned(&self, sides: &[ForceEdge]) -> Vec<EquationColumn> {
+        let terms = self.columns(sides).into_iter().enumerate().map(|(k, c)| EquationColumn {
             joint: if k == 0 { "" } else { "+" },
             symbol: c.symbol,
             magnitude: if c.magnitude { &self.notation.known } else { &self.notation.unknown }.clone(),
             direction: self.notation.known.clone(),
             term: None,
         });
-        let zero = Column { joint: "=", symbol: "0".into(), magnitude: String::new(), direction: String::new(), term: None };
+        let zero = EquationColumn { joint: "=", symbol: "0".into(), magnitude: String::new(), direction: String::new(), term: None };
         terms.chain([zero]).collect()
     }
 
     fn moments_planned(&self, m: &Moments) -> String {
         let names: Vec<&str> = m.links.iter().map(|l| self.scene.link_name(*l)).collect();
         let (about, given) = (formula(&self.about(m.about)), formula(&self.given(m)));
-        if matches!(m.gives, Gives::Trial { .. }) {
+        if matches!(m.gives, MomentResult::Trial { .. }) {
             return format!("{}{given}", tr(self.lang, "two trials: ", "两次试算："));
         }
         match self.lang {
@@ -84,9 +85,9 @@ impl ForceWriter<'_> {
     /// Returns the unknown that moments determine, in the label language.
     fn given(&self, m: &Moments) -> String {
         match m.gives {
-            Gives::Force(term, _) | Gives::Trial { force: term, .. } => self.symbol(term),
-            Gives::Offset(guide) => format!("h_{{{}}}", name_label(&self.pair(guide))),
-            Gives::Driver(d) => self.balance(d),
+            MomentResult::Force(term, _) | MomentResult::Trial { force: term, .. } => self.symbol(term),
+            MomentResult::Offset(guide) => format!("h_{{{}}}", name_label(&self.pair(guide))),
+            MomentResult::Driver(d) => self.balance(d),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::{DIGITS, ForceWriter};
 use hodograph_base::digits::{inked, significant};
 use hodograph_board::construction::{MarkId, Op};
-use hodograph_board::equilibrium::{Act, GroupForces, Part, Party, Side, Term};
+use hodograph_board::equilibrium::{Act, ForceEdge, ForceTerm, GroupForces, Party, ReactionComponent};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang};
 
@@ -35,7 +35,7 @@ impl ForceWriter<'_> {
     }
 
     /// Returns the letters of a vector's ends: `ab`.
-    pub(super) fn between(&self, group: &GroupForces, side: &Side) -> String {
+    pub(super) fn between(&self, group: &GroupForces, side: &ForceEdge) -> String {
         let v = &self.of.construction.vectors[side.vector.index()];
         self.vertex(group, v.from) + &self.vertex(group, v.to)
     }
@@ -54,17 +54,19 @@ impl ForceWriter<'_> {
         };
         for (k, load) in self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link)) {
             if load.at.is_some() && load.wrench.force.norm() > 0.0 {
-                add(self.symbol(Term::Load(k)));
+                add(self.symbol(ForceTerm::Load(k)));
             }
             if load.wrench.couple != 0.0 {
-                add(self.couple(Term::Load(k)));
+                add(self.couple(ForceTerm::Load(k)));
             }
         }
         // Reactions from groups that are drawn before.
         let inside = |of: Party| matches!(of, Party::Link(l) if group.links.contains(&l));
-        let whole = |s: &Side| match s.term {
-            Term::Reaction { of, on, .. } if !inside(of) => Some(self.symbol(Term::Reaction { of, on, part: Part::Whole })),
-            Term::Reaction { .. } | Term::Load(_) => None,
+        let whole = |s: &ForceEdge| match s.term {
+            ForceTerm::Reaction { of, on, .. } if !inside(of) => {
+                Some(self.symbol(ForceTerm::Reaction { of, on, part: ReactionComponent::Whole }))
+            }
+            ForceTerm::Reaction { .. } | ForceTerm::Load(_) => None,
         };
         let mut unknown: Vec<String> = Vec::new();
         for symbol in self.of.measured(group).iter().filter_map(whole) {
@@ -102,7 +104,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    fn laid_off(&self, group: &GroupForces, side: &Side, begun: bool) -> String {
+    fn laid_off(&self, group: &GroupForces, side: &ForceEdge, begun: bool) -> String {
         let force = self.of.force(side.vector).map_or(0.0, |f| f.norm());
         let (symbol, size) = (self.symbol(side.term), self.amount(Kind::Force, force));
         let (ends, mm) = (self.between(group, side), inked(&significant(force / self.of.mu(), DIGITS)));
@@ -126,7 +128,7 @@ impl ForceWriter<'_> {
         let at = self.vertex(group, to);
         let line = |k: usize| {
             let through = c.lines[lines?[k].index()].through;
-            let on = |s: &&Side| {
+            let on = |s: &&ForceEdge| {
                 let v = &c.vectors[s.vector.index()];
                 [(v.from, v.to), (v.to, v.from)].contains(&(through, to))
             };

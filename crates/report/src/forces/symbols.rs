@@ -2,14 +2,14 @@
 
 use super::ForceWriter;
 use hodograph_board::construction::{MarkId, Name};
-use hodograph_board::equilibrium::{Part, Party, Term};
+use hodograph_board::equilibrium::{ForceTerm, Party, ReactionComponent};
 use hodograph_board::plan::names::{crossing_letter, name_label};
 use hodograph_mechanism::force::Cause;
-use hodograph_scene::{DiagramKind, GuideId, LinkId, PointId, Rub, Size};
+use hodograph_scene::{DiagramKind, GuideId, LinkId, LoadSize, PointId, Rub};
 
 impl ForceWriter<'_> {
     /// Returns the symbol of a force, in the label language: `F^{t}_{12}`, `G_{2}`, `F_{I2}`.
-    pub fn symbol(&self, term: Term) -> String {
+    pub fn symbol(&self, term: ForceTerm) -> String {
         match self.marks(term) {
             (letter, "", sub) => format!("{letter}_{{{sub}}}"),
             (letter, sup, sub) => format!("{letter}^{{{sup}}}_{{{sub}}}"),
@@ -17,13 +17,13 @@ impl ForceWriter<'_> {
     }
 
     /// Returns the letter of a force, its superscript and its subscript.
-    fn marks(&self, term: Term) -> (char, &str, String) {
+    fn marks(&self, term: ForceTerm) -> (char, &str, String) {
         let (of, on, part) = match term {
-            Term::Load(k) => {
+            ForceTerm::Load(k) => {
                 let (letter, sub) = self.load(k);
                 return (letter, "", sub);
             }
-            Term::Reaction { of, on, part } => (of, on, part),
+            ForceTerm::Reaction { of, on, part } => (of, on, part),
         };
         let link = |l: LinkId| name_label(self.scene.link_name(l));
         let long = [Some(on), if let Party::Link(l) = of { Some(l) } else { None }];
@@ -36,9 +36,9 @@ impl ForceWriter<'_> {
             }
         };
         let sup = match self.part(of, on, part) {
-            Part::Whole => "",
-            Part::Normal => "n",
-            Part::Tangential => &self.notation.tangential,
+            ReactionComponent::Whole => "",
+            ReactionComponent::Normal => "n",
+            ReactionComponent::Tangential => &self.notation.tangential,
         };
         ('F', sup, format!("{}{sub}", self.notation.reaction))
     }
@@ -65,7 +65,7 @@ impl ForceWriter<'_> {
                 let twins = self.scene.loads.applied.iter().filter(same).count();
                 let number = if twins > 1 { format!(",{}", a + 1) } else { String::new() };
                 match (applied.at, &applied.size) {
-                    (Some(_), Size::AgainstMotion(_)) => ('F', format!("r{number}")),
+                    (Some(_), LoadSize::AgainstMotion(_)) => ('F', format!("r{number}")),
                     (Some(p), _) => ('F', format!("{}{number}", at(p))),
                     (None, _) => ('M', format!("{link}{number}")),
                 }
@@ -74,14 +74,14 @@ impl ForceWriter<'_> {
     }
 
     /// Returns a force as `find` writes it: `F_12`, `Fn_12`.
-    pub fn plain(&self, term: Term) -> String {
+    pub fn plain(&self, term: ForceTerm) -> String {
         match term {
-            Term::Load(_) => self.symbol(term).replace(['{', '}', '\\'], ""),
-            Term::Reaction { of, on, part } => {
+            ForceTerm::Load(_) => self.symbol(term).replace(['{', '}', '\\'], ""),
+            ForceTerm::Reaction { of, on, part } => {
                 let letter = match self.part(of, on, part) {
-                    Part::Whole => "F",
-                    Part::Normal => "Fn",
-                    Part::Tangential => "Ft",
+                    ReactionComponent::Whole => "F",
+                    ReactionComponent::Normal => "Fn",
+                    ReactionComponent::Tangential => "Ft",
                 };
                 let on = self.scene.link_name(on);
                 match of {
@@ -99,26 +99,26 @@ impl ForceWriter<'_> {
 
     /// Returns the symbol of a load's couple.
     pub fn couple_of(&self, load: usize) -> String {
-        self.couple(Term::Load(load))
+        self.couple(ForceTerm::Load(load))
     }
 
     /// Returns the name of the arm of a force: `h_{G2}`.
-    pub fn arm_name(&self, term: Term) -> String {
+    pub fn arm_name(&self, term: ForceTerm) -> String {
         let (letter, sup, sub) = self.marks(term);
         let letter = if letter == 'F' { String::new() } else { letter.to_string() };
         format!("h_{{{letter}{sup}{sub}}}")
     }
 
     /// Returns the symbol of the couple of a load or of a reaction on a link.
-    pub(super) fn couple(&self, term: Term) -> String {
+    pub(super) fn couple(&self, term: ForceTerm) -> String {
         match term {
-            Term::Load(k) => match self.of.loads[k].cause {
+            ForceTerm::Load(k) => match self.of.loads[k].cause {
                 Cause::Inertia => format!("M_{{I{}}}", name_label(self.scene.link_name(self.of.loads[k].link))),
                 Cause::Applied(_) | Cause::Weight | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) | Cause::Friction(_) => {
                     self.symbol(term)
                 }
             },
-            Term::Reaction { .. } => self.symbol(term).replacen('F', "M", 1),
+            ForceTerm::Reaction { .. } => self.symbol(term).replacen('F', "M", 1),
         }
     }
 

@@ -1,9 +1,9 @@
 //! Belts and chains in the given data.
 
-use super::Givens;
+use super::GivenSentences;
 use hodograph_scene::{Contours, Lang, Rolling};
 
-impl Givens<'_> {
+impl GivenSentences<'_> {
     /// Returns the two wheels of a strand in words.
     pub(super) fn belt(&self, pair: &Rolling) -> String {
         let [a, b] = pair.links.map(|l| self.link(l));

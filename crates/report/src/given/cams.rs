@@ -2,11 +2,11 @@
 //! and drivers that represent a contact belong to the solution and are not listed.
 
 use super::super::cam::dwell;
-use super::Givens;
-use hodograph_base::cam::{Law, Motion, Segment, Way};
+use super::GivenSentences;
+use hodograph_base::cam::{CamMotion, MotionLaw, ProfileSegment, StageMotion};
 use hodograph_scene::{Cam, Follows, GuideId, Lang, PointId};
 
-impl Givens<'_> {
+impl GivenSentences<'_> {
     /// Returns true if a guide represents the contact of a cam.
     pub(super) fn is_contact(&self, g: usize) -> bool {
         self.scene.cams.iter().any(|c| c.contact == Some(GuideId(g)))
@@ -37,19 +37,19 @@ impl Givens<'_> {
                 Lang::En => format!("a circle of radius {} about {}", length(*radius), self.point(*centre)),
                 Lang::Zh => format!("以 {} 为圆心、半径 {} 的圆", self.point(*centre), length(*radius)),
             },
-            (None, Some(Motion::Profile(segments))) => self.pieces(segments),
-            (None, Some(Motion::Law { base, program })) => {
+            (None, Some(CamMotion::Profile(segments))) => self.pieces(segments),
+            (None, Some(CamMotion::Law { base, program })) => {
                 let swings = matches!(c.disc.as_ref().map(|t| t.disc.follower), Some(hodograph_base::cam::Follower::Oscillating { .. }));
                 let gain = |h: f64| if swings { degrees(h) } else { length(h) };
-                let law = |l: Law| self.tr(l.name(), l.name_zh());
+                let law = |l: MotionLaw| self.tr(l.name(), l.name_zh());
                 let over = |a: f64| degrees(a);
                 let stages = program.stages.iter().zip(program.outer()).map(|(s, out)| match (s.way, self.lang()) {
-                    (Way::Rise(h, l), Lang::En) => format!("rise {} over {} ({})", gain(h), over(s.over), law(l)),
-                    (Way::Rise(h, l), Lang::Zh) => format!("推程 {}，转角 {}（{}）", gain(h), over(s.over), law(l)),
-                    (Way::Return(h, l), Lang::En) => format!("return {} over {} ({})", gain(h), over(s.over), law(l)),
-                    (Way::Return(h, l), Lang::Zh) => format!("回程 {}，转角 {}（{}）", gain(h), over(s.over), law(l)),
-                    (Way::Dwell, Lang::En) => format!("dwell {}", over(s.over)),
-                    (Way::Dwell, Lang::Zh) => format!("{} {}", dwell(out, Lang::Zh), over(s.over)),
+                    (StageMotion::Rise(h, l), Lang::En) => format!("rise {} over {} ({})", gain(h), over(s.over), law(l)),
+                    (StageMotion::Rise(h, l), Lang::Zh) => format!("推程 {}，转角 {}（{}）", gain(h), over(s.over), law(l)),
+                    (StageMotion::Return(h, l), Lang::En) => format!("return {} over {} ({})", gain(h), over(s.over), law(l)),
+                    (StageMotion::Return(h, l), Lang::Zh) => format!("回程 {}，转角 {}（{}）", gain(h), over(s.over), law(l)),
+                    (StageMotion::Dwell, Lang::En) => format!("dwell {}", over(s.over)),
+                    (StageMotion::Dwell, Lang::Zh) => format!("{} {}", dwell(out, Lang::Zh), over(s.over)),
                 });
                 let stages: Vec<String> = stages.collect();
                 let base = length(*base);
@@ -69,13 +69,13 @@ impl Givens<'_> {
     }
 }
 
-impl Givens<'_> {
+impl GivenSentences<'_> {
     /// Returns the pieces of a profile.
-    fn pieces(&self, segments: &[Segment]) -> String {
-        let one = |s: &Segment| match s {
-            Segment::Line { .. } => self.tr("line", "直线").to_owned(),
-            Segment::Arc { radius, .. } if *radius == 0.0 => self.tr("corner", "尖点").to_owned(),
-            Segment::Arc { radius, .. } => format!("{} {}", self.tr("arc", "圆弧"), self.scene.length_words(*radius)),
+    fn pieces(&self, segments: &[ProfileSegment]) -> String {
+        let one = |s: &ProfileSegment| match s {
+            ProfileSegment::Line { .. } => self.tr("line", "直线").to_owned(),
+            ProfileSegment::Arc { radius, .. } if *radius == 0.0 => self.tr("corner", "尖点").to_owned(),
+            ProfileSegment::Arc { radius, .. } => format!("{} {}", self.tr("arc", "圆弧"), self.scene.length_words(*radius)),
         };
         segments.iter().map(one).collect::<Vec<_>>().join(self.words().comma)
     }

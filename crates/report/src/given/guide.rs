@@ -1,9 +1,9 @@
 //! Guides in words, as in textbooks: the sliding part, the link with the guide, and the direction
 //! of the line ("in a horizontal guide", 水平导路).
 
-use super::Givens;
+use super::GivenSentences;
 use hodograph_board::plan::text::point_label;
-use hodograph_scene::{Angle, Direction, Guide, GuidePath, Lang, Through};
+use hodograph_scene::{Angle, Guide, GuideDirection, GuidePath, Lang, Through};
 
 /// Tolerance in degrees for a horizontal or vertical direction, which may be computed.
 const NEAR_DEG: f64 = 1e-9;
@@ -36,7 +36,7 @@ fn attribute(angle: Angle, lang: Lang) -> Option<&'static str> {
     })
 }
 
-impl Givens<'_> {
+impl GivenSentences<'_> {
     /// Returns the sliding part of a guide, and its position.
     pub(super) fn guide(&self, g: &Guide) -> String {
         let on = self.link(g.on);
@@ -77,7 +77,7 @@ impl Givens<'_> {
         let en = self.lang() == Lang::En;
         let mut told = Vec::new();
         match direction {
-            Direction::Along(a, b, turn) => {
+            GuideDirection::Along(a, b, turn) => {
                 let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
                 match (turn.as_ref().map(|t| self.angle(t)), en) {
                     (Some(t), true) => told.push(format!(" in the direction of {line} turned by ${t}$")),
@@ -88,16 +88,16 @@ impl Givens<'_> {
                     (None, false) => lay.name = format!(" {line} "),
                 }
             }
-            Direction::Instant(a) => match attribute(a.value, self.lang()) {
+            GuideDirection::Instant(a) => match attribute(a.value, self.lang()) {
                 Some(word) => lay.attribute = word,
                 None if en => told.push(format!(" at ${}$ to the horizontal", self.angle(a))),
                 None => told.push(format!("与水平线成 ${}$", self.angle(a))),
             },
-            Direction::Own | Direction::Slid(_) => {}
+            GuideDirection::Own | GuideDirection::Slid(_) => {}
         }
         let place = match through {
             Through::Pin => None,
-            Through::Point(p) if matches!(direction, Direction::Along(a, b, None) if a == p || b == p) => None,
+            Through::Point(p) if matches!(direction, GuideDirection::Along(a, b, None) if a == p || b == p) => None,
             Through::Point(p) => Some((self.point(*p), "过 ")),
             Through::At([x, y]) => Some((format!("$({}, {})$", self.length(x), self.length(y)), "过点 ")),
         };

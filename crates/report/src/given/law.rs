@@ -1,7 +1,7 @@
 //! Laws of time: as given in a problem, and their values at the instant, as at the start of a
 //! solution.
 
-use super::Givens;
+use super::GivenSentences;
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::label::greek;
 use hodograph_paper::paper::phrase::Phrase;
@@ -41,7 +41,7 @@ struct Symbols {
     rates: Option<[String; 2]>,
 }
 
-impl Givens<'_> {
+impl GivenSentences<'_> {
     /// Returns the values of the laws of time at the instant, one line each; empty if the scene has
     /// no laws.
     pub fn laws(&self) -> Vec<Phrase> {

@@ -1,10 +1,10 @@
 //! Masses, forces and springs in the given data.
 
-use super::{Givens, as_written, inked};
+use super::{GivenSentences, as_written, inked};
 use hodograph_board::plan::names::name_label;
-use hodograph_scene::{Abscissa, Along, Course, Given, Lang, Mass, Rub, Size};
+use hodograph_scene::{Abscissa, GivenQuantity, Lang, LoadCourse, LoadSize, LoadTravel, Mass, Rub};
 
-impl Givens<'_> {
+impl GivenSentences<'_> {
     /// Returns the given masses, loads and springs, one line each.
     pub(super) fn loads(&self) -> Vec<String> {
         let loads = &self.scene.loads;
@@ -34,27 +34,29 @@ impl Givens<'_> {
                 let course = a.course.as_ref().map_or_else(String::new, |c| self.course(c, a.at.is_none()));
                 let graph = a.course.as_ref().is_some_and(|c| c.stations.iter().any(|s| s.amount.is_some()));
                 // The amounts of a diagram follow.
-                let amount = |given: &Given, unit| match (graph, a.at) {
+                let amount = |given: &GivenQuantity, unit| match (graph, a.at) {
                     (true, Some(_)) => "F".to_owned(),
                     (true, None) => "M".to_owned(),
                     (false, _) => self.amount(given, unit),
                 };
                 let told = match (&a.size, at, self.lang()) {
-                    (Size::Couple(m), _, Lang::En) => format!("${}$ on link {link}", amount(m, "N·m")),
-                    (Size::Couple(m), _, Lang::Zh) => format!("构件 {link} 上 ${}$", amount(m, "N·m")),
-                    (Size::AgainstTurning(m), _, Lang::En) => format!("${}$ on link {link}, against its turning", amount(m, "N·m")),
-                    (Size::AgainstTurning(m), _, Lang::Zh) => format!("构件 {link} 上 ${}$，与转向相反", amount(m, "N·m")),
-                    (Size::AgainstMotion(f), Some(p), Lang::En) => {
+                    (LoadSize::Couple(m), _, Lang::En) => format!("${}$ on link {link}", amount(m, "N·m")),
+                    (LoadSize::Couple(m), _, Lang::Zh) => format!("构件 {link} 上 ${}$", amount(m, "N·m")),
+                    (LoadSize::AgainstTurning(m), _, Lang::En) => format!("${}$ on link {link}, against its turning", amount(m, "N·m")),
+                    (LoadSize::AgainstTurning(m), _, Lang::Zh) => format!("构件 {link} 上 ${}$，与转向相反", amount(m, "N·m")),
+                    (LoadSize::AgainstMotion(f), Some(p), Lang::En) => {
                         format!("${}$ at {p} of link {link}, against its motion", amount(f, "N"))
                     }
-                    (Size::AgainstMotion(f), Some(p), Lang::Zh) => format!("构件 {link} 的 {p} 点 ${}$，与运动方向相反", amount(f, "N")),
-                    (Size::Components([x, y]), Some(p), Lang::En) => {
+                    (LoadSize::AgainstMotion(f), Some(p), Lang::Zh) => {
+                        format!("构件 {link} 的 {p} 点 ${}$，与运动方向相反", amount(f, "N"))
+                    }
+                    (LoadSize::Components([x, y]), Some(p), Lang::En) => {
                         format!("$({}, {})$ at {p} of link {link}", amount(x, "N"), amount(y, "N"))
                     }
-                    (Size::Components([x, y]), Some(p), Lang::Zh) => {
+                    (LoadSize::Components([x, y]), Some(p), Lang::Zh) => {
                         format!("构件 {link} 的 {p} 点 $({}, {})$", amount(x, "N"), amount(y, "N"))
                     }
-                    (Size::Directed { force, line, angle }, Some(p), lang) => {
+                    (LoadSize::Directed { force, line, angle }, Some(p), lang) => {
                         let mut direction = line.map_or_else(String::new, |(a, b)| format!("{}{}", self.point(a), self.point(b)));
                         if let Some(angle) = angle {
                             direction = [direction, format!("${}$", self.angle(angle))]
@@ -68,8 +70,8 @@ impl Givens<'_> {
                             Lang::Zh => format!("构件 {link} 的 {p} 点 ${}$，方向 {direction}", amount(force, "N")),
                         }
                     }
-                    (Size::AgainstMotion(f) | Size::Directed { force: f, .. }, None, _) => format!("${}$", amount(f, "N")),
-                    (Size::Components([x, y]), None, _) => format!("$({}, {})$", amount(x, "N"), amount(y, "N")),
+                    (LoadSize::AgainstMotion(f) | LoadSize::Directed { force: f, .. }, None, _) => format!("${}$", amount(f, "N")),
+                    (LoadSize::Components([x, y]), None, _) => format!("$({}, {})$", amount(x, "N"), amount(y, "N")),
                 };
                 told + &course
             })
@@ -119,7 +121,7 @@ impl Givens<'_> {
     }
 
     /// Returns the part of the motion over which a load acts, with its amounts there.
-    fn course(&self, course: &Course, couple: bool) -> String {
+    fn course(&self, course: &LoadCourse, couple: bool) -> String {
         let place = |x: &Abscissa| match x {
             Abscissa::Part(x) => format!("${}$", inked(x.value)),
             Abscissa::Way(x) => format!("${}$", self.length(x)),
@@ -128,9 +130,9 @@ impl Givens<'_> {
         let ends = course.stations.first().zip(course.stations.last()).map(|(a, b)| [place(&a.at), place(&b.at)]);
         let Some([from, to]) = ends else { return String::new() };
         let along = match (&course.along, self.lang()) {
-            (Along::Stroke { point, .. }, Lang::En) => format!("the working stroke of {}", self.point(*point)),
-            (Along::Stroke { point, .. }, Lang::Zh) => format!("{} 的工作行程", self.point(*point)),
-            (Along::Turn { driver, .. }, lang) => {
+            (LoadTravel::Stroke { point, .. }, Lang::En) => format!("the working stroke of {}", self.point(*point)),
+            (LoadTravel::Stroke { point, .. }, Lang::Zh) => format!("{} 的工作行程", self.point(*point)),
+            (LoadTravel::Turn { driver, .. }, lang) => {
                 let link = self.scene.drivers[*driver].kind.turned().map_or("", |(l, _)| self.scene.link_name(l));
                 let angle = format!("$\\varphi_{{{}}}$", name_label(link));
                 if lang == Lang::En { format!("the angle {angle}") } else { format!("转角 {angle}") }
@@ -164,7 +166,7 @@ impl Givens<'_> {
     }
 
     /// Returns an amount as it is written if it is a number with its unit, else in SI units.
-    fn amount(&self, given: &Given, si: &str) -> String {
+    fn amount(&self, given: &GivenQuantity, si: &str) -> String {
         let text = given.text.trim();
         let end = text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-'))).unwrap_or(text.len());
         let (digits, unit) = (&text[..end], text[end..].trim());

@@ -1,10 +1,10 @@
 //! Gears, racks and wheels in the given data.
 
-use super::Givens;
+use super::GivenSentences;
 use super::guide::Lay;
-use hodograph_scene::{Contours, Direction, Flanks, GuidePath, Lang, Rolling, RollingKind, Sizes};
+use hodograph_scene::{Contours, Flanks, GuideDirection, GuidePath, Lang, Rolling, RollingKind, Sizes};
 
-impl Givens<'_> {
+impl GivenSentences<'_> {
     /// Returns a rolling pair in one sentence:
     /// `gears 2 and 4: $z_{2} = 20$, $z_{4} = 40$, pitch point $K$`.
     pub(super) fn rolling(&self, pair: &Rolling) -> String {
@@ -86,8 +86,8 @@ impl Givens<'_> {
     fn track(&self, pair: &Rolling) -> Lay {
         let path = pair.guide().map(|g| &self.scene.guides[g.0].path);
         match path {
-            Some(path @ GuidePath::Line { direction: Direction::Along(..) | Direction::Instant(_), .. }) => self.lay(path),
-            Some(GuidePath::Line { direction: Direction::Own | Direction::Slid(_), .. } | GuidePath::Arc { .. }) | None => {
+            Some(path @ GuidePath::Line { direction: GuideDirection::Along(..) | GuideDirection::Instant(_), .. }) => self.lay(path),
+            Some(GuidePath::Line { direction: GuideDirection::Own | GuideDirection::Slid(_), .. } | GuidePath::Arc { .. }) | None => {
                 Lay { course: self.tr("", "的").to_owned(), ..Lay::default() }
             }
         }
@@ -120,7 +120,7 @@ impl Givens<'_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::given::Givens;
+    use crate::given::GivenSentences;
     use hodograph_scene::{Lang, read};
 
     const GEARS: &str = r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C"], "5": ["P"], "6": ["A"]},
@@ -146,7 +146,7 @@ mod tests {
             ),
             (Lang::Zh, ["轮 4 沿机架上的水平直线轨道滚动", "齿轮 4 与构件 5 上的水平齿条啮合", "节点", "纯滚动"]),
         ] {
-            let all: String = Givens { scene: &scene, lang }.list().iter().map(|p| p.plain() + "\n").collect();
+            let all: String = GivenSentences { scene: &scene, lang }.list().iter().map(|p| p.plain() + "\n").collect();
             for part in wanted {
                 assert!(all.contains(part), "{part} is not in\n{all}");
             }

@@ -1,17 +1,17 @@
 //! Mean balancing moment, surplus energy and flywheel.
 
-use super::Words;
+use super::LimitWords;
 use hodograph_base::digits::significant;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Kind, Lang, Scene};
 use hodograph_sweep::energy::Energy;
-use hodograph_sweep::extreme::Limits;
+use hodograph_sweep::extreme::MotionLimits;
 use serde_json::{Value as Json, json};
 
 /// Energy of a period, with the driver's mean speed (rad/s) and the requested coefficient of speed
 /// fluctuation.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Balanced {
+pub struct BalancedEnergy {
     /// Mean moment and surplus energy.
     pub energy: Energy,
     /// Mean speed (rad/s).
@@ -20,10 +20,10 @@ pub struct Balanced {
     pub delta: Option<f64>,
 }
 
-impl Balanced {
+impl BalancedEnergy {
     /// Returns the lines of text.
-    pub fn text(&self, scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String {
-        let w = Words::new(scene, driver, limits, lang);
+    pub fn text(&self, scene: &Scene, driver: usize, limits: &MotionLimits, lang: Lang) -> String {
+        let w = LimitWords::new(scene, driver, limits, lang);
         let of = |kind: Kind, x: f64| scene.book.text(kind, &significant(scene.book.value(kind, x), 6));
         let e = &self.energy;
         let mut out = format!("{}{}\n", tr(lang, "mean balancing moment ", "平均平衡力矩 "), of(Kind::Moment, e.mean));

@@ -3,18 +3,18 @@
 use super::{grashof_words, tr};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_scene::{Lang, Scene};
-use hodograph_sweep::extreme::Limits;
-use hodograph_synthesis::grashof::{Length, Range, ranges};
+use hodograph_sweep::extreme::MotionLimits;
+use hodograph_synthesis::grashof::{FourBarLength, Range, ranges};
 use serde_json::{Value as Json, json};
 
 /// A length, its value (m), and its ranges.
-pub type OfLength = (Length, f64, Vec<Range>);
+pub type OfLength = (FourBarLength, f64, Vec<Range>);
 
 /// Returns the ranges of all four lengths.
 ///
 /// # Errors
 /// The mechanism is not a four-bar linkage with four pins and a driving crank.
-pub fn of(limits: &Limits) -> Result<Vec<OfLength>, Diagnostic> {
+pub fn of(limits: &MotionLimits) -> Result<Vec<OfLength>, Diagnostic> {
     let Some((_, lengths)) = limits.grashof else {
         let d = Diagnostic::error(
             "not-a-four-bar",
@@ -25,15 +25,15 @@ pub fn of(limits: &Limits) -> Result<Vec<OfLength>, Diagnostic> {
         );
         return Err(d.help(both!("leave --ranges out", "请去掉 --ranges")));
     };
-    Length::ALL.into_iter().map(|which| Ok((which, lengths[which as usize], ranges(lengths, which)?))).collect()
+    FourBarLength::ALL.into_iter().map(|which| Ok((which, lengths[which as usize], ranges(lengths, which)?))).collect()
 }
 
-fn named(which: Length, lang: Lang) -> &'static str {
+fn named(which: FourBarLength, lang: Lang) -> &'static str {
     match which {
-        Length::Driver => tr(lang, "driver", "原动件"),
-        Length::Coupler => tr(lang, "coupler", "连杆"),
-        Length::Output => tr(lang, "output", "从动连架杆"),
-        Length::Frame => tr(lang, "frame", "机架"),
+        FourBarLength::Driver => tr(lang, "driver", "原动件"),
+        FourBarLength::Coupler => tr(lang, "coupler", "连杆"),
+        FourBarLength::Output => tr(lang, "output", "从动连架杆"),
+        FourBarLength::Frame => tr(lang, "frame", "机架"),
     }
 }
 

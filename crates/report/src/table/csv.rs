@@ -2,14 +2,14 @@
 //! line for each row. Numbers have the shortest form that reads back to the same `f64`; values that
 //! are not finite are empty fields.
 
-use super::{Format, Head, Piece, Standing};
+use super::{PiecePlace, RowFormat, TableHead, TablePiece};
 use hodograph_base::diag::Diagnostic;
 use rayon::prelude::*;
 use std::io;
 
 /// The CSV format with a head.
 pub struct Csv {
-    head: Head,
+    head: TableHead,
 }
 
 /// Number of rows that one thread writes at a time: some hundred kilobytes of text.
@@ -20,7 +20,7 @@ const WIDTH: usize = 20;
 
 impl Csv {
     /// Returns the format for a table with this head.
-    pub fn new(head: Head) -> Csv {
+    pub fn new(head: TableHead) -> Csv {
         Csv { head }
     }
 
@@ -46,7 +46,7 @@ impl Csv {
     }
 }
 
-impl Format for Csv {
+impl RowFormat for Csv {
     fn begin(&self, _rows: u64, notes: &[Diagnostic]) -> Vec<u8> {
         let mut out = Vec::new();
         for note in notes {
@@ -59,15 +59,15 @@ impl Format for Csv {
         out
     }
 
-    fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece> {
+    fn piece_in(&self, columns: &[&[f64]], used: TablePiece) -> io::Result<TablePiece> {
         let rows = columns.first().map_or(0, |c| c.len());
         let cut = |k: usize| k * ROWS..rows.min((k + 1) * ROWS);
         let mut parts = used.into_parts(rows.div_ceil(ROWS));
         parts.par_iter_mut().enumerate().for_each(|(k, text)| self.lines(columns, cut(k), text));
-        Ok(Piece { parts, rows: rows as u64, index: Vec::new() })
+        Ok(TablePiece { parts, rows: rows as u64, index: Vec::new() })
     }
 
-    fn end(&self, _pieces: &[Standing], _notes: &[Diagnostic]) -> io::Result<Vec<u8>> {
+    fn end(&self, _pieces: &[PiecePlace], _notes: &[Diagnostic]) -> io::Result<Vec<u8>> {
         Ok(Vec::new())
     }
 }

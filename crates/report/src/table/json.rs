@@ -1,6 +1,6 @@
 //! A whole table as JSON: title, columns by name with units, notes.
 
-use super::{GENERATOR, Head};
+use super::{GENERATOR, TableHead};
 use hodograph_base::diag::Diagnostic;
 use serde::ser::{Error, SerializeSeq};
 use serde::{Serialize, Serializer};
@@ -9,25 +9,25 @@ use std::io;
 
 #[derive(Serialize)]
 #[serde(bound = "")]
-struct Document<'a, I: Iterator<Item = io::Result<Vec<f64>>>> {
+struct JsonTable<'a, I: Iterator<Item = io::Result<Vec<f64>>>> {
     title: &'a str,
     generator: &'a str,
-    columns: Vec<Column<'a, I>>,
+    columns: Vec<JsonColumn<'a, I>>,
     notes: Vec<Note<'a>>,
 }
 
 #[derive(Serialize)]
 #[serde(bound = "")]
-struct Column<'a, I: Iterator<Item = io::Result<Vec<f64>>>> {
+struct JsonColumn<'a, I: Iterator<Item = io::Result<Vec<f64>>>> {
     name: &'a str,
     unit: &'a str,
-    values: Values<I>,
+    values: ColumnValues<I>,
 }
 
 /// The numbers of a column, which come in pieces and only once.
-struct Values<I>(RefCell<I>);
+struct ColumnValues<I>(RefCell<I>);
 
-impl<I: Iterator<Item = io::Result<Vec<f64>>>> Serialize for Values<I> {
+impl<I: Iterator<Item = io::Result<Vec<f64>>>> Serialize for ColumnValues<I> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut all = serializer.serialize_seq(None)?;
         for piece in &mut *self.0.borrow_mut() {
@@ -56,14 +56,14 @@ pub(super) fn notes(notes: &[Diagnostic]) -> Vec<Note<'_>> {
 /// # Errors
 /// The errors of `out` and of `values`.
 pub fn json<I: Iterator<Item = io::Result<Vec<f64>>>>(
-    head: &Head,
+    head: &TableHead,
     values: impl Fn(usize) -> I,
     told: &[Diagnostic],
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
     let columns = head.columns.iter().enumerate();
-    let columns = columns.map(|(k, h)| Column { name: &h.name, unit: h.unit, values: Values(RefCell::new(values(k))) }).collect();
-    let document = Document { title: &head.title, generator: GENERATOR, columns, notes: notes(told) };
+    let columns = columns.map(|(k, h)| JsonColumn { name: &h.name, unit: h.unit, values: ColumnValues(RefCell::new(values(k))) }).collect();
+    let document = JsonTable { title: &head.title, generator: GENERATOR, columns, notes: notes(told) };
     serde_json::to_writer_pretty(&mut *out, &document)?;
     out.write_all(b"\n")
 }

@@ -1,6 +1,6 @@
 //! Tables of numbers as files: CSV, JSON, NumPy's `.npy`, Apache Parquet.
 //!
-//! A file consists of a beginning, pieces, and an end ([`Format`]). A piece consists of whole rows
+//! A file consists of a beginning, pieces, and an end ([`RowFormat`]). A piece consists of whole rows
 //! and depends only on their numbers: pieces are made on any thread while others are computed or
 //! written, and an incomplete file continues after its last piece with the same bytes that an
 //! uninterrupted run would give. JSON lists its columns one after the other and has no pieces
@@ -32,7 +32,7 @@ pub const GENERATOR: &str = concat!("hodograph ", env!("CARGO_PKG_VERSION"));
 
 /// A column's heading.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Heading {
+pub struct ColumnHeading {
     /// Name, such as `v_C.x`, unique in the table.
     pub name: String,
     /// SI unit; empty for a pure number.
@@ -44,7 +44,7 @@ pub struct Heading {
     pub repeats: bool,
 }
 
-impl Heading {
+impl ColumnHeading {
     /// Returns name and unit: `v_C.x [m/s]`.
     pub fn label(&self) -> String {
         if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }
@@ -53,22 +53,22 @@ impl Heading {
 
 /// The description of a table, without its numbers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Head {
+pub struct TableHead {
     /// Title of the scene; may be empty.
     pub title: String,
     /// The columns.
-    pub columns: Vec<Heading>,
+    pub columns: Vec<ColumnHeading>,
     /// Language of the notes, if the format has notes for people.
     pub lang: Lang,
 }
 
-impl Head {
+impl TableHead {
     /// Returns a head of names and units. Of two columns with one name the later gets a number,
     /// `phi_1 (2)`, because readers find columns by name.
-    pub fn new(title: &str, columns: impl IntoIterator<Item = (String, &'static str)>) -> Head {
+    pub fn new(title: &str, columns: impl IntoIterator<Item = (String, &'static str)>) -> TableHead {
         let mut seen = HashSet::new();
-        let mut columns: Vec<Heading> =
-            columns.into_iter().map(|(name, unit)| Heading { name, unit, whole: false, repeats: false }).collect();
+        let mut columns: Vec<ColumnHeading> =
+            columns.into_iter().map(|(name, unit)| ColumnHeading { name, unit, whole: false, repeats: false }).collect();
         for c in &mut columns {
             let own = c.name.clone();
             let mut count = 1;
@@ -77,28 +77,28 @@ impl Head {
                 c.name = format!("{own} ({count})");
             }
         }
-        Head { title: title.to_owned(), columns, lang: Lang::default() }
+        TableHead { title: title.to_owned(), columns, lang: Lang::default() }
     }
 
     /// Returns the head with notes in a language.
-    pub fn told_in(self, lang: Lang) -> Head {
-        Head { lang, ..self }
+    pub fn in_language(self, lang: Lang) -> TableHead {
+        TableHead { lang, ..self }
     }
 
     /// Returns the head of a sweep's table.
-    pub fn of(title: &str, table: &Table) -> Head {
-        Head::new(title, table.columns.iter().map(|c| (c.name.clone(), c.unit)))
+    pub fn of(title: &str, table: &Table) -> TableHead {
+        TableHead::new(title, table.columns.iter().map(|c| (c.name.clone(), c.unit)))
     }
 
     /// Returns the labels of the columns.
     pub fn labels(&self) -> impl Iterator<Item = String> + '_ {
-        self.columns.iter().map(Heading::label)
+        self.columns.iter().map(ColumnHeading::label)
     }
 }
 
 /// A number of whole rows in a format.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Piece {
+pub struct TablePiece {
     /// The bytes, in parts one after the other: the parts are kept as they were made, because
     /// joining them would copy every byte again.
     pub parts: Vec<Vec<u8>>,
@@ -108,7 +108,7 @@ pub struct Piece {
     pub index: Vec<u8>,
 }
 
-impl Piece {
+impl TablePiece {
     /// Returns the buffers of its parts for reuse as `count` parts: empty, with their capacity.
     fn into_parts(self, count: usize) -> Vec<Vec<u8>> {
         let mut parts = self.parts;
@@ -133,17 +133,17 @@ impl Piece {
 
 /// The position of a piece in its file, and its index.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Standing {
+pub struct PiecePlace {
     /// Offset of its first byte from the beginning of the file.
     pub offset: u64,
-    /// Number of rows, as [`Piece::rows`].
+    /// Number of rows, as [`TablePiece::rows`].
     pub rows: u64,
-    /// Data for the end of the file, as [`Piece::index`].
+    /// Data for the end of the file, as [`TablePiece::index`].
     pub index: Vec<u8>,
 }
 
 /// A format whose files are written row by row.
-pub trait Format: Send + Sync {
+pub trait RowFormat: Send + Sync {
     /// Returns the bytes before the first row. Their number is independent of `rows`: they may be
     /// overwritten when the rows are counted.
     fn begin(&self, rows: u64, notes: &[Diagnostic]) -> Vec<u8>;
@@ -153,11 +153,11 @@ pub trait Format: Send + Sync {
     ///
     /// # Errors
     /// The errors of the format's library.
-    fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece>;
+    fn piece_in(&self, columns: &[&[f64]], used: TablePiece) -> io::Result<TablePiece>;
 
     /// Returns the bytes after the last row, given all pieces with rows.
     ///
     /// # Errors
     /// The errors of the format's library; an invalid index.
-    fn end(&self, pieces: &[Standing], notes: &[Diagnostic]) -> io::Result<Vec<u8>>;
+    fn end(&self, pieces: &[PiecePlace], notes: &[Diagnostic]) -> io::Result<Vec<u8>>;
 }

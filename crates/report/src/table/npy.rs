@@ -6,14 +6,14 @@
 //! NumPy Enhancement Proposal 1 and `numpy.lib.format`: magic, version, length of the header, a
 //! Python literal padded with spaces to a multiple of 64 bytes, then the records without gaps.
 
-use super::{Format, Head, Piece, Standing};
+use super::{PiecePlace, RowFormat, TableHead, TablePiece};
 use hodograph_base::diag::Diagnostic;
 use rayon::prelude::*;
 use std::io;
 
 /// The `.npy` format with a head.
 pub struct Npy {
-    head: Head,
+    head: TableHead,
 }
 
 /// Alignment of the records, so that they are aligned when the file is mapped into memory: the
@@ -28,7 +28,7 @@ const ROWS: usize = 4096;
 
 impl Npy {
     /// Returns the format for a table with this head.
-    pub fn new(head: Head) -> Npy {
+    pub fn new(head: TableHead) -> Npy {
         Npy { head }
     }
 }
@@ -48,9 +48,9 @@ fn literal(text: &str) -> String {
     out
 }
 
-impl Format for Npy {
+impl RowFormat for Npy {
     fn begin(&self, rows: u64, _notes: &[Diagnostic]) -> Vec<u8> {
-        let field = |h: &super::Heading| format!("({}, '{}'), ", literal(&h.label()), if h.whole { "<i8" } else { "<f8" });
+        let field = |h: &super::ColumnHeading| format!("({}, '{}'), ", literal(&h.label()), if h.whole { "<i8" } else { "<f8" });
         let fields: String = self.head.columns.iter().map(field).collect();
         // The header has the same length for all numbers of rows, because twenty places hold each
         // of them.
@@ -65,7 +65,7 @@ impl Format for Npy {
         out
     }
 
-    fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece> {
+    fn piece_in(&self, columns: &[&[f64]], used: TablePiece) -> io::Result<TablePiece> {
         let rows = columns.first().map_or(0, |c| c.len());
         // The old bytes are kept: all are overwritten.
         let mut parts = used.parts;
@@ -81,10 +81,10 @@ impl Format for Npy {
                 }
             }
         });
-        Ok(Piece { parts, rows: rows as u64, index: Vec::new() })
+        Ok(TablePiece { parts, rows: rows as u64, index: Vec::new() })
     }
 
-    fn end(&self, _pieces: &[Standing], _notes: &[Diagnostic]) -> io::Result<Vec<u8>> {
+    fn end(&self, _pieces: &[PiecePlace], _notes: &[Diagnostic]) -> io::Result<Vec<u8>> {
         Ok(Vec::new())
     }
 }

@@ -6,7 +6,7 @@
 //! the end of the file shifts all lists to their positions. Nothing is encoded twice, and an
 //! incomplete file is continued without reading it.
 
-use super::{Format, GENERATOR, Head, Heading, Piece, Standing};
+use super::{ColumnHeading, GENERATOR, PiecePlace, RowFormat, TableHead, TablePiece};
 use hodograph_base::diag::Diagnostic;
 use parquet::basic::{Encoding, Repetition, Type as Physical};
 use parquet::column::writer::{ColumnWriter, get_column_writer};
@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 /// The Parquet format with a head.
 pub struct Parquet {
-    head: Head,
+    head: TableHead,
     schema: SchemaDescPtr,
     properties: WriterPropertiesPtr,
 }
@@ -44,7 +44,7 @@ impl Parquet {
     ///
     /// # Errors
     /// None that a head can cause.
-    pub fn new(head: Head) -> io::Result<Parquet> {
+    pub fn new(head: TableHead) -> io::Result<Parquet> {
         let fields = head.columns.iter().map(|h| {
             let kind = if h.whole { Physical::INT64 } else { Physical::DOUBLE };
             Type::primitive_type_builder(&h.label(), kind).with_repetition(Repetition::REQUIRED).build().map(Arc::new)
@@ -72,7 +72,13 @@ impl Parquet {
 
     /// Returns the bytes of one column of a row group, and its metadata relative to the first of
     /// them.
-    fn column(&self, i: usize, heading: &Heading, values: &[f64], mut used: Vec<u8>) -> ParquetResult<(Vec<u8>, ColumnChunkMetaData)> {
+    fn column(
+        &self,
+        i: usize,
+        heading: &ColumnHeading,
+        values: &[f64],
+        mut used: Vec<u8>,
+    ) -> ParquetResult<(Vec<u8>, ColumnChunkMetaData)> {
         used.reserve(if heading.repeats { 0 } else { values.len() * 8 + 4096 });
         let mut sink = TrackedWrite::new(used);
         let pages = Box::new(SerializedPageWriter::new(&mut sink));
@@ -101,7 +107,7 @@ impl Parquet {
     }
 
     /// Returns a row group's metadata, shifted to its position.
-    fn group(&self, standing: &Standing, ordinal: usize) -> ParquetResult<RowGroupMetaData> {
+    fn group(&self, standing: &PiecePlace, ordinal: usize) -> ParquetResult<RowGroupMetaData> {
         let there = ParquetMetaDataReader::decode_metadata(&standing.index)?;
         let group = there.row_groups().first().ok_or_else(|| parquet::errors::ParquetError::General("an index without rows".into()))?;
         let columns = group.columns().iter().map(|c| moved(c, standing.offset as i64)).collect::<ParquetResult<Vec<_>>>()?;
@@ -125,12 +131,12 @@ fn moved(column: &ColumnChunkMetaData, by: i64) -> ParquetResult<ColumnChunkMeta
     column.clone().into_builder().set_data_page_offset(column.data_page_offset() + by).set_dictionary_page_offset(dictionary).build()
 }
 
-impl Format for Parquet {
+impl RowFormat for Parquet {
     fn begin(&self, _rows: u64, _notes: &[Diagnostic]) -> Vec<u8> {
         MAGIC.to_vec()
     }
 
-    fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece> {
+    fn piece_in(&self, columns: &[&[f64]], used: TablePiece) -> io::Result<TablePiece> {
         let rows = columns.first().map_or(0, |c| c.len());
         let memory = used.into_parts(columns.len());
         let all = columns.par_iter().zip(&self.head.columns).zip(memory).enumerate();
@@ -150,10 +156,10 @@ impl Format for Parquet {
             .build()?;
         let mut index = self.footer(vec![group], Vec::new())?;
         index.truncate(index.len().saturating_sub(AFTER_FOOTER));
-        Ok(Piece { parts, rows: rows as u64, index })
+        Ok(TablePiece { parts, rows: rows as u64, index })
     }
 
-    fn end(&self, pieces: &[Standing], notes: &[Diagnostic]) -> io::Result<Vec<u8>> {
+    fn end(&self, pieces: &[PiecePlace], notes: &[Diagnostic]) -> io::Result<Vec<u8>> {
         let groups = pieces.iter().filter(|p| p.rows > 0).enumerate().map(|(k, p)| self.group(p, k));
         let groups = groups.collect::<ParquetResult<Vec<_>>>()?;
         let units: BTreeMap<String, &str> = self.head.columns.iter().map(|h| (h.label(), h.unit)).collect();

@@ -6,10 +6,10 @@ use serde_json::{Map, Value, json};
 
 /// An entry under construction.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Entry(pub(super) Map<String, Value>);
+pub(super) struct MemberEntry(pub(super) Map<String, Value>);
 
-impl Entry {
-    pub(super) fn with(mut self, key: &str, value: Value) -> Entry {
+impl MemberEntry {
+    pub(super) fn with(mut self, key: &str, value: Value) -> MemberEntry {
         self.0.insert(key.into(), value);
         self
     }
@@ -38,25 +38,25 @@ pub(super) use members;
 /// A driver of the mechanism.
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct Driver(Entry);
+pub struct Driver(MemberEntry);
 
 impl Driver {
     /// Returns a driver that turns a link; set `angle` (unless coordinates give the pose) and
     /// `omega`.
     pub fn turning(link: &str) -> Driver {
-        Driver(Entry::default().with("link", json!(link)))
+        Driver(MemberEntry::default().with("link", json!(link)))
     }
 
     /// Returns a driver that moves a pin or slider along its guide; set `position` (unless
     /// coordinates give the pose) and `velocity`.
     pub fn sliding(point_or_slider: &str) -> Driver {
-        Driver(Entry::default().with("slide", json!(point_or_slider)))
+        Driver(MemberEntry::default().with("slide", json!(point_or_slider)))
     }
 
     /// Returns a cylinder between two points, such as `FG`; set `length` (unless coordinates give
     /// the pose) and `rate`.
     pub fn cylinder(ends: &str) -> Driver {
-        Driver(Entry::default().with("cylinder", json!(ends)))
+        Driver(MemberEntry::default().with("cylinder", json!(ends)))
     }
 }
 
@@ -90,22 +90,22 @@ members! { Driver:
 /// A sliding pair.
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct Guide(Entry);
+pub struct Guide(MemberEntry);
 
 impl Guide {
     /// Returns a bare pin that runs in a slot, on ground unless `on` is set.
     pub fn pin(point: &str) -> Guide {
-        Guide(Entry::default().with("pin", json!(point)))
+        Guide(MemberEntry::default().with("pin", json!(point)))
     }
 
     /// Returns a slider with its pin.
     pub fn slider(link: &str, pin: &str) -> Guide {
-        Guide(Entry::default().with("pin", json!(pin)).with("slider", json!(link)))
+        Guide(MemberEntry::default().with("pin", json!(pin)).with("slider", json!(link)))
     }
 
     /// Returns a link that slides without turning and has no pin in the guide, such as a yoke.
     pub fn yoke(link: &str) -> Guide {
-        Guide(Entry::default().with("slider", json!(link)))
+        Guide(MemberEntry::default().with("slider", json!(link)))
     }
 }
 
@@ -133,17 +133,17 @@ members! { Guide:
 /// A pair of gears, or a gear on its rack.
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct Gears(Entry);
+pub struct Gears(MemberEntry);
 
 impl Gears {
     /// Returns two gears with their centres.
     pub fn pair(links: [&str; 2], centres: [&str; 2]) -> Gears {
-        Gears(Entry::default().with("links", json!(links)).with("centres", json!(centres)))
+        Gears(MemberEntry::default().with("links", json!(links)).with("centres", json!(centres)))
     }
 
     /// Returns a gear with its centre, and the link that is its rack; set `angle` or `line`.
     pub fn on_rack(gear: &str, centre: &str, rack: &str) -> Gears {
-        Gears(Entry::default().with("links", json!([gear, rack])).with("centres", json!([centre])).with("rack", json!(rack)))
+        Gears(MemberEntry::default().with("links", json!([gear, rack])).with("centres", json!([centre])).with("rack", json!(rack)))
     }
 }
 
@@ -170,12 +170,12 @@ members! { Gears:
 /// A wheel that rolls without slip.
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct Wheel(Entry);
+pub struct Wheel(MemberEntry);
 
 impl Wheel {
     /// Returns a wheel with its centre and radius.
     pub fn new(link: &str, centre: &str, radius: Length) -> Wheel {
-        Wheel(Entry::default().with("wheel", json!(link)).with("centre", json!(centre)).with("radius", radius.json()))
+        Wheel(MemberEntry::default().with("wheel", json!(link)).with("centre", json!(centre)).with("radius", radius.json()))
     }
 }
 

@@ -2,21 +2,21 @@
 
 use super::super::model::*;
 use super::super::raw::{RawQuantity, RawScene};
-use super::super::units::Wanted;
-use super::Turning;
+use super::super::units::RequiredQuantity;
+use super::TurningCam;
 use super::carrier::Lacking;
-use super::expand::{One, Pending};
-use super::law::{self, LawText, StageText, Stands};
-use super::pairs::Contact;
-use super::place::{self, Carried, OnPivot, Told};
+use super::expand::{CamReplacement, Pending};
+use super::law::{self, LawReplacement, LawText, StageText};
+use super::pairs::CamPair;
+use super::place::{self, CarriedFollower, NumberText, OnPivot};
 use super::raw::*;
 use super::texts::MotionTexts;
-use hodograph_base::cam::{Disc, Law, Motion, Program, Side, Stage, Surveyed, Touch, Way};
+use hodograph_base::cam::{CamMotion, Disc, FollowerTip, MotionLaw, PieceSide, Stage, StageMotion, StageProgram, Surveyed};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::significant;
 use hodograph_base::json::Word;
 
-impl One<'_> {
+impl CamReplacement<'_> {
     /// Returns the law as numbers and texts.
     pub(super) fn law(
         &self,
@@ -26,17 +26,17 @@ impl One<'_> {
         stages: &[RawStage],
         turning: bool,
         faults: &mut Faults,
-    ) -> Option<(f64, f64, LawText, Program)> {
+    ) -> Option<(f64, f64, LawText, StageProgram)> {
         let before = faults.list.len();
         let base = self.positive(base, faults);
         let start = match start {
-            Some(q) => self.told(q, Wanted::Angle, faults),
-            None => Some(Told { value: 0.0, text: "0 deg".into() }),
+            Some(q) => self.number_text(q, RequiredQuantity::Angle, faults),
+            None => Some(NumberText { value: 0.0, text: "0 deg".into() }),
         };
-        let (mut texts, mut program) = (Vec::new(), Program::default());
+        let (mut texts, mut program) = (Vec::new(), StageProgram::default());
         let mut lift = 0.0f64;
         for stage in stages {
-            let over = self.told(&stage.over, Wanted::Angle, faults);
+            let over = self.number_text(&stage.over, RequiredQuantity::Angle, faults);
             if let Some(over) = over.as_ref().filter(|o| o.value.is_nan() || o.value <= 0.0) {
                 let message = both!("a stage goes over {}; it must be greater than zero", "该段转角为 {}，应大于零", over.text);
                 faults.push(Diagnostic::error("not-positive", message).at(stage.over.span));
@@ -44,21 +44,21 @@ impl One<'_> {
             let mut gain = |q: &RawQuantity| {
                 if turning {
                     let g = self.values.angle(q, faults)?;
-                    Some(Given { value: g.value.radians(), radius: g.radius, text: g.text, span: g.span })
+                    Some(GivenQuantity { value: g.value.radians(), radius: g.radius, text: g.text, span: g.span })
                 } else {
-                    self.values.si(q, Wanted::Length, faults)
+                    self.values.si(q, RequiredQuantity::Length, faults)
                 }
             };
-            let kind = |w: &Word| Law::named(&w.text);
+            let kind = |w: &Word| MotionLaw::named(&w.text);
             let (way, text) = match &stage.way {
-                RawWay::Dwell => (Some(Way::Dwell), None),
+                RawWay::Dwell => (Some(StageMotion::Dwell), None),
                 RawWay::Rise(q, law) => {
                     let g = gain(q);
-                    (g.as_ref().zip(kind(law)).map(|(g, law)| Way::Rise(g.value, law)), g)
+                    (g.as_ref().zip(kind(law)).map(|(g, law)| StageMotion::Rise(g.value, law)), g)
                 }
                 RawWay::Return(q, law) => {
                     let g = gain(q);
-                    (g.as_ref().zip(kind(law)).map(|(g, law)| Way::Return(g.value, law)), g)
+                    (g.as_ref().zip(kind(law)).map(|(g, law)| StageMotion::Return(g.value, law)), g)
                 }
             };
             let (Some(way), Some(over)) = (way, over) else { continue };
@@ -101,9 +101,9 @@ impl One<'_> {
     pub(super) fn by_law(
         &self,
         raw: &mut RawScene,
-        (base, start, text, program): (f64, f64, LawText, Program),
+        (base, start, text, program): (f64, f64, LawText, StageProgram),
         point: PointId,
-        (end, placed): (Option<Told>, Result<(OnPivot, Carried), Lacking>),
+        (end, placed): (Option<NumberText>, Result<(OnPivot, CarriedFollower), Lacking>),
         pending: &mut Pending,
         faults: &mut Faults,
     ) -> Option<()> {
@@ -122,29 +122,29 @@ impl One<'_> {
         };
         let (on, carried) = placed;
         let touch = match touch {
-            Touch::Point { .. } => Touch::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
-            Touch::Flat { lever } => Touch::Flat { lever },
+            FollowerTip::Point { .. } => FollowerTip::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
+            FollowerTip::Flat { lever } => FollowerTip::Flat { lever },
         };
         let turn = if text.clockwise { -1.0 } else { 1.0 };
-        let disc = Disc { follower, touch, motion: Motion::Law { base, program: program.clone() }, sense: turn };
+        let disc = Disc { follower, touch, motion: CamMotion::Law { base, program: program.clone() }, sense: turn };
         if !disc.rest(base).is_finite() {
             return self.no_contact(faults);
         }
         let phi = turn * (on.angle.value - start);
         let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point, &|q| self.spot_on(&on, q));
-        let along = if on.rate * turn < 0.0 { Side::Before } else { Side::After };
+        let along = if on.rate * turn < 0.0 { PieceSide::Before } else { PieceSide::After };
         let end_point = point;
         // The mark that gives the direction of a lever with a face is the last point of its link.
         let point = match (&carried, &face) {
-            (Carried::Pivot { .. }, Some(_)) => {
+            (CarriedFollower::Pivot { .. }, Some(_)) => {
                 let id = self.names.link(&self.raw.follower).ok()?;
                 *self.bare.links[id.0].points.iter().find(|p| **p != point)?
             }
             _ => point,
         };
         let radius = match touch {
-            Touch::Point { .. } => Some(end.map_or_else(|| "0 mm".to_owned(), |r| r.text)),
-            Touch::Flat { .. } => None,
+            FollowerTip::Point { .. } => Some(end.map_or_else(|| "0 mm".to_owned(), |r| r.text)),
+            FollowerTip::Flat { .. } => None,
         };
         let far_out = offset.clone();
         let lever = offset.map(|o| if sense < 0.0 { format!("-({})", o.text) } else { o.text });
@@ -169,18 +169,18 @@ impl One<'_> {
             raw.parameters.push((Word { text: name, span: self.raw.span }, quantity(text)));
         }
         let by_law = match written.stands {
-            Stands::Driver(driver) => {
+            LawReplacement::Driver(driver) => {
                 raw.drivers.push(driver);
                 Some(raw.drivers.len() - 1)
             }
-            Stands::Arc { place, radius } => {
+            LawReplacement::Arc { place, radius } => {
                 let station = disc.station(phi, along)?;
                 let (follows, value) = match &face {
                     Some(face) => (RawFollows::Face(face.clone()), station.rho),
                     None => (self.raw.follows.clone(), station.rho_pitch.abs()),
                 };
                 pending.rough = self.sketch(raw, &disc, phi, (&on, &follows));
-                let contact = Contact {
+                let contact = CamPair {
                     cam: &self.raw.cam.text,
                     follower: &self.raw.follower.text,
                     follows: &follows,
@@ -189,12 +189,12 @@ impl One<'_> {
                     span: self.raw.span,
                 };
                 pending.contact = Some(raw.guides.len());
-                contact.about(raw, place, self.bare.point_name(on.pivot), &Told { value, text: radius })?;
+                contact.about(raw, place, self.bare.point_name(on.pivot), &NumberText { value, text: radius })?;
                 None
             }
         };
         let (origin, outward) = place::origin(&carried, on.spot.at(), &disc.follower);
-        let turning = Turning {
+        let turning = TurningCam {
             frame: on.frame,
             pivot: PointId(0),
             disc,

@@ -3,26 +3,26 @@
 
 use super::super::model::*;
 use super::super::raw::{RawQuantity, RawScene};
-use super::super::units::Wanted;
-use super::Turning;
+use super::super::units::RequiredQuantity;
+use super::TurningCam;
 use super::carrier::Lacking;
-use super::expand::{One, Pending, note};
-use super::pairs::{Contact, Worded, numbers};
-use super::place::{self, Carried, OnPivot, Told};
+use super::expand::{CamReplacement, Pending, note};
+use super::pairs::{CamPair, Worded, numbers};
+use super::place::{self, CarriedFollower, NumberText, OnPivot};
 use super::raw::*;
 use hodograph_base::cam::outline::{Broken, segments};
-use hodograph_base::cam::{Disc, Follower, Motion, Side, Surveyed, Touch};
+use hodograph_base::cam::{CamMotion, Disc, Follower, FollowerTip, PieceSide, Surveyed};
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::geom::Vec2;
 use hodograph_base::json::Word;
 
-impl One<'_> {
+impl CamReplacement<'_> {
     pub(super) fn by_parts(
         &self,
         raw: &mut RawScene,
         parts: &[RawPart],
         (cam, follower, point): (LinkId, LinkId, PointId),
-        (end, placed): (Option<Told>, Result<(OnPivot, Carried), Lacking>),
+        (end, placed): (Option<NumberText>, Result<(OnPivot, CarriedFollower), Lacking>),
         pending: &mut Pending,
         faults: &mut Faults,
     ) -> Option<()> {
@@ -41,8 +41,8 @@ impl One<'_> {
         }
         // The direction of a face that slides on a moving link follows from the pose; a profile of
         // one circle does not need it.
-        let leans = |p: &(OnPivot, Carried)| {
-            matches!((&follows, &p.1), (RawFollows::Face(f), Carried::Guide { .. }) if !f.square) && p.0.frame != self.bare.ground
+        let leans = |p: &(OnPivot, CarriedFollower)| {
+            matches!((&follows, &p.1), (RawFollows::Face(f), CarriedFollower::Guide { .. }) if !f.square) && p.0.frame != self.bare.ground
         };
         if let Ok(p) = &placed
             && leans(p)
@@ -55,7 +55,7 @@ impl One<'_> {
             (RawFollows::Face(_), Some(o)) => Some(if sense < 0.0 { format!("-({})", o.text) } else { o.text.clone() }),
             _ => end.as_ref().map(|r| r.text.clone()),
         };
-        let contact = Contact {
+        let contact = CamPair {
             cam: &self.raw.cam.text,
             follower: &self.raw.follower.text,
             follows: &follows,
@@ -74,20 +74,20 @@ impl One<'_> {
             };
             let segments = segments(&parts).map_err(|broken| self.broken(broken, faults)).ok()?;
             let touch = match touch {
-                Touch::Point { .. } => Touch::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
-                Touch::Flat { lever } => Touch::Flat { lever },
+                FollowerTip::Point { .. } => FollowerTip::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
+                FollowerTip::Flat { lever } => FollowerTip::Flat { lever },
             };
             let backward = on.rate < 0.0 || on.rate == 0.0 && on.acceleration < 0.0;
             let turn = if backward { -1.0 } else { 1.0 };
-            let disc = Disc { follower, touch, motion: Motion::Profile(segments), sense: turn };
+            let disc = Disc { follower, touch, motion: CamMotion::Profile(segments), sense: turn };
             let phi = turn * on.angle.value;
             let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point, &|q| self.spot_on(on, q));
-            let Some(found) = disc.touched(phi, Side::After) else { return self.no_contact(faults) };
+            let Some(found) = disc.touched(phi, PieceSide::After) else { return self.no_contact(faults) };
             touched = found;
             self.joint(&disc, phi, on, faults);
             pending.rough = self.sketch(raw, &disc, phi, (on, &follows));
             let (origin, outward) = place::origin(carried, on.spot.at(), &disc.follower);
-            let turning = Turning {
+            let turning = TurningCam {
                 frame: on.frame,
                 pivot: PointId(0),
                 disc,
@@ -102,7 +102,7 @@ impl One<'_> {
                 outward,
                 touched: Some(found),
                 rough: None,
-                side: Side::After,
+                side: PieceSide::After,
                 texts: self.texts((on, carried), (point, lever), (phi, "0 deg"), self.profile_texts(cam, on.pivot, &on.local, &worded)),
             };
             pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
@@ -144,16 +144,16 @@ impl One<'_> {
         phi: f64,
         (on, follows): (&OnPivot, &RawFollows),
     ) -> Option<(String, Vec2)> {
-        let q = disc.coordinate(phi, Side::After)?;
+        let q = disc.coordinate(phi, PieceSide::After)?;
         let (name, at) = match (follows, disc.touch, disc.follower) {
-            (_, Touch::Point { .. }, _) => (follows.pin()?.text.clone(), disc.follower.point(q).order(0)),
-            (RawFollows::Face(face), Touch::Flat { .. }, Follower::Oscillating { pivot, sense, .. }) => {
+            (_, FollowerTip::Point { .. }, _) => (follows.pin()?.text.clone(), disc.follower.point(q).order(0)),
+            (RawFollows::Face(face), FollowerTip::Flat { .. }, Follower::Oscillating { pivot, sense, .. }) => {
                 let (from, to) = self.names.pair(face.line.as_ref()?).ok()?;
                 let arm = place::apart(self.bare, from, to)?.value;
                 let reach = Disc { follower: Follower::Oscillating { pivot, arm, sense }, ..disc.clone() };
                 (self.bare.point_name(to).to_owned(), reach.follower.point(q).order(0))
             }
-            (_, Touch::Flat { .. }, _) => return None,
+            (_, FollowerTip::Flat { .. }, _) => return None,
         };
         let at = on.spot.at() + at;
         if on.frame != self.bare.ground {
@@ -201,9 +201,11 @@ impl One<'_> {
                     out.extend(radius.map(|radius| Worded::Circle { centre: centre.text.clone(), radius }));
                 }
                 RawPart::Corner(p) => {
-                    out.push(Worded::Circle { centre: p.text.clone(), radius: Told { value: 0.0, text: "0 mm".into() } });
+                    out.push(Worded::Circle { centre: p.text.clone(), radius: NumberText { value: 0.0, text: "0 mm".into() } });
                 }
-                RawPart::Flank(radius) => out.extend(self.told(radius, Wanted::Length, faults).map(|radius| Worded::Flank { radius })),
+                RawPart::Flank(radius) => {
+                    out.extend(self.number_text(radius, RequiredQuantity::Length, faults).map(|radius| Worded::Flank { radius }))
+                }
                 RawPart::Tangent(span) => {
                     let ends = centre(i + n - 1).zip(centre(i + 1));
                     let ids = ends.and_then(|(a, b)| self.names.point(a).ok().zip(self.names.point(b).ok()));

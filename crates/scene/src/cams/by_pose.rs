@@ -7,15 +7,15 @@
 //! or the direction of the face.
 
 use super::super::model::*;
-use super::super::units::Wanted;
+use super::super::units::RequiredQuantity;
 use super::carrier::Lacking;
-use super::expand::{One, note};
+use super::expand::{CamReplacement, note};
 use super::pairs::{Worded, numbers};
-use super::place::{self, Told};
+use super::place::{self, NumberText};
 use super::raw::*;
 use super::reckoned::{Reckoned, Touching};
 use super::texts::MotionTexts;
-use hodograph_base::cam::Segment;
+use hodograph_base::cam::ProfileSegment;
 use hodograph_base::cam::outline::segments;
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::Vec2;
@@ -26,29 +26,29 @@ use hodograph_base::json::Word;
 const OFF: f64 = 1e-6;
 
 /// A profile of several pieces placed by the pose.
-pub(super) struct Posed {
+pub(super) struct PosedProfile {
     /// The points of the cam that define the frame of the pieces: origin at the first, x toward the
     /// second.
     pub frame: [String; 2],
-    pub segments: Vec<Segment>,
+    pub segments: Vec<ProfileSegment>,
     pub texts: Option<MotionTexts>,
     pub touched: usize,
     /// Place of a point of the follower without coordinates.
     pub rough: Option<(PointId, Vec2)>,
 }
 
-impl One<'_> {
+impl CamReplacement<'_> {
     /// Returns the pieces in the frame of the cam's first two points, and the piece in contact in
     /// the pose.
     pub(super) fn by_pose(
         &self,
         worded: &[Worded],
         (cam, follower, point): (LinkId, LinkId, PointId),
-        (follows, end): (&RawFollows, Option<&Told>),
-        (offset, sense): (Option<&Told>, f64),
+        (follows, end): (&RawFollows, Option<&NumberText>),
+        (offset, sense): (Option<&NumberText>, f64),
         why: Option<&Lacking>,
         faults: &mut Faults,
-    ) -> Option<Posed> {
+    ) -> Option<PosedProfile> {
         let [first, second, ..] = self.bare.links[cam.0].points.as_slice() else { return self.no_pose(why, faults) };
         let reckoned = Reckoned::of(self.bare);
         let (Some(origin), Some(toward)) = (reckoned.spot(*first), reckoned.spot(*second)) else {
@@ -114,19 +114,19 @@ impl One<'_> {
     fn posed(
         &self,
         frame: [PointId; 2],
-        (segments, texts): (Vec<Segment>, Option<MotionTexts>),
+        (segments, texts): (Vec<ProfileSegment>, Option<MotionTexts>),
         touched: Option<usize>,
         rough: Option<(PointId, Vec2)>,
         faults: &mut Faults,
-    ) -> Option<Posed> {
+    ) -> Option<PosedProfile> {
         let Some(touched) = self.on.or(touched) else { return self.no_contact(faults) };
-        Some(Posed { frame: frame.map(|p| self.bare.point_name(p).to_owned()), segments, texts, touched, rough })
+        Some(PosedProfile { frame: frame.map(|p| self.bare.point_name(p).to_owned()), segments, texts, touched, rough })
     }
 
     /// Returns the direction in the pose of the guide in which a follower slides.
     fn guide_direction(&self, follower: LinkId) -> Option<Vec2> {
         let guide = self.bare.guides.iter().find(|g| g.slider == Some(follower))?;
-        let GuidePath::Line { direction: Direction::Along(a, b, turn), .. } = &guide.path else { return None };
+        let GuidePath::Line { direction: GuideDirection::Along(a, b, turn), .. } = &guide.path else { return None };
         let way = (place::spot(self.bare, *b)?.at() - place::spot(self.bare, *a)?.at()).unit()?;
         Some(turn.as_ref().map_or(way, |t| way.rotate_by(Vec2::from_angle(t.value.radians()))))
     }
@@ -137,7 +137,7 @@ impl One<'_> {
             return self.guide_direction(follower).map(Vec2::perp);
         }
         let angle = match &face.angle {
-            Some(q) => Vec2::from_angle(self.told(q, Wanted::Angle, faults)?.value),
+            Some(q) => Vec2::from_angle(self.number_text(q, RequiredQuantity::Angle, faults)?.value),
             None => Vec2::unit_x(),
         };
         let Some(line) = &face.line else { return face.angle.is_some().then_some(angle) };

@@ -9,9 +9,9 @@
 
 use super::super::model::*;
 use super::super::raw::RawQuantity;
-use super::super::units::Wanted;
-use super::expand::One;
-use super::place::{Carried, OnPivot, Spot, Told, apart, direction, locals, spot};
+use super::super::units::RequiredQuantity;
+use super::expand::CamReplacement;
+use super::place::{CarriedFollower, NumberText, OnPivot, PointTexts, apart, direction, locals, spot};
 use hodograph_base::diag::{Both, Faults, both};
 
 /// The fault that prevents placing a cam, and its remedy.
@@ -21,9 +21,9 @@ pub(super) struct Lacking {
     pub help: Both,
 }
 
-impl One<'_> {
+impl CamReplacement<'_> {
     /// Returns the cam and its follower on the link that carries both, or the missing data.
-    pub(super) fn carried(&self, cam: LinkId, follower: LinkId) -> Result<(OnPivot, Carried), Lacking> {
+    pub(super) fn carried(&self, cam: LinkId, follower: LinkId) -> Result<(OnPivot, CarriedFollower), Lacking> {
         let all = self.carriers(cam, follower);
         let mut first = None;
         for (frame, pivot) in &all {
@@ -79,8 +79,13 @@ impl One<'_> {
                 "请给出原动件 {{\"link\": \"{cam_name}\", \"against\": \"{frame_name}\", \"angle\": \"30 deg\", \"omega\": ...}}，角度为两构件各自前两点连线的夹角"
             ),
         ))?;
-        let own = self.raw.angle.as_ref().filter(|_| !turned.direct()).and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
-        let angle = own.or_else(|| self.stands(cam, frame, &turned, &mut Vec::new())).ok_or_else(|| self.no_angle(cam, &turned))?;
+        let own = self
+            .raw
+            .angle
+            .as_ref()
+            .filter(|_| !turned.direct())
+            .and_then(|q| self.number_text(q, RequiredQuantity::Angle, &mut Faults::default()));
+        let angle = own.or_else(|| self.given_angle(cam, frame, &turned, &mut Vec::new())).ok_or_else(|| self.no_angle(cam, &turned))?;
         let unplaced = |p: PointId| self.unplaced(p, frame);
         let spot = self.spot_in(frame, pivot).ok_or_else(|| unplaced(pivot))?;
         // The direction of the cam's axes in the fixed plane equals its own angle only if the
@@ -93,7 +98,7 @@ impl One<'_> {
             )
         })?;
         let d = &scene.drivers[turned.driver];
-        let rate = |given: &Given, unit: &str| {
+        let rate = |given: &GivenQuantity, unit: &str| {
             let text = if given.value == 0.0 { format!("0 {unit}") } else { given.text.clone() };
             if given.value == 0.0 { text } else { turned.text(&text) }
         };
@@ -129,37 +134,37 @@ impl One<'_> {
 
     /// Returns the follower if it slides in a guide of the carrying link or turns about a pivot of
     /// it.
-    fn follower_in(&self, link: LinkId, frame: LinkId) -> Result<Carried, Lacking> {
+    fn follower_in(&self, link: LinkId, frame: LinkId) -> Result<CarriedFollower, Lacking> {
         let scene = self.bare;
         let Some(g) = scene.guides.iter().find(|g| g.slider == Some(link) && g.on == frame) else {
             let mut shared = scene.links[link.0].points.iter().copied().filter(|p| scene.links[frame.0].points.contains(p));
             let pivot = shared.next().ok_or_else(|| self.guide_faulty(link))?;
             let spot = self.spot_in(frame, pivot).ok_or_else(|| self.unplaced(pivot, frame))?;
-            return Ok(Carried::Pivot { pivot, spot });
+            return Ok(CarriedFollower::Pivot { pivot, spot });
         };
         let (Some(pin), GuidePath::Line { through, direction: along, offset: None }) = (g.pin, &g.path) else {
             return Err(self.guide_faulty(link));
         };
         let grounded = frame == scene.ground;
         let through = match through {
-            Through::At(xy) => Spot::of(xy),
+            Through::At(xy) => PointTexts::of(xy),
             Through::Point(p) => self.spot_in(frame, *p).ok_or_else(|| self.unplaced(*p, frame))?,
             Through::Pin => spot(scene, pin).filter(|_| grounded).ok_or_else(|| self.guide_faulty(link))?,
         };
         let angle = match along {
-            Direction::Instant(angle) if grounded => Told::angle(angle),
-            Direction::Along(a, b, turn) => {
+            GuideDirection::Instant(angle) if grounded => NumberText::angle(angle),
+            GuideDirection::Along(a, b, turn) => {
                 let [from, to] = [a, b].map(|p| self.spot_in(frame, *p).ok_or_else(|| self.unplaced(*p, frame)));
                 let (from, to) = (from?, to?);
                 let (value, text) = ((to.at() - from.at()).angle(), direction(&from, &to));
                 match turn {
-                    Some(t) => Told { value: value + t.value.radians(), text: format!("({text})+({})", Told::angle(t).text) },
-                    None => Told { value, text },
+                    Some(t) => NumberText { value: value + t.value.radians(), text: format!("({text})+({})", NumberText::angle(t).text) },
+                    None => NumberText { value, text },
                 }
             }
-            Direction::Instant(_) | Direction::Own | Direction::Slid(_) => return Err(self.guide_faulty(link)),
+            GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => return Err(self.guide_faulty(link)),
         };
-        Ok(Carried::Guide { through, angle, pin })
+        Ok(CarriedFollower::Guide { through, angle, pin })
     }
 
     fn guide_faulty(&self, link: LinkId) -> Lacking {
@@ -178,16 +183,16 @@ impl One<'_> {
 
     /// Returns the place of a point of the carrying link in that link; for the ground, in the fixed
     /// plane.
-    pub(super) fn spot_in(&self, frame: LinkId, p: PointId) -> Option<Spot> {
+    pub(super) fn spot_in(&self, frame: LinkId, p: PointId) -> Option<PointTexts> {
         if frame == self.bare.ground {
             return spot(self.bare, p);
         }
         let [x, y] = self.axes_texts(frame, p)?;
         let told = |text: String| {
             let q = RawQuantity { text, span: self.raw.span, bare: false };
-            self.told(&q, Wanted::Length, &mut Faults::default())
+            self.number_text(&q, RequiredQuantity::Length, &mut Faults::default())
         };
-        Some(Spot { x: told(x)?, y: told(y)? })
+        Some(PointTexts { x: told(x)?, y: told(y)? })
     }
 
     /// Returns the texts of the coordinates of a point in the axes of its link.
@@ -209,12 +214,12 @@ impl One<'_> {
             _ => None,
         };
         match &scene.points[p.0].place {
-            Place::InLink { base, xy } => from_base(*base, [&xy[0], &xy[1]].map(|g| Told::length(g).text)),
-            Place::Polar { base, length, angle } => {
-                let (l, t) = (Told::length(length).text, Told::angle(angle).text);
+            PointPlace::InLink { base, xy } => from_base(*base, [&xy[0], &xy[1]].map(|g| NumberText::length(g).text)),
+            PointPlace::Polar { base, length, angle } => {
+                let (l, t) = (NumberText::length(length).text, NumberText::angle(angle).text);
                 from_base(*base, [format!("({l})*cos({t})"), format!("({l})*sin({t})")])
             }
-            Place::Unknown | Place::At(_) => {
+            PointPlace::Unknown | PointPlace::At(_) => {
                 if let (Some(a), Some(b), Some(c)) = (spot(scene, *first), spot(scene, *second), spot(scene, p)) {
                     let ([ex, ey], [wx, wy]) = (a.way_to(&b), a.way_to(&c));
                     return Some([format!("({wx}*{ex}+{wy}*{ey})/({d})"), format!("({wy}*{ex}-{wx}*{ey})/({d})")]);

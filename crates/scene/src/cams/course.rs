@@ -1,12 +1,12 @@
 //! Follower positions beyond the instant, for a follower on other links than its cam.
 //!
 //! The position follows from the whole mechanism and not from one angle, so this module cannot
-//! compute it. Modules that can move mechanisms supply a [`Course`]; then the follower is a driver
+//! compute it. Modules that can move mechanisms supply a [`FollowerCourse`]; then the follower is a driver
 //! like any other follower that a cam moves.
 
 use super::super::model::{GuideId, LinkId, PointId, Scene};
 use super::{Cam, Pieces};
-use hodograph_base::cam::Segment;
+use hodograph_base::cam::ProfileSegment;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use std::fmt;
@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 /// State of a follower that its cam moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Led {
+pub struct FollowerState {
     /// The coordinate of the driver that replaces the contact, and its first two time derivatives
     /// (SI).
     pub place: [f64; 3],
@@ -38,29 +38,29 @@ pub enum HangsOn {
 }
 
 /// Computes the state of a follower that its cam moves.
-pub trait Leads: Send + Sync + UnwindSafe + RefUnwindSafe {
+pub trait FollowerSolver: Send + Sync + UnwindSafe + RefUnwindSafe {
     /// Returns the follower's state for the position, rate and acceleration of each driver (SI);
     /// `None` where it cannot be followed.
-    fn led(&self, drivers: &[[f64; 3]]) -> Option<Led>;
+    fn led(&self, drivers: &[[f64; 3]]) -> Option<FollowerState>;
 
-    /// Returns bounds of the errors of place, rate and acceleration from [`Leads::led`]; `None`
+    /// Returns bounds of the errors of place, rate and acceleration from [`FollowerSolver::led`]; `None`
     /// where there is no enclosure.
     fn off(&self, drivers: &[[f64; 3]]) -> Option<[f64; 3]>;
 }
 
 /// The computation of a follower's states, shared by all copies of a scene.
 #[derive(Clone)]
-pub struct Course(pub Arc<dyn Leads>);
+pub struct FollowerCourse(pub Arc<dyn FollowerSolver>);
 
-impl fmt::Debug for Course {
+impl fmt::Debug for FollowerCourse {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Course")
     }
 }
 
 /// Equality is identity.
-impl PartialEq for Course {
-    fn eq(&self, other: &Course) -> bool {
+impl PartialEq for FollowerCourse {
+    fn eq(&self, other: &FollowerCourse) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 }
@@ -85,24 +85,24 @@ impl Pieces {
         let axis = (place(to)? - origin).unit()?;
         let piece = if N::refines() { self.in_numbers(scene)?.get(self.touched).copied()? } else { lifted(self.segments[self.touched]) };
         match piece {
-            Segment::Arc { centre, radius, .. } => {
+            ProfileSegment::Arc { centre, radius, .. } => {
                 let away = (at - (origin + centre.rotate_by(axis))).unit()?;
                 Some(if radius.approx() < 0.0 { -away } else { away })
             }
-            Segment::Line { normal, .. } => Some(Vec2::from_angle(normal).rotate_by(axis)),
+            ProfileSegment::Line { normal, .. } => Some(Vec2::from_angle(normal).rotate_by(axis)),
         }
     }
 }
 
 /// Converts a piece to another number type, at the same precision.
-fn lifted<N: Real>(piece: Segment) -> Segment<N> {
+fn lifted<N: Real>(piece: ProfileSegment) -> ProfileSegment<N> {
     let number = N::from_f64;
     match piece {
-        Segment::Arc { centre, radius, normals } => {
-            Segment::Arc { centre: centre.lift(), radius: number(radius), normals: normals.map(number) }
+        ProfileSegment::Arc { centre, radius, normals } => {
+            ProfileSegment::Arc { centre: centre.lift(), radius: number(radius), normals: normals.map(number) }
         }
-        Segment::Line { normal, distance, ends } => {
-            Segment::Line { normal: number(normal), distance: number(distance), ends: ends.map(number) }
+        ProfileSegment::Line { normal, distance, ends } => {
+            ProfileSegment::Line { normal: number(normal), distance: number(distance), ends: ends.map(number) }
         }
     }
 }

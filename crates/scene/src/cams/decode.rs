@@ -2,16 +2,16 @@
 
 use super::super::decode::{items, quantity, two_quantities};
 use super::super::keys;
-use super::super::raw::{Extent, RawQuantity, RawThrough};
+use super::super::raw::{RawQuantity, RawThrough, RequiredData};
 use super::raw::*;
-use hodograph_base::cam::Law;
+use hodograph_base::cam::MotionLaw;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::json::fields::{Fields, suggest, word, wrong};
-use hodograph_base::json::{Kind, Node, Word};
+use hodograph_base::json::{Node, NodeKind, Word};
 
 /// Decodes one cam; a mobility count needs neither profile nor radius. Returns `None` if a
 /// member could not be read, so that the remaining members are not judged alone.
-pub(crate) fn cam(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawCam> {
+pub(crate) fn cam(node: &Node, extent: RequiredData, faults: &mut Faults) -> Option<RawCam> {
     let before = faults.list.len();
     let f = Fields::open(node, both!("a cam", "凸轮"), keys::CAM, faults)?;
     let cam = f.need("cam", both!("\"2\", the link that is the cam", "\"2\"（作凸轮的构件）"), faults);
@@ -76,7 +76,7 @@ fn follows(f: &Fields, counted: bool, faults: &mut Faults) -> Option<RawFollows>
 fn face(node: &Node, faults: &mut Faults) -> Option<RawFace> {
     let f = Fields::open(node, "\"face\"", keys::FACE, faults)?;
     let through = f.get("through").and_then(|n| match &n.kind {
-        Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
+        NodeKind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
         _ => word(n, "\"through\"", faults).map(RawThrough::Point),
     });
     let line = f.get("line").and_then(|n| word(n, "\"line\"", faults));
@@ -97,7 +97,7 @@ fn one_of(said: &Word, words: [&str; 2], faults: &mut Faults) -> Option<usize> {
 }
 
 fn profile(node: &Node, faults: &mut Faults) -> Option<RawProfile> {
-    let law = matches!(&node.kind, Kind::Object(m) if m.iter().any(|(k, _)| k.text == "law" || k.text == "base"));
+    let law = matches!(&node.kind, NodeKind::Object(m) if m.iter().any(|(k, _)| k.text == "law" || k.text == "base"));
     if law {
         let f = Fields::open(node, both!("a profile by a law", "按运动规律的廓线"), keys::CAM_LAW, faults)?;
         let base = f.need("base", both!("\"30 mm\", the radius of the base circle", "\"30 mm\"（基圆半径）"), faults);
@@ -110,11 +110,11 @@ fn profile(node: &Node, faults: &mut Faults) -> Option<RawProfile> {
         return Some(RawProfile::Law { base: base?, start, clockwise, stages });
     }
     match &node.kind {
-        Kind::Array(_) => {
+        NodeKind::Array(_) => {
             Some(RawProfile::Parts(items(Some(node), "\"profile\"", faults).iter().filter_map(|n| part(n, faults)).collect()))
         }
-        Kind::Object(_) => part(node, faults).map(|p| RawProfile::Parts(vec![p])),
-        Kind::Text(_) | Kind::Number(_) | Kind::Bool(_) | Kind::Null => wrong(
+        NodeKind::Object(_) => part(node, faults).map(|p| RawProfile::Parts(vec![p])),
+        NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null => wrong(
             node,
             "\"profile\"",
             both!("a circle, a list of arcs and lines, or a law", "圆、由圆弧和直线组成的列表，或运动规律"),
@@ -124,7 +124,7 @@ fn profile(node: &Node, faults: &mut Faults) -> Option<RawProfile> {
 }
 
 fn part(node: &Node, faults: &mut Faults) -> Option<RawPart> {
-    if let Kind::Text(_) = node.kind {
+    if let NodeKind::Text(_) = node.kind {
         let said = word(node, "\"profile\"", faults)?;
         if said.text == "tangent" {
             return Some(RawPart::Tangent(said.span));
@@ -174,11 +174,11 @@ fn stage(node: &Node, faults: &mut Faults) -> Option<RawStage> {
 }
 
 fn known_law(said: Word, faults: &mut Faults) -> Option<Word> {
-    if Law::named(&said.text).is_some() {
+    if MotionLaw::named(&said.text).is_some() {
         return Some(said);
     }
     let otherwise: Both = both!("the laws are", "运动规律有");
     let d = Diagnostic::error("unknown-law", both!("`{}` is no motion law", "没有名为 `{}` 的运动规律", said.text)).at(said.span);
-    faults.push(d.help(suggest(&said.text, Law::ALL.iter().map(|l| l.name()), otherwise)));
+    faults.push(d.help(suggest(&said.text, MotionLaw::ALL.iter().map(|l| l.name()), otherwise)));
     None
 }

@@ -5,15 +5,15 @@ use std::collections::HashSet;
 use super::super::model::*;
 use super::super::names::Names;
 use super::super::raw::{RawQuantity, RawScene};
-use super::super::units::Wanted;
+use super::super::units::RequiredQuantity;
 use super::super::values::Values;
-use super::by_pose::Posed;
+use super::by_pose::PosedProfile;
 use super::carrier::Lacking;
-use super::place::{self, Carried, OnPivot, Told};
+use super::place::{self, CarriedFollower, NumberText, OnPivot};
 use super::raw::*;
 use super::reckoned::Reckoned;
-use super::{Cam, Follows, Pieces, Turning};
-use hodograph_base::cam::{Disc, Follower, Motion, Side, Touch};
+use super::{Cam, Follows, Pieces, TurningCam};
+use hodograph_base::cam::{CamMotion, Disc, Follower, FollowerTip, PieceSide};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Vec2;
@@ -41,9 +41,9 @@ pub(super) struct Pending {
     /// Texts of the radii of the pieces.
     pub radii: Vec<Option<String>>,
     pub circle: Option<(String, f64)>,
-    pub disc: Option<(String, Turning)>,
+    pub disc: Option<(String, TurningCam)>,
     pub contact: Option<usize>,
-    pub posed: Option<Posed>,
+    pub posed: Option<PosedProfile>,
     /// Place of a point of the follower in the axes of a moving carrier.
     pub rough: Option<(String, Vec2)>,
     span: Span,
@@ -62,7 +62,14 @@ pub(crate) fn expand(raw: RawScene, source: &str, bare: &Scene, on: Option<(usiz
     let mut out = Expanded { raw: raw.clone(), cams: Vec::new(), used: HashSet::new() };
     for (i, cam) in raw.cams.iter().enumerate() {
         let on = on.filter(|(k, _)| *k == i).map(|(_, piece)| piece);
-        let one = One { bare, values: &values, names: Names::new(&bare.points, &bare.links), raw: cam, name: format!("cam{}", i + 1), on };
+        let one = CamReplacement {
+            bare,
+            values: &values,
+            names: Names::new(&bare.points, &bare.links),
+            raw: cam,
+            name: format!("cam{}", i + 1),
+            on,
+        };
         out.cams.extend(one.write(&mut out.raw, faults));
     }
     out.used = values.used_names();
@@ -70,7 +77,7 @@ pub(crate) fn expand(raw: RawScene, source: &str, bare: &Scene, on: Option<(usiz
 }
 
 /// The replacement of one cam.
-pub(super) struct One<'a> {
+pub(super) struct CamReplacement<'a> {
     pub bare: &'a Scene,
     pub values: &'a Values<'a>,
     pub names: Names<'a>,
@@ -84,19 +91,19 @@ pub(super) fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Opt
     result.map_err(|d| faults.push(d)).ok()
 }
 
-impl One<'_> {
-    pub(super) fn told(&self, q: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Told> {
-        if wanted == Wanted::Angle {
+impl CamReplacement<'_> {
+    pub(super) fn number_text(&self, q: &RawQuantity, wanted: RequiredQuantity, faults: &mut Faults) -> Option<NumberText> {
+        if wanted == RequiredQuantity::Angle {
             let given = self.values.angle(q, faults)?;
-            return Some(Told { value: given.value.radians(), text: given.text });
+            return Some(NumberText { value: given.value.radians(), text: given.text });
         }
         let given = self.values.si(q, wanted, faults)?;
-        Some(Told { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text } })
+        Some(NumberText { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text } })
     }
 
-    pub(super) fn positive(&self, q: &RawQuantity, faults: &mut Faults) -> Option<Told> {
+    pub(super) fn positive(&self, q: &RawQuantity, faults: &mut Faults) -> Option<NumberText> {
         let given = self.values.positive_length(q, both!("the radius", "半径"), faults)?;
-        Some(Told { value: given.value, text: given.text })
+        Some(NumberText { value: given.value, text: given.text })
     }
 
     fn write(&self, raw: &mut RawScene, faults: &mut Faults) -> Option<Pending> {
@@ -191,7 +198,7 @@ impl One<'_> {
             (None, Some(before)) if faults.list[known..].iter().all(|d| of_the_pose(d.code)) => {
                 faults.list.truncate(known);
                 *raw = before;
-                self.untold(raw, &mut pending);
+                self.replace_for_count(raw, &mut pending);
             }
             (None, _) => return None,
         }
@@ -209,14 +216,19 @@ impl One<'_> {
     }
 
     /// Returns the face as written and completed, its offset, and the outward sense (±1).
-    pub(super) fn face(&self, carried: Option<&Carried>, face: &RawFace, faults: &mut Faults) -> Option<(RawFace, Option<Told>, f64)> {
+    pub(super) fn face(
+        &self,
+        carried: Option<&CarriedFollower>,
+        face: &RawFace,
+        faults: &mut Faults,
+    ) -> Option<(RawFace, Option<NumberText>, f64)> {
         let offset = match &face.offset {
-            Some(q) => Some(self.told(q, Wanted::Length, faults)?),
+            Some(q) => Some(self.number_text(q, RequiredQuantity::Length, faults)?),
             None => None,
         };
         let mut face = face.clone();
         let mut offset = offset;
-        if let (Some(Carried::Pivot { pivot, .. }), Some(line), None) = (carried, &face.line, &face.angle)
+        if let (Some(CarriedFollower::Pivot { pivot, .. }), Some(line), None) = (carried, &face.line, &face.angle)
             && let Ok((from, to)) = self.names.pair(line)
             && to == *pivot
             && from != *pivot
@@ -225,9 +237,9 @@ impl One<'_> {
             let text = format!("{},{}", self.bare.point_name(to), self.bare.point_name(from));
             face.line = Some(Word { text, span: line.span });
             face.left = Some(!face.left.unwrap_or(true));
-            offset = offset.map(|o| Told { value: -o.value, text: format!("-({})", o.text) });
+            offset = offset.map(|o| NumberText { value: -o.value, text: format!("-({})", o.text) });
         }
-        if let Some(Carried::Guide { angle: guide, .. }) = carried {
+        if let Some(CarriedFollower::Guide { angle: guide, .. }) = carried {
             match &face.angle {
                 None if face.line.is_none() && !face.square => {
                     face.angle = Some(RawQuantity { text: format!("({})+90 deg", guide.text), span: self.raw.span, bare: false });
@@ -235,7 +247,7 @@ impl One<'_> {
                 }
                 // The positive sense of the guide is the rise, unless the scene has the cam's side.
                 Some(q) if face.left.is_none() => {
-                    let u = Vec2::from_angle(self.told(q, Wanted::Angle, faults)?.value);
+                    let u = Vec2::from_angle(self.number_text(q, RequiredQuantity::Angle, faults)?.value);
                     face.left = Some(u.perp().dot(Vec2::from_angle(guide.value)) < 0.0);
                 }
                 _ => {}
@@ -246,9 +258,9 @@ impl One<'_> {
     }
 
     /// True without a face, or if it is square to its guide and passes through its pin.
-    fn stands_squarely(&self, guide: f64) -> bool {
+    fn is_square_to_guide(&self, guide: f64) -> bool {
         let RawFollows::Face(face) = &self.raw.follows else { return true };
-        let angle = face.angle.as_ref().and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
+        let angle = face.angle.as_ref().and_then(|q| self.number_text(q, RequiredQuantity::Angle, &mut Faults::default()));
         // Written angles have about nine digits.
         face.line.is_none() && face.offset.is_none() && angle.is_none_or(|a| libm::cos(a.value - guide).abs() < 1e-9)
     }
@@ -256,13 +268,13 @@ impl One<'_> {
     /// Returns −1 for a face along its guide turned by +90°, +1 for the opposite sense.
     fn turned_from_guide(&self, guide: f64) -> f64 {
         let RawFollows::Face(face) = &self.raw.follows else { return -1.0 };
-        let angle = face.angle.as_ref().and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
+        let angle = face.angle.as_ref().and_then(|q| self.number_text(q, RequiredQuantity::Angle, &mut Faults::default()));
         angle.map_or(-1.0, |a| if libm::sin(a.value - guide) < 0.0 { 1.0 } else { -1.0 })
     }
 
     /// Returns the given place of a point in the axes of a link, if both have a place.
-    fn told_in(&self, frame: LinkId, point: PointId) -> Option<Vec2> {
-        Reckoned::of(self.bare).seen_from(frame, place::told(self.bare, point)?)
+    fn coordinates_or_sketch_in(&self, frame: LinkId, point: PointId) -> Option<Vec2> {
+        Reckoned::of(self.bare).seen_from(frame, place::coordinates_or_sketch(self.bare, point)?)
     }
 
     /// Returns the cam with its follower on the side that the scene states. In a guide this is the side nearer to the coordinates or the sketch of the
@@ -277,16 +289,16 @@ impl One<'_> {
         at: &dyn Fn(PointId) -> Option<Vec2>,
     ) -> Disc {
         let other = match (disc.touch, disc.follower) {
-            (Touch::Point { .. }, Follower::Translating { direction, offset }) => {
+            (FollowerTip::Point { .. }, Follower::Translating { direction, offset }) => {
                 Follower::Translating { direction: -direction, offset: -offset }
             }
-            (Touch::Point { .. }, Follower::Oscillating { pivot, arm, sense }) => Follower::Oscillating { pivot, arm, sense: -sense },
-            (Touch::Flat { .. }, _) => return disc,
+            (FollowerTip::Point { .. }, Follower::Oscillating { pivot, arm, sense }) => Follower::Oscillating { pivot, arm, sense: -sense },
+            (FollowerTip::Flat { .. }, _) => return disc,
         };
         let other = Disc { follower: other, ..disc.clone() };
-        let place = |d: &Disc| Some(centre + d.follower.point(d.coordinate(phi, Side::After)?).order(0));
+        let place = |d: &Disc| Some(centre + d.follower.point(d.coordinate(phi, PieceSide::After)?).order(0));
         if let Follower::Oscillating { .. } = disc.follower {
-            if !matches!(&disc.motion, Motion::Profile(pieces) if pieces.len() == 1) {
+            if !matches!(&disc.motion, CamMotion::Profile(pieces) if pieces.len() == 1) {
                 return disc;
             }
             let (Some(own), Some(mirrored)) = (place(&disc), place(&other)) else { return disc };
@@ -299,7 +311,7 @@ impl One<'_> {
             let mut said = self.bare.sides.iter().filter(|s| s.point == point);
             return if said.any(|s| swaps(s) == Some(true)) { other } else { disc };
         }
-        let Some(told) = self.told_in(frame, point) else { return disc };
+        let Some(told) = self.coordinates_or_sketch_in(frame, point) else { return disc };
         let off = |d: &Disc| Some((place(d)? - told).norm());
         match (off(&disc), off(&other)) {
             (Some(a), Some(b)) if b < a => other,
@@ -325,32 +337,32 @@ impl One<'_> {
     /// Returns the geometry of the follower; `None` unless it is that of a cam on the ground.
     pub(super) fn follower(
         &self,
-        placed: &(OnPivot, Carried),
+        placed: &(OnPivot, CarriedFollower),
         point: PointId,
-        offset: Option<&Told>,
+        offset: Option<&NumberText>,
         sense: f64,
-    ) -> Option<(Follower, Touch, Option<Told>)> {
+    ) -> Option<(Follower, FollowerTip, Option<NumberText>)> {
         let (cam, carried) = placed;
         let face = matches!(self.raw.follows, RawFollows::Face(_));
         let (arm, sense) = match carried {
-            Carried::Guide { pin, angle, .. } if *pin == point && self.stands_squarely(angle.value) => {
+            CarriedFollower::Guide { pin, angle, .. } if *pin == point && self.is_square_to_guide(angle.value) => {
                 (None, if face { sense * self.turned_from_guide(angle.value) } else { 1.0 })
             }
-            Carried::Guide { .. } => return None,
-            Carried::Pivot { pivot, .. } if face => {
+            CarriedFollower::Guide { .. } => return None,
+            CarriedFollower::Pivot { pivot, .. } if face => {
                 return (*pivot == point && self.goes_out_from(*pivot)).then(|| {
                     let lever = offset.map_or(0.0, |o| o.value) * sense;
-                    (place::geometry(carried, cam.spot.at(), 0.0, sense), Touch::Flat { lever }, None)
+                    (place::geometry(carried, cam.spot.at(), 0.0, sense), FollowerTip::Flat { lever }, None)
                 });
             }
-            Carried::Pivot { pivot, spot } => {
+            CarriedFollower::Pivot { pivot, spot } => {
                 let arm = place::apart(self.bare, *pivot, point)?;
-                let told = self.told_in(cam.frame, point);
+                let told = self.coordinates_or_sketch_in(cam.frame, point);
                 (Some(arm), place::sense(self.bare, [*pivot, cam.pivot, point], [spot.at(), cam.spot.at()], told))
             }
         };
         let geometry = place::geometry(carried, cam.spot.at(), arm.as_ref().map_or(0.0, |a| a.value), sense);
-        let touch = if face { Touch::Flat { lever: 0.0 } } else { Touch::Point { radius: 0.0 } };
+        let touch = if face { FollowerTip::Flat { lever: 0.0 } } else { FollowerTip::Point { radius: 0.0 } };
         Some((geometry, touch, arm))
     }
 
@@ -392,9 +404,9 @@ impl One<'_> {
 
     /// Reports the jump of the acceleration at a joint of two pieces, with both values.
     pub(super) fn joint(&self, disc: &Disc, phi: f64, on: &OnPivot, faults: &mut Faults) {
-        let sides = [Side::Before, Side::After].map(|side| disc.coordinate(phi, side));
+        let sides = [PieceSide::Before, PieceSide::After].map(|side| disc.coordinate(phi, side));
         let [Some(before), Some(after)] = sides else { return };
-        if disc.touched(phi, Side::Before) == disc.touched(phi, Side::After) && matches!(disc.motion, Motion::Profile(_)) {
+        if disc.touched(phi, PieceSide::Before) == disc.touched(phi, PieceSide::After) && matches!(disc.motion, CamMotion::Profile(_)) {
             return;
         }
         let a = [before, after].map(|q| q.0[2] * on.rate * on.rate + q.0[1] * on.acceleration * disc.sense);
@@ -422,7 +434,7 @@ impl Expanded {
         let link = |name: &str| scene.links.iter().position(|l| l.name == name).map(LinkId);
         let one = |p: Pending| {
             let disc = p.disc.and_then(|(pivot, turning)| {
-                Some(Turning { pivot: point(&pivot)?, rough: p.rough.and_then(|(name, at)| Some((point(&name)?, at))), ..turning })
+                Some(TurningCam { pivot: point(&pivot)?, rough: p.rough.and_then(|(name, at)| Some((point(&name)?, at))), ..turning })
             });
             Some(Cam {
                 cam: link(&p.cam)?,

@@ -9,17 +9,17 @@
 use super::super::model::*;
 use super::super::raw::{RawDriverKind, RawQuantity, RawScene};
 use super::super::rolling::{Contours, Rolling, Sizes};
-use super::super::units::Wanted;
+use super::super::units::RequiredQuantity;
 use super::carrier::Lacking;
-use super::expand::One;
-use super::place::{OnPivot, Told, direction, spot};
+use super::expand::CamReplacement;
+use super::place::{NumberText, OnPivot, direction, spot};
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::trig::turns_of;
 use std::f64::consts::TAU;
 
 /// The driver that turns a link in the carrying link.
 #[derive(Clone, Debug)]
-pub(super) struct Turned {
+pub(super) struct TurningDriver {
     /// Index into the scene's list.
     pub driver: usize,
     /// Ratio of the link's rotation to the driver's.
@@ -29,7 +29,7 @@ pub(super) struct Turned {
     train: Option<(String, Vec<usize>)>,
 }
 
-impl Turned {
+impl TurningDriver {
     /// True if there is no train of wheels.
     pub fn direct(&self) -> bool {
         self.train.is_none()
@@ -46,40 +46,40 @@ impl Turned {
 }
 
 /// A wheel and the wheel on which it rolls, both with their axes on one link.
-struct Mesh {
+struct WheelMesh {
     /// The wheel on which it rolls.
     other: LinkId,
     /// Ratio of its rotation to that of the other wheel, with the text.
-    ratio: Told,
+    ratio: NumberText,
     /// Direction of the line of centres, from the pair's first to its second.
-    line: Told,
+    line: NumberText,
     /// True if it is the pair's second link.
     second: bool,
 }
 
-impl One<'_> {
+impl CamReplacement<'_> {
     /// Returns the driver that turns a link in the carrying link, directly or through the shortest
     /// train of wheels.
-    pub(super) fn turns(&self, link: LinkId, frame: LinkId) -> Option<Turned> {
+    pub(super) fn turns(&self, link: LinkId, frame: LinkId) -> Option<TurningDriver> {
         let direct = |l: LinkId| self.turned_by(l, frame);
         if let Some((driver, ratio)) = direct(link) {
-            return Some(Turned { driver, ratio, train: None });
+            return Some(TurningDriver { driver, ratio, train: None });
         }
-        let mut reached: Vec<(LinkId, Told, Vec<usize>)> = vec![(link, Told { value: 1.0, text: "1".into() }, Vec::new())];
+        let mut reached: Vec<(LinkId, NumberText, Vec<usize>)> = vec![(link, NumberText { value: 1.0, text: "1".into() }, Vec::new())];
         let mut next = 0;
         while next < reached.len() {
             let (wheel, so_far, path) = reached[next].clone();
             next += 1;
             for i in 0..self.bare.rolling.len() {
                 let Some(mesh) = self.mesh(i, wheel, frame).filter(|m| reached.iter().all(|(l, ..)| *l != m.other)) else { continue };
-                let ratio = Told {
+                let ratio = NumberText {
                     value: so_far.value * mesh.ratio.value,
                     text: if path.is_empty() { mesh.ratio.text } else { format!("{}*({})", so_far.text, mesh.ratio.text) },
                 };
                 let path: Vec<usize> = path.iter().copied().chain([i]).collect();
                 if let Some((driver, way)) = direct(mesh.other) {
                     let text = if way < 0.0 { format!("-({})", ratio.text) } else { ratio.text };
-                    return Some(Turned { driver, ratio: way * ratio.value, train: Some((text, path)) });
+                    return Some(TurningDriver { driver, ratio: way * ratio.value, train: Some((text, path)) });
                 }
                 reached.push((mesh.other, ratio, path));
             }
@@ -110,28 +110,28 @@ impl One<'_> {
 
     /// Returns a rolling pair from the point of view of one of its wheels, if the other has its
     /// axis on the same link.
-    fn mesh(&self, pair: usize, wheel: LinkId, frame: LinkId) -> Option<Mesh> {
+    fn mesh(&self, pair: usize, wheel: LinkId, frame: LinkId) -> Option<WheelMesh> {
         let r = &self.bare.rolling[pair];
         let (second, other) = (r.links[1] == wheel, r.other(wheel)?);
         let centres = r.round().filter(|c| c.iter().all(|p| self.bare.links[frame.0].points.contains(p)))?;
         let [from, to] = centres.map(|p| self.spot_in(frame, p));
         let (from, to) = (from?, to?);
-        let line = Told { value: (to.at() - from.at()).angle(), text: direction(&from, &to) };
-        Some(Mesh { other, ratio: ratio(r, second)?, line, second })
+        let line = NumberText { value: (to.at() - from.at()).angle(), text: direction(&from, &to) };
+        Some(WheelMesh { other, ratio: ratio(r, second)?, line, second })
     }
 
     /// Returns the angle of a link's first two points in the carrying link, if a driver,
     /// coordinates or phases give it.
-    pub(super) fn stands(&self, link: LinkId, frame: LinkId, turned: &Turned, beyond: &mut Vec<LinkId>) -> Option<Told> {
+    pub(super) fn given_angle(&self, link: LinkId, frame: LinkId, turned: &TurningDriver, beyond: &mut Vec<LinkId>) -> Option<NumberText> {
         let own = self.turned_by(link, frame);
         let by_places = || {
             let (of, from) = (self.line_of(link)?, self.line_of(frame)?);
             let text = if frame == self.bare.ground { of.text } else { format!("({})-({})", of.text, from.text) };
-            Some(Told { value: of.value - from.value, text })
+            Some(NumberText { value: of.value - from.value, text })
         };
         let by_driver = own.and_then(|(driver, way)| {
             let t = self.stated(driver)?;
-            Some(if way < 0.0 { Told { value: -t.value, text: negative(&t) } } else { t })
+            Some(if way < 0.0 { NumberText { value: -t.value, text: negative(&t) } } else { t })
         });
         if let Some(told) = by_driver.or_else(by_places) {
             return Some(told);
@@ -140,27 +140,27 @@ impl One<'_> {
         let path = turned.train.as_ref().map_or(&[][..], |(_, path)| path);
         let by_phase = path.iter().find_map(|i| {
             let mesh = self.mesh(*i, link, frame).filter(|m| !beyond.contains(&m.other))?;
-            let phase = Told::angle(self.bare.rolling[*i].phase.as_ref()?);
+            let phase = NumberText::angle(self.bare.rolling[*i].phase.as_ref()?);
             let others = self.against_line(&mesh, frame, turned, beyond)?;
             let (line, ratio) = (&mesh.line, &mesh.ratio);
             Some(if mesh.second {
                 let value = line.value + phase.value + others.value * ratio.value;
-                Told { value, text: format!("({})+({})+({})*({})", line.text, phase.text, others.text, ratio.text) }
+                NumberText { value, text: format!("({})+({})+({})*({})", line.text, phase.text, others.text, ratio.text) }
             } else {
                 let value = line.value + (others.value - phase.value) * ratio.value;
-                Told { value, text: format!("({})+(({})-({}))*({})", line.text, others.text, phase.text, ratio.text) }
+                NumberText { value, text: format!("({})+(({})-({}))*({})", line.text, others.text, phase.text, ratio.text) }
             })
         });
         // A wheel with only its centre has no line: its axes have the direction of the carrying
         // link's.
         let centre = || self.bare.links[link.0].points.len() == 1;
-        by_phase.or_else(|| centre().then(|| Told { value: 0.0, text: "0 deg".into() }))
+        by_phase.or_else(|| centre().then(|| NumberText { value: 0.0, text: "0 deg".into() }))
     }
 
     /// Returns the angle of the other wheel from the line of centres, in the convention for
     /// positions of wheels: with whole turns if its own driver gives it, else within half a turn.
-    fn against_line(&self, mesh: &Mesh, frame: LinkId, turned: &Turned, beyond: &mut Vec<LinkId>) -> Option<Told> {
-        let stands = self.stands(mesh.other, frame, turned, beyond)?;
+    fn against_line(&self, mesh: &WheelMesh, frame: LinkId, turned: &TurningDriver, beyond: &mut Vec<LinkId>) -> Option<NumberText> {
+        let stands = self.given_angle(mesh.other, frame, turned, beyond)?;
         // A train's driver without an angle begins at 0.
         let is_written = |d: usize| d == turned.driver || self.stated(d).is_some();
         let written = frame == self.bare.ground && self.turned_by(mesh.other, frame).is_some_and(|(d, _)| is_written(d));
@@ -168,9 +168,9 @@ impl One<'_> {
         let text = format!("({})-({})", stands.text, mesh.line.text);
         let turns = if written { 0.0 } else { turns_of(value) };
         Some(if turns == 0.0 {
-            Told { value, text }
+            NumberText { value, text }
         } else {
-            Told { value: value - turns * TAU, text: format!("{text}-({turns}*360 deg)") }
+            NumberText { value: value - turns * TAU, text: format!("{text}-({turns}*360 deg)") }
         })
     }
 
@@ -200,7 +200,7 @@ impl One<'_> {
             ));
             return None;
         }
-        let angle = self.told(q, Wanted::Angle, faults)?;
+        let angle = self.number_text(q, RequiredQuantity::Angle, faults)?;
         let mesh = self.mesh(pair, cam, frame)?;
         let others = self.against_line(&mesh, frame, &turned, &mut vec![cam])?.text;
         let (line, ratio) = (&mesh.line.text, &mesh.ratio.text);
@@ -222,26 +222,28 @@ impl One<'_> {
     }
 
     /// Returns the angle of a driver as written.
-    pub(super) fn stated(&self, driver: usize) -> Option<Told> {
+    pub(super) fn stated(&self, driver: usize) -> Option<NumberText> {
         match &self.bare.drivers[driver].kind {
-            DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| Told::angle(&Given { text: self.values.text_of(a), ..a.clone() })),
+            DriverKind::Turn { angle, .. } => {
+                angle.as_ref().map(|a| NumberText::angle(&GivenQuantity { text: self.values.text_of(a), ..a.clone() }))
+            }
             DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
         }
     }
 
     /// Returns the direction of a link's first two points in the fixed plane; for the ground, the x
     /// axis.
-    pub(super) fn line_of(&self, link: LinkId) -> Option<Told> {
+    pub(super) fn line_of(&self, link: LinkId) -> Option<NumberText> {
         if link == self.bare.ground {
-            return Some(Told { value: 0.0, text: "0 deg".into() });
+            return Some(NumberText { value: 0.0, text: "0 deg".into() });
         }
         let [a, b, ..] = self.bare.links[link.0].points.as_slice() else { return None };
         let (a, b) = (spot(self.bare, *a)?, spot(self.bare, *b)?);
-        Some(Told { value: (b.at() - a.at()).angle(), text: direction(&a, &b) })
+        Some(NumberText { value: (b.at() - a.at()).angle(), text: direction(&a, &b) })
     }
 
     /// The fault of a cam without an angle.
-    pub(super) fn no_angle(&self, cam: LinkId, turned: &Turned) -> Lacking {
+    pub(super) fn no_angle(&self, cam: LinkId, turned: &TurningDriver) -> Lacking {
         let name = self.bare.link_name(cam);
         if turned.direct() {
             return Lacking {
@@ -263,24 +265,24 @@ impl One<'_> {
 }
 
 /// Returns the ratio of one wheel's rotation to the other's.
-fn ratio(r: &Rolling, second: bool) -> Option<Told> {
-    let (sizes, same): ([Told; 2], bool) = match &r.contours {
+fn ratio(r: &Rolling, second: bool) -> Option<NumberText> {
+    let (sizes, same): ([NumberText; 2], bool) = match &r.contours {
         Contours::Circles { sizes: Sizes::Teeth(teeth), hollow, .. } => (teeth.map(whole), hollow.is_some()),
-        Contours::Circles { sizes: Sizes::Radii(radii), hollow, .. } => (radii.each_ref().map(Told::length), hollow.is_some()),
+        Contours::Circles { sizes: Sizes::Radii(radii), hollow, .. } => (radii.each_ref().map(NumberText::length), hollow.is_some()),
         Contours::Belt { teeth: Some(teeth), crossed, .. } => (teeth.map(whole), !crossed),
-        Contours::Belt { radii, crossed, .. } => (radii.each_ref().map(Told::length), !crossed),
+        Contours::Belt { radii, crossed, .. } => (radii.each_ref().map(NumberText::length), !crossed),
         Contours::Track { .. } => return None,
     };
     let [mine, its] = if second { [&sizes[1], &sizes[0]] } else { [&sizes[0], &sizes[1]] };
     let (value, text) = (its.value / mine.value, format!("({})/({})", its.text, mine.text));
-    Some(if same { Told { value, text } } else { Told { value: -value, text: format!("-({text})") } })
+    Some(if same { NumberText { value, text } } else { NumberText { value: -value, text: format!("-({text})") } })
 }
 
-fn whole(teeth: u32) -> Told {
-    Told { value: f64::from(teeth), text: teeth.to_string() }
+fn whole(teeth: u32) -> NumberText {
+    NumberText { value: f64::from(teeth), text: teeth.to_string() }
 }
 
 /// Returns the text of the negative of a number; a written zero remains.
-fn negative(told: &Told) -> String {
+fn negative(told: &NumberText) -> String {
     if told.value == 0.0 { told.text.clone() } else { format!("-({})", told.text) }
 }

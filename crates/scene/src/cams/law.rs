@@ -17,17 +17,17 @@
 //! The path of a point in a turning frame: 孙桓, *Machine Theory*, 反转法; the support function of a
 //! convex curve: h + h″ is its radius of curvature.
 
-use super::super::model::{Given, LinkId, PointId, Scene};
+use super::super::model::{GivenQuantity, LinkId, PointId, Scene};
 use super::super::raw::{RawDriver, RawDriverKind, RawPlace, RawQuantity};
-use super::place::{Carried, OnPivot, Spot, direction, distance, outward};
-use hodograph_base::cam::{Disc, Program, Side, Station, Touch, Way, in_turn_of};
+use super::place::{CarriedFollower, OnPivot, PointTexts, direction, distance, outward};
+use hodograph_base::cam::{CamStation, Disc, FollowerTip, PieceSide, StageMotion, StageProgram, in_turn_of};
 use hodograph_base::diag::Span;
 use hodograph_base::json::Word;
 
 /// A stage as written.
 pub(super) struct StageText {
     /// Lift of the stage; `None` for a dwell.
-    pub gain: Option<Given>,
+    pub gain: Option<GivenQuantity>,
     /// Text of the cam angle.
     pub over: String,
 }
@@ -46,7 +46,7 @@ pub(super) struct At<'a> {
     /// The link that is the cam.
     pub of: LinkId,
     pub cam: &'a OnPivot,
-    pub carried: &'a Carried,
+    pub carried: &'a CarriedFollower,
     /// The follower's point, or the mark that gives its direction.
     pub point: PointId,
     /// Radius of the round end, as a text.
@@ -60,13 +60,13 @@ pub(super) struct At<'a> {
 }
 
 /// Pair or driver that replaces the contact, and the parameters that it adds to those of the file.
-pub(super) struct Written {
+pub(super) struct ContactReplacement {
     pub parameters: Vec<(String, String)>,
-    pub stands: Stands,
+    pub stands: LawReplacement,
 }
 
 /// Replacement of the contact of a law.
-pub(super) enum Stands {
+pub(super) enum LawReplacement {
     /// An arc about a point of the cam: the place of this point (`None` for the pivot), and the
     /// parameter of the radius, of the pitch curve or of the profile under a face.
     Arc { place: Option<RawPlace>, radius: String },
@@ -75,7 +75,7 @@ pub(super) enum Stands {
 }
 
 /// Texts of the lift and its derivatives by φ in a stage, with the data for all formulas.
-struct Texts<'a> {
+struct StageTexts<'a> {
     at: &'a At<'a>,
     law: &'a LawText,
     name: &'a str,
@@ -88,13 +88,20 @@ struct Texts<'a> {
     rates: Option<(String, String)>,
 }
 
-impl<'a> Texts<'a> {
-    fn new(at: &'a At<'a>, disc: &Disc, program: &Program, law: &'a LawText, (phi, side): (f64, Side), name: &'a str) -> Option<Texts<'a>> {
-        let unit = if matches!(at.carried, Carried::Pivot { .. }) { "deg" } else { "mm" };
+impl<'a> StageTexts<'a> {
+    fn new(
+        at: &'a At<'a>,
+        disc: &Disc,
+        program: &StageProgram,
+        law: &'a LawText,
+        (phi, side): (f64, PieceSide),
+        name: &'a str,
+    ) -> Option<StageTexts<'a>> {
+        let unit = if matches!(at.carried, CarriedFollower::Pivot { .. }) { "deg" } else { "mm" };
         let (i, _, _) = program.stage(phi, side)?;
         let stage = &program.stages[i];
         let out = if outward(at.carried, &disc.follower) < 0.0 { "-" } else { "+" };
-        let mut t = Texts { at, law, name, parameters: Vec::new(), out, s: String::new(), rates: None };
+        let mut t = StageTexts { at, law, name, parameters: Vec::new(), out, s: String::new(), rates: None };
         // The angle from the start of the law, minus whole turns and the preceding stages.
         let (start, angle) = (&law.start, &at.cam.angle.text);
         let turned = if law.clockwise { format!("({start})-({angle})") } else { format!("({angle})-({start})") };
@@ -105,9 +112,9 @@ impl<'a> Texts<'a> {
         for (text, stage) in law.stages.iter().zip(&program.stages).take(i) {
             before += &format!("-({})", text.over);
             match (&text.gain, stage.way) {
-                (Some(gain), Way::Rise(..)) => lift += &format!("+({})", gain.text),
-                (Some(gain), Way::Return(..)) => lift += &format!("-({})", gain.text),
-                (None, _) | (_, Way::Dwell) => {}
+                (Some(gain), StageMotion::Rise(..)) => lift += &format!("+({})", gain.text),
+                (Some(gain), StageMotion::Return(..)) => lift += &format!("-({})", gain.text),
+                (None, _) | (_, StageMotion::Dwell) => {}
             }
         }
         let whole = if turns == 0.0 { String::new() } else { format!("-({turns}*360 deg)") };
@@ -115,7 +122,7 @@ impl<'a> Texts<'a> {
         match (&law.stages[i].gain, stage.law()) {
             (Some(gain), Some(motion)) => {
                 let x = t.define("x", format!("({turned}{whole}{before})/({over})"));
-                let sign = if matches!(stage.way, Way::Return(..)) { "-" } else { "" };
+                let sign = if matches!(stage.way, StageMotion::Return(..)) { "-" } else { "" };
                 let in_stage = (in_turn - program.joints()[i]) / stage.over;
                 let [s, ds, dds] = motion.text(in_stage.clamp(0.0, 1.0), &x);
                 let gain = format!("{sign}({})", gain.text);
@@ -145,7 +152,7 @@ impl<'a> Texts<'a> {
     }
 
     /// Returns the vector from the pivot of the cam to a place of its carrier.
-    fn seen_from_cam(&mut self, to: &Spot) -> [String; 2] {
+    fn seen_from_cam(&mut self, to: &PointTexts) -> [String; 2] {
         let [x, y] = self.at.cam.spot.way_to(to);
         [self.define("dx", x), self.define("dy", y)]
     }
@@ -155,13 +162,13 @@ impl<'a> Texts<'a> {
     fn way_out(&self, disc: &Disc, aside: &str) -> String {
         let base = &self.law.base;
         match (&self.at.radius, disc.touch) {
-            (Some(r), Touch::Point { .. }) => format!("sqrt((({base})+({r}))^2-{aside}^2)+{}", self.s),
+            (Some(r), FollowerTip::Point { .. }) => format!("sqrt((({base})+({r}))^2-{aside}^2)+{}", self.s),
             _ => format!("({base})+{}", self.s),
         }
     }
 
     /// Returns the angle of the arm, or of the line of the face.
-    fn direction(&mut self, spot: &Spot) -> String {
+    fn direction(&mut self, spot: &PointTexts) -> String {
         let centre = self.define("d", distance(spot, &self.at.cam.spot));
         let base = &self.law.base;
         let rest = match (&self.at.radius, &self.at.arm, &self.at.lever) {
@@ -173,12 +180,12 @@ impl<'a> Texts<'a> {
     }
 
     /// Returns the driver that moves the follower by the law.
-    fn driver(mut self, disc: &Disc) -> Written {
+    fn driver(mut self, disc: &Disc) -> ContactReplacement {
         let cam = self.at.cam;
         let clockwise = self.law.clockwise;
         let turned = |text: &str| if clockwise { format!("(-({text}))") } else { format!("({text})") };
         let (w, a) = (turned(&cam.rate_text), turned(&cam.acceleration_text));
-        let turning = matches!(self.at.carried, Carried::Pivot { .. });
+        let turning = matches!(self.at.carried, CarriedFollower::Pivot { .. });
         let (rate_unit, unit_2) = if turning { ("rad/s", "rad/s^2") } else { ("mm/s", "mm/s^2") };
         let (mut rate, mut acceleration) = match &self.rates {
             Some((ds, dds)) => (format!("{ds}*{w}"), format!("{dds}*{w}^2+{ds}*{a}")),
@@ -188,7 +195,7 @@ impl<'a> Texts<'a> {
             (rate, acceleration) = (format!("-({rate})"), format!("-({acceleration})"));
         }
         let kind = match self.at.carried {
-            Carried::Guide { through, angle, .. } => {
+            CarriedFollower::Guide { through, angle, .. } => {
                 let [x, y] = self.seen_from_cam(through);
                 let t = &angle.text;
                 // The coordinate counts from `through`; the foot of the perpendicular has this
@@ -200,7 +207,7 @@ impl<'a> Texts<'a> {
                 let (slide, position) = (self.word(self.at.follower.to_owned()), Some(self.quantity(place)));
                 RawDriverKind::Slide { slide, position }
             }
-            Carried::Pivot { pivot, spot } => {
+            CarriedFollower::Pivot { pivot, spot } => {
                 let place = self.direction(spot);
                 let place = self.define("place", place);
                 let line = format!("{},{}", self.at.scene.point_name(*pivot), self.at.scene.point_name(self.at.point));
@@ -215,7 +222,7 @@ impl<'a> Texts<'a> {
         };
         let (rate, acceleration) = (Some(self.quantity(rate)), Some(self.quantity(acceleration)));
         let driver = RawDriver { kind, rate, acceleration, law: None, span: self.at.span };
-        Written { parameters: self.parameters, stands: Stands::Driver(driver) }
+        ContactReplacement { parameters: self.parameters, stands: LawReplacement::Driver(driver) }
     }
 
     /// Returns the centre of curvature in the axes of the carrier, relative to the pivot of the
@@ -225,7 +232,7 @@ impl<'a> Texts<'a> {
         let out = if self.out == "-" { "-" } else { "" };
         let (q1, q2) = self.rates.clone().unwrap_or_else(|| ("0".into(), "0".into()));
         match (self.at.carried, disc.touch) {
-            (Carried::Guide { through, angle, .. }, touch) => {
+            (CarriedFollower::Guide { through, angle, .. }, touch) => {
                 let [x, y] = self.seen_from_cam(through);
                 let (c, s) = (format!("cos({})", angle.text), format!("sin({})", angle.text));
                 let still = self.rates.is_none();
@@ -234,7 +241,7 @@ impl<'a> Texts<'a> {
                 let aside = self.define("e", format!("{x}*{s}-{y}*{c}"));
                 let way = self.way_out(disc, &aside);
                 let q = self.define("q", way);
-                if let Touch::Flat { .. } = touch {
+                if let FollowerTip::Flat { .. } = touch {
                     let kx = format!("{sigma}({out}({q1}))*{s}-({out}({q2}))*{c}");
                     let ky = format!("-({sigma}({out}({q1}))*{c})-({out}({q2}))*{s}");
                     return [kx, ky, format!("{q}+{q2}")];
@@ -244,7 +251,7 @@ impl<'a> Texts<'a> {
                 let p = [self.define("px", format!("{px}+{aside}*{s}")), self.define("py", format!("{py}-{aside}*{c}"))];
                 self.pitch_curve(p, along(&q1), along(&q2), sigma)
             }
-            (Carried::Pivot { spot, .. }, touch) => {
+            (CarriedFollower::Pivot { spot, .. }, touch) => {
                 let [x, y] = self.seen_from_cam(spot);
                 let angle = self.direction(spot);
                 let angle = self.define("arm", angle);
@@ -252,7 +259,7 @@ impl<'a> Texts<'a> {
                 let r1 = self.define("r1", format!("{out}({q1})"));
                 let unit = if self.rates.is_none() { "" } else { "*(1 rad)" };
                 let r2 = self.define("r2", format!("{out}({q2}){unit}"));
-                if let Touch::Flat { .. } = touch {
+                if let FollowerTip::Flat { .. } = touch {
                     // m = ±u⊥, m⊥ = ∓u.
                     let (mx, my) = (format!("({out}(-{s}))"), format!("({out}({c}))"));
                     let b = self.define("b", format!("{x}*{mx}+{y}*{my}"));
@@ -287,13 +294,13 @@ impl<'a> Texts<'a> {
     }
 
     /// Returns the centre of curvature as a point of the cam, and the radius.
-    fn contact(mut self, disc: &Disc) -> Option<Written> {
+    fn contact(mut self, disc: &Disc) -> Option<ContactReplacement> {
         let cam = self.at.cam;
         let [x, y, radius] = self.curvature(disc);
         let (x, y) = (self.define("kx", x), self.define("ky", y));
         let radius = self.define("rho", radius);
         if is_about_pivot(disc, self.rates.is_none()) {
-            return Some(Written { parameters: self.parameters, stands: Stands::Arc { place: None, radius } });
+            return Some(ContactReplacement { parameters: self.parameters, stands: LawReplacement::Arc { place: None, radius } });
         }
         let (c, s) = (format!("cos({})", cam.angle.text), format!("sin({})", cam.angle.text));
         let (x, y) = (format!("{x}*{c}+{y}*{s}"), format!("{y}*{c}-{x}*{s}"));
@@ -311,13 +318,13 @@ impl<'a> Texts<'a> {
             let base = self.word(format!("{},{}", scene.point_name(from), scene.point_name(to)));
             RawPlace::InLink { base, xy: [x, y].map(|t| self.quantity(format!("{turn}({t})"))) }
         };
-        Some(Written { parameters: self.parameters, stands: Stands::Arc { place: Some(place), radius } })
+        Some(ContactReplacement { parameters: self.parameters, stands: LawReplacement::Arc { place: Some(place), radius } })
     }
 }
 
 /// True if a face touches the arc about the pivot of the cam: in a dwell.
 fn is_about_pivot(disc: &Disc, dwells: bool) -> bool {
-    dwells && matches!(disc.touch, Touch::Flat { .. })
+    dwells && matches!(disc.touch, FollowerTip::Flat { .. })
 }
 
 /// Limit of the distance of a usable centre of curvature, as a multiple of the size of the cam:
@@ -331,12 +338,19 @@ const NEAR: f64 = 1e-7;
 
 /// Writes the replacement for the contact of a law at an angle φ; the names of its parameters begin
 /// with `name`.
-pub(super) fn written(at: &At, disc: &Disc, program: &Program, law: &LawText, (phi, side): (f64, Side), name: &str) -> Option<Written> {
+pub(super) fn written(
+    at: &At,
+    disc: &Disc,
+    program: &StageProgram,
+    law: &LawText,
+    (phi, side): (f64, PieceSide),
+    name: &str,
+) -> Option<ContactReplacement> {
     let dwells = program.stage(phi, side).is_none_or(|(i, ..)| program.stages[i].law().is_none());
-    let apart = |s: &Station| (s.contact - s.normal * s.rho).norm() > NEAR * s.contact.norm();
-    let told = |s: &Station| matches!(disc.touch, Touch::Point { .. }) || is_about_pivot(disc, dwells) || apart(s);
+    let apart = |s: &CamStation| (s.contact - s.normal * s.rho).norm() > NEAR * s.contact.norm();
+    let told = |s: &CamStation| matches!(disc.touch, FollowerTip::Point { .. }) || is_about_pivot(disc, dwells) || apart(s);
     let near = disc.station(phi, side).is_some_and(|s| s.rho_pitch.abs() <= FAR * s.pitch.norm() && told(&s));
-    let texts = || Texts::new(at, disc, program, law, (phi, side), name);
+    let texts = || StageTexts::new(at, disc, program, law, (phi, side), name);
     let arc = if near { texts().and_then(|t| t.contact(disc)) } else { None };
     arc.or_else(|| Some(texts()?.driver(disc)))
 }

@@ -38,11 +38,11 @@ pub(super) mod rollers;
 mod texts;
 mod untold;
 
-pub use course::{Course, HangsOn, Leads, Led};
+pub use course::{FollowerCourse, FollowerSolver, FollowerState, HangsOn};
 pub use texts::{MotionTexts, Texts};
 
 use super::model::{GuideId, LinkId, PointId, Scene};
-use hodograph_base::cam::{Disc, Motion, Segment, Side, Surveyed};
+use hodograph_base::cam::{CamMotion, Disc, PieceSide, ProfileSegment, Surveyed};
 use hodograph_base::diag::Span;
 use hodograph_base::geom::{Point, Vec2};
 
@@ -104,7 +104,7 @@ pub struct Cam {
     pub circle: Option<(PointId, f64)>,
     /// The cam on a pivot of the link in which its follower slides or turns, the ground or a moving
     /// link, for a whole turn. `None` where different links carry them.
-    pub disc: Option<Turning>,
+    pub disc: Option<TurningCam>,
     /// The pieces of a profile placed by the coordinates of the pose, where different links carry
     /// cam and follower.
     pub posed: Option<Pieces>,
@@ -128,13 +128,13 @@ impl Cam {
     /// Returns the radius of curvature of the profile at the contact in the pose (m), negative for
     /// a hollow; `None` for a line.
     pub fn touched_radius(&self) -> Option<f64> {
-        let of = |segments: &[Segment], i: usize| match segments.get(i) {
-            Some(Segment::Arc { radius, .. }) => Some(*radius),
-            Some(Segment::Line { .. }) | None => None,
+        let of = |segments: &[ProfileSegment], i: usize| match segments.get(i) {
+            Some(ProfileSegment::Arc { radius, .. }) => Some(*radius),
+            Some(ProfileSegment::Line { .. }) | None => None,
         };
-        let of_disc = |t: &Turning| match &t.disc.motion {
-            Motion::Profile(segments) => of(segments, t.touched?),
-            Motion::Law { .. } => t.disc.station(t.phi, t.side).map(|s| s.rho),
+        let of_disc = |t: &TurningCam| match &t.disc.motion {
+            CamMotion::Profile(segments) => of(segments, t.touched?),
+            CamMotion::Law { .. } => t.disc.station(t.phi, t.side).map(|s| s.rho),
         };
         let several = || self.posed.as_ref().and_then(|p| of(&p.segments, p.touched));
         self.circle.map(|c| c.1).or_else(|| self.disc.as_ref().and_then(of_disc)).or_else(several)
@@ -148,8 +148,9 @@ impl Cam {
 
     /// Returns true if a straight piece is in contact in the pose.
     pub fn is_touched_straight(&self) -> bool {
-        let straight = |segments: &[Segment]| self.touched().is_some_and(|i| matches!(segments.get(i), Some(Segment::Line { .. })));
-        let of_disc = |t: &Turning| matches!(&t.disc.motion, Motion::Profile(segments) if straight(segments));
+        let straight =
+            |segments: &[ProfileSegment]| self.touched().is_some_and(|i| matches!(segments.get(i), Some(ProfileSegment::Line { .. })));
+        let of_disc = |t: &TurningCam| matches!(&t.disc.motion, CamMotion::Profile(segments) if straight(segments));
         self.disc.as_ref().is_some_and(of_disc) || self.posed.as_ref().is_some_and(|p| straight(&p.segments))
     }
 }
@@ -161,7 +162,7 @@ pub struct Pieces {
     /// second.
     pub frame: [PointId; 2],
     /// The pieces, counter-clockwise.
-    pub segments: Vec<Segment>,
+    pub segments: Vec<ProfileSegment>,
     /// The texts of their numbers, if each has one.
     pub texts: Option<MotionTexts>,
     /// Index of the piece in contact in the pose.
@@ -169,7 +170,7 @@ pub struct Pieces {
     /// The scene with each of the other pieces in contact, if that is possible.
     pub others: Vec<(usize, Scene)>,
     /// For a whole motion: the driver that replaces the contact, and the computation of its states.
-    pub led: Option<(usize, Course)>,
+    pub led: Option<(usize, FollowerCourse)>,
 }
 
 impl Pieces {
@@ -182,7 +183,7 @@ impl Pieces {
 
 /// A cam that turns about a pivot of the link that carries its follower.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Turning {
+pub struct TurningCam {
     /// The link that carries both; angles and places are measured in its axes.
     pub frame: LinkId,
     /// The pivot.
@@ -215,12 +216,12 @@ pub struct Turning {
     /// axes; it selects the assembly.
     pub rough: Option<(PointId, Vec2)>,
     /// The side of a joint at which the instant is taken: the next piece in the driver's sense.
-    pub side: Side,
+    pub side: PieceSide,
     /// The texts of its numbers, if each has one.
     pub texts: Option<Texts>,
 }
 
-impl Turning {
+impl TurningCam {
     /// Returns true if the cam's angle is that of its driver or its negative; if gears, a belt or a
     /// chain drive the cam, its angle is a multiple of the driver's plus a constant.
     pub fn is_drivers_own(&self) -> bool {

@@ -7,8 +7,8 @@
 
 use super::super::driver::{Position, PositionSlot};
 use super::super::model::*;
-use super::course::{Course, HangsOn, Led};
-use hodograph_base::cam::{Follower, Jet, Side};
+use super::course::{FollowerCourse, FollowerState, HangsOn};
+use hodograph_base::cam::{CamJet, Follower, PieceSide};
 use hodograph_base::diag::Span;
 use hodograph_base::number::{Ball, Real};
 
@@ -32,7 +32,7 @@ impl Scene {
 
     /// Returns the followers moved by cams on other links: cam, driver, and the computation of the
     /// states.
-    fn courses(&self) -> impl Iterator<Item = (usize, usize, &Course)> {
+    fn courses(&self) -> impl Iterator<Item = (usize, usize, &FollowerCourse)> {
         self.cams.iter().enumerate().filter_map(|(i, c)| {
             let (k, course) = c.posed.as_ref()?.led.as_ref()?;
             Some((i, *k, course))
@@ -61,7 +61,7 @@ impl Scene {
                 && let Some(kind) = scene.follower_driver(c, turning)
             {
                 let (led, span) = (turning.driver, c.span);
-                let zero = || Given { value: 0.0, radius: 0.0, text: "0".into(), span };
+                let zero = || GivenQuantity { value: 0.0, radius: 0.0, text: "0".into(), span };
                 let index = scene.drivers.len();
                 scene.drivers.push(Driver { kind, rate: zero(), acceleration: Some(zero()), rate_told: true, law: None, span });
                 scene.cams[i].contact = None;
@@ -77,7 +77,7 @@ impl Scene {
 
     /// Makes the follower of a cam on another link a driver whose states come from `course`; other
     /// drivers without a position get theirs from `positions`.
-    pub fn lead(&mut self, cam: usize, hangs: HangsOn, course: Course, positions: &[f64]) {
+    pub fn lead(&mut self, cam: usize, hangs: HangsOn, course: FollowerCourse, positions: &[f64]) {
         let Some(guide) = self.cams[cam].contact.take() else { return };
         let span = self.cams[cam].span;
         let kind = match hangs {
@@ -110,8 +110,9 @@ impl Scene {
         if self.courses().next().is_none() {
             return;
         }
-        let standing = self.standing(at);
-        let all: Vec<(usize, usize, Option<Led>)> = self.courses().map(|(i, k, course)| (i, k, course.0.led(&standing))).collect();
+        let standing = self.driver_states(at);
+        let all: Vec<(usize, usize, Option<FollowerState>)> =
+            self.courses().map(|(i, k, course)| (i, k, course.0.led(&standing))).collect();
         for (cam, driver, led) in all {
             let span = self.cams[cam].span;
             let [place, rate, acceleration] = led.map_or([f64::NAN, 0.0, 0.0], |led| led.place);
@@ -124,7 +125,7 @@ impl Scene {
 
     /// Returns place, rate and acceleration of the drivers without a course, at the positions `at`,
     /// with the stated positions as default.
-    fn standing(&self, at: &dyn Fn(usize) -> Option<f64>) -> Vec<[f64; 3]> {
+    fn driver_states(&self, at: &dyn Fn(usize) -> Option<f64>) -> Vec<[f64; 3]> {
         let own = (0..self.drivers.len()).filter(|d| !self.is_on_a_course(*d));
         let of = |d: usize| {
             let driver = &self.drivers[d];
@@ -138,7 +139,7 @@ impl Scene {
     /// acceleration are double-precision values with these bounds at every precision of the ladder;
     /// `None` without such followers.
     pub fn bounded(&self) -> Option<Scene> {
-        let standing = self.standing(&|_| None);
+        let standing = self.driver_states(&|_| None);
         let on_courses = self.courses().map(|(_, k, course)| (k, course.0.off(&standing)));
         let discs = self.cams.iter().filter_map(|c| c.disc.as_ref());
         let on_discs = discs.filter_map(|t| Some((t.by_law.filter(|k| self.drivers[*k].is_put())?, t)));
@@ -191,8 +192,8 @@ impl Scene {
 
     /// Returns the driver of a follower on the link that carries the cam; `None` for a face without
     /// a line to measure its angle.
-    fn follower_driver(&self, c: &Cam, t: &Turning) -> Option<DriverKind> {
-        let given = |value: f64| Given { value, radius: 0.0, text: format!("({value:?}) m"), span: c.span };
+    fn follower_driver(&self, c: &Cam, t: &TurningCam) -> Option<DriverKind> {
+        let given = |value: f64| GivenQuantity { value, radius: 0.0, text: format!("({value:?}) m"), span: c.span };
         match t.disc.follower {
             Follower::Translating { .. } => {
                 let guide = self.guides.iter().position(|g| g.slider == Some(c.follower) && g.on == t.frame).map(GuideId)?;
@@ -216,9 +217,9 @@ impl Scene {
     /// Returns the line of a flat face that begins at its pivot.
     fn face_line(&self, c: &Cam, pivot: PointId) -> Option<(PointId, PointId)> {
         match self.guides[c.contact?.0].path {
-            GuidePath::Line { direction: Direction::Along(a, b, None), .. } => Some((a, b)).filter(|(a, _)| *a == pivot),
+            GuidePath::Line { direction: GuideDirection::Along(a, b, None), .. } => Some((a, b)).filter(|(a, _)| *a == pivot),
             GuidePath::Line {
-                direction: Direction::Along(_, _, Some(_)) | Direction::Own | Direction::Instant(_) | Direction::Slid(_),
+                direction: GuideDirection::Along(_, _, Some(_)) | GuideDirection::Own | GuideDirection::Instant(_) | GuideDirection::Slid(_),
                 ..
             }
             | GuidePath::Arc { .. } => None,
@@ -262,13 +263,13 @@ impl Scene {
             if let Some(at) = value.or(stated) {
                 t.phi = t.disc.sense * (t.way * at + t.from - t.start);
             }
-            t.side = if rate * sense < 0.0 { Side::Before } else { Side::After };
+            t.side = if rate * sense < 0.0 { PieceSide::Before } else { PieceSide::After };
             let Some(k) = t.by_law else { continue };
             let Some(q) = t.disc.coordinate(t.phi, t.side) else {
                 self.put(k, [f64::NAN, 0.0, 0.0], span);
                 continue;
             };
-            let Jet([q, dq, ddq, _]) = q;
+            let CamJet([q, dq, ddq, _]) = q;
             let (place, out) = (t.origin + t.outward * q, t.outward);
             let (v, a) = (out * dq * sense * rate, out * (ddq * (sense * rate) * (sense * rate) + dq * sense * acceleration));
             self.put(k, [place, v, a], span);
@@ -289,7 +290,7 @@ impl Driver {
     }
 }
 
-impl Turning {
+impl TurningCam {
     /// Returns bounds of the errors of place, rate and acceleration of a driver that replaces the
     /// contact; `None` where there is no enclosure.
     fn off(&self, scene: &Scene, driver: &Driver) -> Option<[f64; 3]> {
@@ -300,16 +301,16 @@ impl Turning {
 }
 
 /// Gives a number a bound of its error and deletes its text, which would replace the bound.
-fn within<T>(given: &mut Given<T>, off: f64) {
+fn within<T>(given: &mut GivenQuantity<T>, off: f64) {
     given.radius = off;
     given.text.clear();
 }
 
 /// A value in double precision, with the shortest decimal text that reads back as the same number.
-fn number(value: f64, unit: &str, span: Span) -> Given {
-    Given { value, radius: value.abs() * f64::EPSILON, text: format!("({value:?}) ({unit})"), span }
+fn number(value: f64, unit: &str, span: Span) -> GivenQuantity {
+    GivenQuantity { value, radius: value.abs() * f64::EPSILON, text: format!("({value:?}) ({unit})"), span }
 }
 
-fn angle(value: f64, span: Span) -> Given<Angle> {
-    Given { value: Angle::Rad(value), radius: value.abs() * f64::EPSILON, text: format!("({value:?}) rad"), span }
+fn angle(value: f64, span: Span) -> GivenQuantity<Angle> {
+    GivenQuantity { value: Angle::Rad(value), radius: value.abs() * f64::EPSILON, text: format!("({value:?}) rad"), span }
 }

@@ -2,9 +2,9 @@
 //! of the follower for a circle's centre.
 
 use super::super::raw::{RawGuide, RawPlace, RawQuantity, RawScene};
-use super::place::Told;
+use super::place::NumberText;
 use super::raw::{RawFace, RawFollows};
-use hodograph_base::cam::outline::Part;
+use hodograph_base::cam::outline::ProfilePart;
 use hodograph_base::diag::Span;
 use hodograph_base::json::Word;
 
@@ -12,16 +12,16 @@ use hodograph_base::json::Word;
 #[derive(Clone, Debug)]
 pub(super) enum Worded {
     /// A circle about a point of the cam (a corner has the radius 0).
-    Circle { centre: String, radius: Told },
+    Circle { centre: String, radius: NumberText },
     /// A common tangent of its neighbours, with their distance.
-    Tangent { apart: Told },
+    Tangent { apart: NumberText },
     /// An arc tangent to its neighbours.
-    Flank { radius: Told },
+    Flank { radius: NumberText },
 }
 
 impl Worded {
     /// Returns its radius; a tangent has none.
-    pub fn radius(&self) -> Option<&Told> {
+    pub fn radius(&self) -> Option<&NumberText> {
         match self {
             Worded::Circle { radius, .. } | Worded::Flank { radius } => Some(radius),
             Worded::Tangent { .. } => None,
@@ -30,18 +30,18 @@ impl Worded {
 }
 
 /// The data of the pair.
-pub(super) struct Contact<'a> {
+pub(super) struct CamPair<'a> {
     pub cam: &'a str,
     pub follower: &'a str,
     pub follows: &'a RawFollows,
     /// Radius of the round end.
-    pub end: Option<Told>,
+    pub end: Option<NumberText>,
     /// Offset of a face, as a complete text.
-    pub offset: Option<Told>,
+    pub offset: Option<NumberText>,
     pub span: Span,
 }
 
-impl Contact<'_> {
+impl CamPair<'_> {
     fn word(&self, text: &str) -> Word {
         Word { text: text.to_owned(), span: self.span }
     }
@@ -55,7 +55,7 @@ impl Contact<'_> {
     }
 
     /// Returns the slot for a round end against a circle.
-    fn slot(&self, pin: &Word, centre: &str, radius: &Told, end: &Told) -> RawGuide {
+    fn slot(&self, pin: &Word, centre: &str, radius: &NumberText, end: &NumberText) -> RawGuide {
         // In a hollow, the distance of the centres is the difference of the radii.
         let text = match (radius.value < 0.0, end.value == 0.0) {
             (true, _) => format!("-({})-({})", radius.text, end.text),
@@ -72,7 +72,7 @@ impl Contact<'_> {
     }
 
     /// Returns the guide for a face against a circle.
-    fn face(&self, face: &RawFace, centre: &str, radius: &Told) -> RawGuide {
+    fn face(&self, face: &RawFace, centre: &str, radius: &NumberText) -> RawGuide {
         let sign = if face.left.unwrap_or(true) { "" } else { "-" };
         let text = match &self.offset {
             Some(offset) if offset.value != 0.0 => {
@@ -95,9 +95,9 @@ impl Contact<'_> {
     /// Writes the pair of an arc whose centre is a new point of the cam at `place`, or its pivot:
     /// the centre of a round end moves about it at this radius, or a face keeps this distance from
     /// it.
-    pub fn about(&self, raw: &mut RawScene, place: Option<RawPlace>, pivot: &str, radius: &Told) -> Option<()> {
+    pub fn about(&self, raw: &mut RawScene, place: Option<RawPlace>, pivot: &str, radius: &NumberText) -> Option<()> {
         let centre = if place.is_some() { fresh(raw, &["K", "F", "G", "H"]) } else { pivot.to_owned() };
-        let none = Told { value: 0.0, text: "0 mm".into() };
+        let none = NumberText { value: 0.0, text: "0 mm".into() };
         let guide = match self.follows {
             RawFollows::Face(face) => self.face(face, &centre, radius),
             RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => {
@@ -120,7 +120,7 @@ impl Contact<'_> {
             Worded::Circle { centre, radius } => Some((centre.clone(), radius.clone())),
             Worded::Tangent { .. } | Worded::Flank { .. } => None,
         };
-        let end = self.end.clone().unwrap_or(Told { value: 0.0, text: "0 mm".into() });
+        let end = self.end.clone().unwrap_or(NumberText { value: 0.0, text: "0 mm".into() });
         let pin = self.follows.pin();
         let guide = match (&parts[i], self.follows) {
             (Worded::Circle { centre, radius }, RawFollows::Face(face)) => self.face(face, centre, radius),
@@ -173,10 +173,10 @@ pub(super) fn fresh(raw: &RawScene, proposed: &[&str]) -> String {
 }
 
 /// Returns the part as numbers, with its centre in the frame of the cam.
-pub(super) fn numbers(part: &Worded, local: impl Fn(&str) -> Option<hodograph_base::geom::Vec2>) -> Option<Part> {
+pub(super) fn numbers(part: &Worded, local: impl Fn(&str) -> Option<hodograph_base::geom::Vec2>) -> Option<ProfilePart> {
     Some(match part {
-        Worded::Circle { centre, radius } => Part::Circle(local(centre)?, radius.value),
-        Worded::Tangent { .. } => Part::Tangent,
-        Worded::Flank { radius } => Part::Flank(radius.value),
+        Worded::Circle { centre, radius } => ProfilePart::Circle(local(centre)?, radius.value),
+        Worded::Tangent { .. } => ProfilePart::Tangent,
+        Worded::Flank { radius } => ProfilePart::Flank(radius.value),
     })
 }

@@ -12,33 +12,33 @@ use hodograph_base::geom::Vec2;
 
 /// A number and its text, with a unit.
 #[derive(Clone, Debug)]
-pub(super) struct Told {
+pub(super) struct NumberText {
     pub value: f64,
     pub text: String,
 }
 
-impl Told {
-    pub fn length(given: &Given) -> Told {
+impl NumberText {
+    pub fn length(given: &GivenQuantity) -> NumberText {
         // A bare zero has no unit in a sum.
-        Told { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text.clone() } }
+        NumberText { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text.clone() } }
     }
 
-    pub fn angle(given: &Given<Angle>) -> Told {
+    pub fn angle(given: &GivenQuantity<Angle>) -> NumberText {
         let value = given.value.radians();
-        Told { value, text: if value == 0.0 { "0 deg".into() } else { given.text.clone() } }
+        NumberText { value, text: if value == 0.0 { "0 deg".into() } else { given.text.clone() } }
     }
 }
 
 /// A point with coordinates.
 #[derive(Clone, Debug)]
-pub(super) struct Spot {
-    pub x: Told,
-    pub y: Told,
+pub(super) struct PointTexts {
+    pub x: NumberText,
+    pub y: NumberText,
 }
 
-impl Spot {
-    pub fn of(xy: &[Given; 2]) -> Spot {
-        Spot { x: Told::length(&xy[0]), y: Told::length(&xy[1]) }
+impl PointTexts {
+    pub fn of(xy: &[GivenQuantity; 2]) -> PointTexts {
+        PointTexts { x: NumberText::length(&xy[0]), y: NumberText::length(&xy[1]) }
     }
 
     pub fn at(&self) -> Vec2 {
@@ -47,8 +47,8 @@ impl Spot {
 
     /// Returns the texts of the vector to another point; only components written as zero are
     /// omitted.
-    pub fn way_to(&self, other: &Spot) -> [String; 2] {
-        let part = |a: &Told, b: &Told| match (a.value == 0.0, b.value == 0.0) {
+    pub fn way_to(&self, other: &PointTexts) -> [String; 2] {
+        let part = |a: &NumberText, b: &NumberText| match (a.value == 0.0, b.value == 0.0) {
             (true, true) => "(0 mm)".to_owned(),
             (true, false) => format!("({})", b.text),
             (false, true) => format!("(-({}))", a.text),
@@ -64,14 +64,14 @@ pub(super) struct OnPivot {
     /// The carrying link.
     pub frame: LinkId,
     pub pivot: PointId,
-    pub spot: Spot,
+    pub spot: PointTexts,
     pub driver: usize,
     /// Ratio of the cam's rotation in the carrying link to the driver's.
     pub way: f64,
     /// Angle of the cam at driver position 0 (rad).
     pub from: f64,
     /// Angle of the cam's first two points.
-    pub angle: Told,
+    pub angle: NumberText,
     pub rate: f64,
     pub rate_text: String,
     pub acceleration: f64,
@@ -82,23 +82,23 @@ pub(super) struct OnPivot {
 
 /// A follower on the link that carries the cam.
 #[derive(Clone, Debug)]
-pub(super) enum Carried {
+pub(super) enum CarriedFollower {
     /// On a straight guide at this angle through this point, with its point on the guide.
-    Guide { through: Spot, angle: Told, pin: PointId },
+    Guide { through: PointTexts, angle: NumberText, pin: PointId },
     /// On a pivot.
-    Pivot { pivot: PointId, spot: Spot },
+    Pivot { pivot: PointId, spot: PointTexts },
 }
 
 /// Returns the coordinates of a point, if it has them.
-pub(super) fn spot(scene: &Scene, p: PointId) -> Option<Spot> {
+pub(super) fn spot(scene: &Scene, p: PointId) -> Option<PointTexts> {
     match &scene.points[p.0].place {
-        Place::At(xy) => Some(Spot::of(xy)),
-        Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => None,
+        PointPlace::At(xy) => Some(PointTexts::of(xy)),
+        PointPlace::Unknown | PointPlace::InLink { .. } | PointPlace::Polar { .. } => None,
     }
 }
 
 /// Returns the text of the direction from one point to another.
-pub(super) fn direction(from: &Spot, to: &Spot) -> String {
+pub(super) fn direction(from: &PointTexts, to: &PointTexts) -> String {
     let (way, [x, y]) = (to.at() - from.at(), from.way_to(to));
     if way.x == 0.0 {
         return if way.y < 0.0 { "-90 deg" } else { "90 deg" }.to_owned();
@@ -116,7 +116,7 @@ pub(super) fn direction(from: &Spot, to: &Spot) -> String {
 }
 
 /// Returns the text of the distance of two points with coordinates.
-pub(super) fn distance(from: &Spot, to: &Spot) -> String {
+pub(super) fn distance(from: &PointTexts, to: &PointTexts) -> String {
     let (way, [x, y]) = (to.at() - from.at(), from.way_to(to));
     match (way.x == 0.0, way.y == 0.0) {
         (_, true) => format!("abs({x})"),
@@ -127,21 +127,21 @@ pub(super) fn distance(from: &Spot, to: &Spot) -> String {
 
 /// Returns the distance of two points of a link, with its text: a given length, or from coordinates
 /// in the fixed plane or in the link.
-pub(super) fn apart(scene: &Scene, a: PointId, b: PointId) -> Option<Told> {
+pub(super) fn apart(scene: &Scene, a: PointId, b: PointId) -> Option<NumberText> {
     let given = scene.lengths.iter().find(|l| (l.a, l.b) == (a, b) || (l.a, l.b) == (b, a));
     if let Some(l) = given {
-        return Some(Told::length(&l.value));
+        return Some(NumberText::length(&l.value));
     }
     if let (Some(p), Some(q)) = (spot(scene, a), spot(scene, b)) {
-        return Some(Told { value: (q.at() - p.at()).norm(), text: distance(&p, &q) });
+        return Some(NumberText { value: (q.at() - p.at()).norm(), text: distance(&p, &q) });
     }
     [(a, b), (b, a)].into_iter().find_map(|(p, origin)| match &scene.points[p.0].place {
-        Place::InLink { base, xy } if base.0 == origin => {
-            let [x, y] = [0, 1].map(|i| Told::length(&xy[i]));
-            Some(Told { value: libm::hypot(x.value, y.value), text: format!("sqrt(({})^2+({})^2)", x.text, y.text) })
+        PointPlace::InLink { base, xy } if base.0 == origin => {
+            let [x, y] = [0, 1].map(|i| NumberText::length(&xy[i]));
+            Some(NumberText { value: libm::hypot(x.value, y.value), text: format!("sqrt(({})^2+({})^2)", x.text, y.text) })
         }
-        Place::Polar { base, length, .. } if base.0 == origin => Some(Told::length(length)),
-        Place::Unknown | Place::At(_) | Place::InLink { .. } | Place::Polar { .. } => None,
+        PointPlace::Polar { base, length, .. } if base.0 == origin => Some(NumberText::length(length)),
+        PointPlace::Unknown | PointPlace::At(_) | PointPlace::InLink { .. } | PointPlace::Polar { .. } => None,
     })
 }
 
@@ -182,11 +182,11 @@ fn local(scene: &Scene, p: PointId, at: &dyn Fn(PointId) -> Option<Vec2>, points
         Some((a, (b - a).unit()?))
     };
     match &scene.points[p.0].place {
-        Place::InLink { base: ab, xy } => base(*ab).map(|(a, u)| a + u * xy[0].value + u.perp() * xy[1].value),
-        Place::Polar { base: ab, length, angle } => {
+        PointPlace::InLink { base: ab, xy } => base(*ab).map(|(a, u)| a + u * xy[0].value + u.perp() * xy[1].value),
+        PointPlace::Polar { base: ab, length, angle } => {
             base(*ab).map(|(a, u)| a + u.rotate_by(Vec2::from_angle(angle.value.radians())) * length.value)
         }
-        Place::Unknown | Place::At(_) => {
+        PointPlace::Unknown | PointPlace::At(_) => {
             let mut reach = points.iter().filter(|q| **q != p).filter_map(|q| Some((*q, at(*q)?, apart(scene, p, *q)?.value)));
             let ((i, a, ra), (j, b, rb)) = (reach.next()?, reach.next()?);
             let way = b - a;
@@ -202,7 +202,7 @@ fn local(scene: &Scene, p: PointId, at: &dyn Fn(PointId) -> Option<Vec2>, points
 }
 
 /// Returns the coordinates of a point, or else its place in the sketch.
-pub(super) fn told(scene: &Scene, p: PointId) -> Option<Vec2> {
+pub(super) fn coordinates_or_sketch(scene: &Scene, p: PointId) -> Option<Vec2> {
     spot(scene, p).map(|s| s.at()).or(scene.points[p.0].sketch.map(|[x, y]| Vec2::new(x, y)))
 }
 
@@ -223,32 +223,34 @@ pub(super) fn sense(scene: &Scene, [pivot, centre, point]: [PointId; 3], spots: 
 
 /// Returns the follower for the geometry of a cam whose pivot is at `centre`: `sense` is +1 if it
 /// moves outward along its guide, or counter-clockwise.
-pub(super) fn geometry(carried: &Carried, centre: Vec2, arm: f64, sense: f64) -> Follower {
+pub(super) fn geometry(carried: &CarriedFollower, centre: Vec2, arm: f64, sense: f64) -> Follower {
     match carried {
-        Carried::Guide { through, angle, .. } => {
+        CarriedFollower::Guide { through, angle, .. } => {
             let direction = Vec2::from_angle(angle.value) * sense;
             Follower::Translating { direction, offset: -(through.at() - centre).dot(direction.perp()) }
         }
-        Carried::Pivot { spot, .. } => Follower::Oscillating { pivot: spot.at() - centre, arm, sense },
+        CarriedFollower::Pivot { spot, .. } => Follower::Oscillating { pivot: spot.at() - centre, arm, sense },
     }
 }
 
 /// Returns the follower's own coordinate at the zero of the cam's geometry, and +1 if the two grow
 /// together, else −1.
-pub(super) fn origin(carried: &Carried, centre: Vec2, follower: &Follower) -> (f64, f64) {
+pub(super) fn origin(carried: &CarriedFollower, centre: Vec2, follower: &Follower) -> (f64, f64) {
     let start = match carried {
-        Carried::Guide { through, angle, .. } => (centre - through.at()).dot(Vec2::from_angle(angle.value)),
-        Carried::Pivot { spot, .. } => (centre - spot.at()).angle(),
+        CarriedFollower::Guide { through, angle, .. } => (centre - through.at()).dot(Vec2::from_angle(angle.value)),
+        CarriedFollower::Pivot { spot, .. } => (centre - spot.at()).angle(),
     };
     (start, outward(carried, follower))
 }
 
 /// Returns the outward sense of the follower: +1 along the direction of its guide, or
 /// counter-clockwise about its pivot, else −1.
-pub(super) fn outward(carried: &Carried, follower: &Follower) -> f64 {
+pub(super) fn outward(carried: &CarriedFollower, follower: &Follower) -> f64 {
     match (carried, follower) {
-        (Carried::Guide { angle, .. }, Follower::Translating { direction, .. }) => direction.dot(Vec2::from_angle(angle.value)).signum(),
+        (CarriedFollower::Guide { angle, .. }, Follower::Translating { direction, .. }) => {
+            direction.dot(Vec2::from_angle(angle.value)).signum()
+        }
         (_, Follower::Oscillating { sense, .. }) => *sense,
-        (Carried::Pivot { .. }, Follower::Translating { .. }) => 1.0,
+        (CarriedFollower::Pivot { .. }, Follower::Translating { .. }) => 1.0,
     }
 }

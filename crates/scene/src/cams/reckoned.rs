@@ -6,9 +6,9 @@
 //! place, the scene must give the coordinates of the pose.
 
 use super::super::model::*;
-use super::expand::One;
-use super::place::{apart, locals, told};
-use hodograph_base::cam::{Disc, Follower, Jet, Motion, Segment, Side, Touch};
+use super::expand::CamReplacement;
+use super::place::{apart, coordinates_or_sketch, locals};
+use hodograph_base::cam::{CamJet, CamMotion, Disc, Follower, FollowerTip, PieceSide, ProfileSegment};
 use hodograph_base::geom::Vec2;
 
 /// Known places of points.
@@ -19,9 +19,9 @@ pub(super) struct Reckoned<'a> {
 
 impl<'a> Reckoned<'a> {
     pub fn of(scene: &'a Scene) -> Reckoned<'a> {
-        let told = |p: &Point| match &p.place {
-            Place::At([x, y]) => Some(Vec2::new(x.value, y.value)),
-            Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => None,
+        let told = |p: &NamedPoint| match &p.place {
+            PointPlace::At([x, y]) => Some(Vec2::new(x.value, y.value)),
+            PointPlace::Unknown | PointPlace::InLink { .. } | PointPlace::Polar { .. } => None,
         };
         let mut known = Reckoned { scene, at: scene.points.iter().map(told).collect() };
         // Each pass places at least one point, or is the last.
@@ -114,12 +114,12 @@ impl<'a> Reckoned<'a> {
             Through::Pin => return None,
         };
         let direction = match direction {
-            Direction::Instant(angle) if guide.on == self.scene.ground => Vec2::from_angle(angle.value.radians()),
-            Direction::Along(a, b, turn) => {
+            GuideDirection::Instant(angle) if guide.on == self.scene.ground => Vec2::from_angle(angle.value.radians()),
+            GuideDirection::Along(a, b, turn) => {
                 let way = (self.spot(*b)? - self.spot(*a)?).unit()?;
                 turn.as_ref().map_or(way, |t| way.rotate_by(Vec2::from_angle(t.value.radians())))
             }
-            Direction::Instant(_) | Direction::Own | Direction::Slid(_) => return None,
+            GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => return None,
         };
         Some((through, direction))
     }
@@ -133,7 +133,7 @@ impl<'a> Reckoned<'a> {
 
 /// The contact in the pose.
 pub(super) struct Touching<'a> {
-    pub segments: &'a [Segment],
+    pub segments: &'a [ProfileSegment],
     /// The first point of the cam, the origin of the frame of the pieces; the fields below are its
     /// place and the angle of that frame.
     pub centre: PointId,
@@ -145,7 +145,7 @@ pub(super) struct Touching<'a> {
     pub face: (f64, f64, Option<PointId>),
 }
 
-impl One<'_> {
+impl CamReplacement<'_> {
     /// Returns the piece in contact with a follower, and the resulting place of a point of the
     /// follower; `None` if the path of the follower is not known.
     pub(super) fn held_by(
@@ -166,21 +166,22 @@ impl One<'_> {
                 Some(_) => {
                     let (pivot, at) = known.pivot(follower, point)?;
                     let arm = apart(self.bare, pivot, point)?.value;
-                    let sense = super::place::sense(self.bare, [pivot, t.centre, point], [at, t.origin], told(self.bare, point));
+                    let sense =
+                        super::place::sense(self.bare, [pivot, t.centre, point], [at, t.origin], coordinates_or_sketch(self.bare, point));
                     Follower::Oscillating { pivot: at - t.origin, arm, sense }
                 }
                 None => Follower::Oscillating { pivot: known.spot(point)? - t.origin, arm: 0.0, sense: t.face.0 },
             }
         };
         let touch = match t.end {
-            Some(radius) => Touch::Point { radius },
-            None => Touch::Flat { lever: if slides { 0.0 } else { t.face.1 } },
+            Some(radius) => FollowerTip::Point { radius },
+            None => FollowerTip::Flat { lever: if slides { 0.0 } else { t.face.1 } },
         };
-        let disc = Disc { follower: geometry, touch, motion: Motion::Profile(t.segments.to_vec()), sense: 1.0 };
+        let disc = Disc { follower: geometry, touch, motion: CamMotion::Profile(t.segments.to_vec()), sense: 1.0 };
         let disc = self.on_its_side(disc, t.angle, (self.bare.ground, t.origin), point, &|q| known.spot(q));
         let (touched, q) = match self.on {
-            Some(piece) => (piece, t.segments[piece].coordinate(&disc.follower, &disc.touch, Jet::variable(t.angle))),
-            None => (disc.touched(t.angle, Side::After)?, disc.coordinate(t.angle, Side::After)?),
+            Some(piece) => (piece, t.segments[piece].coordinate(&disc.follower, &disc.touch, CamJet::variable(t.angle))),
+            None => (disc.touched(t.angle, PieceSide::After)?, disc.coordinate(t.angle, PieceSide::After)?),
         };
         let rough = match (disc.follower, t.face.2) {
             (follower, _) if t.end.is_some() => Some((point, follower)),

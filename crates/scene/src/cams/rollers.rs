@@ -4,7 +4,7 @@
 //! mechanism with the roller fixed to the follower. Accordingly, the roller is a link in a mobility
 //! count; otherwise it is not, and its angular velocity is that of rolling on the cam.
 
-use super::super::raw::{Extent, RawDriverKind, RawLink, RawScene};
+use super::super::raw::{RawDriverKind, RawLink, RawScene, RequiredData};
 use super::marked::named;
 use super::raw::RawFollows;
 use hodograph_base::diag::{Diagnostic, Faults, both};
@@ -49,7 +49,7 @@ pub(crate) fn settled(raw: &RawScene, faults: &mut Faults) -> RawScene {
             )));
             continue;
         }
-        if raw.extent == Extent::Pairs {
+        if raw.extent == RequiredData::Pairs {
             if declared.is_none() {
                 out.links.push(RawLink { name, points: vec![pin.clone()] });
             }

@@ -6,18 +6,18 @@
 
 use super::super::exact::Inputs;
 use super::super::model::*;
-use super::expand::One;
+use super::expand::CamReplacement;
 use super::law::LawText;
 use super::pairs::Worded;
-use super::place::{Carried, OnPivot, Told, apart};
-use super::{Cam, Pieces, Turning};
-use hodograph_base::cam::outline::{Part, segments};
-use hodograph_base::cam::{Disc, Exact, Follower, Motion, Program, Segment, Stage, Touch, Way};
+use super::place::{CarriedFollower, NumberText, OnPivot, apart};
+use super::{Cam, Pieces, TurningCam};
+use hodograph_base::cam::outline::{ProfilePart, segments};
+use hodograph_base::cam::{CamMotion, Disc, ExactCam, Follower, FollowerTip, ProfileSegment, Stage, StageMotion, StageProgram};
 use hodograph_base::geom::Vec2;
 use hodograph_base::json::Word;
 use hodograph_base::number::Real;
 
-/// The texts of all numbers in [`Turning`].
+/// The texts of all numbers in [`TurningCam`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texts {
     /// φ of the texts (rad); in a scene at another φ, the program has set the position by a number.
@@ -55,14 +55,14 @@ impl MotionTexts {
 
 impl MotionTexts {
     /// Returns the pieces of a profile in numbers of a given type; `None` for a law.
-    fn segments<N: Real>(&self, inputs: &Inputs<N>) -> Option<Vec<Segment<N>>> {
+    fn segments<N: Real>(&self, inputs: &Inputs<N>) -> Option<Vec<ProfileSegment<N>>> {
         let MotionTexts::Profile(parts) = self else { return None };
-        let part = |(centre, radius): &PartTexts| -> Option<Part<N>> {
+        let part = |(centre, radius): &PartTexts| -> Option<ProfilePart<N>> {
             let radius = radius.as_ref().map(|r| inputs.text(r));
             Some(match (centre, radius) {
-                (Some([x, y]), Some(radius)) => Part::Circle(Vec2::new(inputs.text(x)?, inputs.text(y)?), radius?),
-                (None, Some(radius)) => Part::Flank(radius?),
-                (_, None) => Part::Tangent,
+                (Some([x, y]), Some(radius)) => ProfilePart::Circle(Vec2::new(inputs.text(x)?, inputs.text(y)?), radius?),
+                (None, Some(radius)) => ProfilePart::Flank(radius?),
+                (_, None) => ProfilePart::Tangent,
             })
         };
         segments(&parts.iter().map(part).collect::<Option<Vec<_>>>()?).ok()
@@ -72,7 +72,7 @@ impl MotionTexts {
 impl Pieces {
     /// Returns the pieces in numbers of a given type; `None` if the scene has no text for one of
     /// their numbers.
-    pub(super) fn in_numbers<N: Real>(&self, scene: &Scene) -> Option<Vec<Segment<N>>> {
+    pub(super) fn in_numbers<N: Real>(&self, scene: &Scene) -> Option<Vec<ProfileSegment<N>>> {
         self.texts.as_ref()?.segments(&inputs(scene))
     }
 }
@@ -81,7 +81,7 @@ impl Pieces {
 /// that differs more has another meaning.
 const SAME: f64 = 1e-9;
 
-impl One<'_> {
+impl CamReplacement<'_> {
     /// Returns the texts of a profile in axes of the cam with the origin at one of its points,
     /// where its points are `local`; `None` if the place of a centre has no text.
     pub(super) fn profile_texts(&self, cam: LinkId, begin: PointId, local: &[(PointId, Vec2)], worded: &[Worded]) -> Option<MotionTexts> {
@@ -109,16 +109,16 @@ impl One<'_> {
     /// Returns the texts of a cam on a pivot and its follower; `None` if one is missing.
     pub(super) fn texts(
         &self,
-        (on, carried): (&OnPivot, &Carried),
+        (on, carried): (&OnPivot, &CarriedFollower),
         (point, touch): (PointId, Option<String>),
         (phi, start): (f64, &str),
         motion: Option<MotionTexts>,
     ) -> Option<Texts> {
-        let of = |x: &Told, y: &Told| [x.text.clone(), y.text.clone()];
+        let of = |x: &NumberText, y: &NumberText| [x.text.clone(), y.text.clone()];
         let follower = match carried {
-            Carried::Guide { through, angle, .. } => (of(&through.x, &through.y), angle.text.clone()),
+            CarriedFollower::Guide { through, angle, .. } => (of(&through.x, &through.y), angle.text.clone()),
             // A face has no arm.
-            Carried::Pivot { pivot, spot } => {
+            CarriedFollower::Pivot { pivot, spot } => {
                 (of(&spot.x, &spot.y), apart(self.bare, *pivot, point).map_or_else(|| "0 mm".to_owned(), |arm| arm.text))
             }
         };
@@ -139,7 +139,7 @@ fn inputs<N: Real>(scene: &Scene) -> Inputs<'_, N> {
     Inputs::of_texts(&texts)
 }
 
-impl Turning {
+impl TurningCam {
     /// Returns the text of the angle of its driver.
     fn driver_angle<'s>(&self, scene: &'s Scene) -> Option<&'s str> {
         match &scene.drivers.get(self.driver)?.kind {
@@ -150,7 +150,7 @@ impl Turning {
 
     /// Returns the cam and φ in numbers of a given type; `None` if the scene has no text for one of
     /// its numbers.
-    pub fn exact<N: Real>(&self, scene: &Scene) -> Option<(Exact<'_, N>, N)> {
+    pub fn exact<N: Real>(&self, scene: &Scene) -> Option<(ExactCam<'_, N>, N)> {
         let texts = self.texts.as_ref()?;
         let inputs = inputs::<N>(scene);
         let place = |xy: &[String; 2]| Some(Vec2::new(inputs.text(&xy[0])?, inputs.text(&xy[1])?));
@@ -168,25 +168,25 @@ impl Turning {
         };
         let touch = inputs.text(&texts.touch)?;
         let touch = match self.disc.touch {
-            Touch::Point { .. } => Touch::Point { radius: touch },
-            Touch::Flat { .. } => Touch::Flat { lever: touch },
+            FollowerTip::Point { .. } => FollowerTip::Point { radius: touch },
+            FollowerTip::Flat { .. } => FollowerTip::Flat { lever: touch },
         };
         let motion = match (&self.disc.motion, &texts.motion) {
-            (Motion::Law { program, .. }, MotionTexts::Law(base, stages)) => {
+            (CamMotion::Law { program, .. }, MotionTexts::Law(base, stages)) => {
                 let stage = |(s, (gain, over)): (&Stage, &(Option<String>, String))| -> Option<Stage<N>> {
                     let gain = || inputs.text(gain.as_ref()?);
                     let way = match s.way {
-                        Way::Rise(_, law) => Way::Rise(gain()?, law),
-                        Way::Dwell => Way::Dwell,
-                        Way::Return(_, law) => Way::Return(gain()?, law),
+                        StageMotion::Rise(_, law) => StageMotion::Rise(gain()?, law),
+                        StageMotion::Dwell => StageMotion::Dwell,
+                        StageMotion::Return(_, law) => StageMotion::Return(gain()?, law),
                     };
                     Some(Stage { way, over: inputs.text(over)? })
                 };
                 let stages = program.stages.iter().zip(stages).map(stage).collect::<Option<Vec<_>>>()?;
-                Motion::Law { base: inputs.text(base)?, program: Program { stages } }
+                CamMotion::Law { base: inputs.text(base)?, program: StageProgram { stages } }
             }
-            (Motion::Profile(_), texts) => Motion::Profile(texts.segments(&inputs)?),
-            (Motion::Law { .. }, MotionTexts::Profile(_)) => return None,
+            (CamMotion::Profile(_), texts) => CamMotion::Profile(texts.segments(&inputs)?),
+            (CamMotion::Law { .. }, MotionTexts::Profile(_)) => return None,
         };
         let disc = Disc { follower, touch, motion, sense: self.disc.sense };
         let start = inputs.text(&texts.angle[1])?;
@@ -201,12 +201,12 @@ impl Turning {
             let rounding = 8.0 * f64::EPSILON * (self.phi.abs() + self.start.abs() + self.from.abs());
             told.filter(|phi| (phi.approx() - self.phi).abs() <= rounding).unwrap_or_else(|| N::from_f64(self.phi).widened(rounding))
         };
-        Some((Exact::new(&self.disc, &self.survey, disc), phi))
+        Some((ExactCam::new(&self.disc, &self.survey, disc), phi))
     }
 }
 
-impl Turning {
-    /// Returns [`Turning::rates`] in numbers of a given type.
+impl TurningCam {
+    /// Returns [`TurningCam::rates`] in numbers of a given type.
     pub fn rates_in<N: Real>(&self, scene: &Scene) -> [N; 2] {
         let (driver, inputs) = (&scene.drivers[self.driver], inputs::<N>(scene));
         let way = N::from_f64(self.way * self.disc.sense);
@@ -266,7 +266,7 @@ impl Cam {
         if !N::refines() {
             return Some(N::from_f64(value));
         }
-        if let Some(t) = self.disc.as_ref().filter(|t| matches!(t.disc.motion, Motion::Law { .. })) {
+        if let Some(t) = self.disc.as_ref().filter(|t| matches!(t.disc.motion, CamMotion::Law { .. })) {
             let (cam, phi) = t.exact(scene)?;
             return Some(cam.station((t.phi, t.side), phi)?.rho);
         }

@@ -5,14 +5,14 @@
 //! removes one degree of freedom. The places of slot and guide have no effect.
 
 use super::super::raw::{RawGuide, RawLink, RawScene};
-use super::expand::{One, Pending};
+use super::expand::{CamReplacement, Pending};
 use super::pairs::fresh;
 use super::raw::RawFollows;
 use hodograph_base::json::Word;
 
-impl One<'_> {
+impl CamReplacement<'_> {
     /// Writes the pair that replaces the contact.
-    pub(super) fn untold(&self, raw: &mut RawScene, pending: &mut Pending) {
+    pub(super) fn replace_for_count(&self, raw: &mut RawScene, pending: &mut Pending) {
         let word = |text: &str| Word { text: text.to_owned(), span: self.raw.span };
         let (cam, follower) = (word(&self.raw.cam.text), word(&self.raw.follower.text));
         let (pin, on) = match &self.raw.follows {

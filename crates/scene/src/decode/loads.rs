@@ -5,7 +5,7 @@ use super::super::raw::*;
 use super::{entries, items, place, quantity, two_quantities};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::json::fields::{Fields, word};
-use hodograph_base::json::{Kind, Node, Word};
+use hodograph_base::json::{Node, NodeKind, Word};
 
 /// Reads the sections. A centre of mass given by its place becomes a point of its link: `S` and the
 /// link's name.
@@ -50,7 +50,7 @@ fn mass(link: &Word, node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
     let (j, k) = (optional(&f, "J", faults, amount), optional(&f, "k", faults, amount));
     let at = match f.get("at") {
         None => Some(None),
-        Some(n @ Node { kind: Kind::Text(_), .. }) => name(n, "\"at\"", faults).map(Some),
+        Some(n @ Node { kind: NodeKind::Text(_), .. }) => name(n, "\"at\"", faults).map(Some),
         Some(n) => place(n, faults).map(|place| {
             let taken = |name: &str| raw.links.iter().any(|l| l.points.iter().any(|p| p.text == name));
             let name = ["S", "G"].map(|letter| format!("{letter}{}", link.text)).into_iter().find(|n| !taken(n));
@@ -79,7 +79,7 @@ fn force(node: &Node, faults: &mut Faults) -> Option<RawApplied> {
     let force = match f.get("F") {
         None => Some(None),
         Some(n) => match n.kind {
-            Kind::Array(_) => two_quantities(n, "\"F\"", faults).map(|xy| Some(RawSizeOfForce::Components(xy))),
+            NodeKind::Array(_) => two_quantities(n, "\"F\"", faults).map(|xy| Some(RawSizeOfForce::Components(xy))),
             _ => amount(n, "\"F\"", faults).map(|q| Some(RawSizeOfForce::Magnitude(q))),
         },
     };

@@ -34,14 +34,16 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
     let slider = Some(Word { text: free_name(raw), span: point.span });
     let blank = RawGuide { slider, ..RawGuide::of_pin(point.clone(), on, node.span) };
     let (guide, position) = match way {
-        Way::Line(line) => {
+        PathShape::Line(line) => {
             let through = first(raw, &line).map(RawThrough::Point);
             (RawGuide { line: Some(line), through, ..blank }, s.clone())
         }
-        Way::Arc { centre, radius, from } => {
+        PathShape::Arc { centre, radius, from } => {
             // On an arc, the position is measured from the direction of the link that carries it.
             let position = match from {
-                Some(from) => given(format!("({})+{}*{}", s.text, told(raw, "length", &radius), told(raw, "angle", &from))),
+                Some(from) => {
+                    given(format!("({})+{}*{}", s.text, bracketed_text(raw, "length", &radius), bracketed_text(raw, "angle", &from)))
+                }
                 None => s.clone(),
             };
             (RawGuide { centre: Some(centre), radius: Some(radius), ..blank }, position)
@@ -59,7 +61,7 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
 }
 
 /// The path of a moving point on its link.
-enum Way {
+enum PathShape {
     /// A straight line from one point of the link toward another.
     Line(Word),
     /// An arc about a point of the link, counter-clockwise, from this angle to the link's
@@ -67,7 +69,7 @@ enum Way {
     Arc { centre: Word, radius: RawQuantity, from: Option<RawQuantity> },
 }
 
-fn way(f: &Fields, faults: &mut Faults) -> Option<Way> {
+fn way(f: &Fields, faults: &mut Faults) -> Option<PathShape> {
     let Some(centre) = f.get("centre") else {
         for key in ["radius", "angle"] {
             if let Some(node) = f.get(key) {
@@ -84,7 +86,7 @@ fn way(f: &Fields, faults: &mut Faults) -> Option<Way> {
             "\"AB\", from which point toward which; or \"centre\" and \"radius\"",
             "\"AB\"（从哪点向哪点）；或 \"centre\" 和 \"radius\""
         );
-        return f.need("line", example, faults).and_then(|n| word(n, "\"line\"", faults)).map(Way::Line);
+        return f.need("line", example, faults).and_then(|n| word(n, "\"line\"", faults)).map(PathShape::Line);
     };
     if let Some(line) = f.get("line") {
         let message = both!("a motion is along a `line` or about a `centre`, not both", "运动沿直线 `line` 或绕 `centre`，不能两者都写");
@@ -97,12 +99,12 @@ fn way(f: &Fields, faults: &mut Faults) -> Option<Way> {
         Some(node) => Some(quantity(node, "\"angle\"", faults)?),
         None => None,
     };
-    Some(Way::Arc { centre: centre?, radius: radius?, from })
+    Some(PathShape::Arc { centre: centre?, radius: radius?, from })
 }
 
 /// Returns the text of a quantity within a longer expression: a bare number gets the unit of its
 /// kind.
-fn told(raw: &RawScene, kind: &str, q: &RawQuantity) -> String {
+fn bracketed_text(raw: &RawScene, kind: &str, q: &RawQuantity) -> String {
     let unit = raw.units.iter().find(|(key, _)| key.text == kind && q.bare).map_or("", |(_, unit)| unit.text.as_str());
     format!("({} {unit})", q.text)
 }

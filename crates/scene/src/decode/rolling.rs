@@ -9,7 +9,7 @@ use hodograph_base::json::fields::{Fields, list, word};
 use hodograph_base::json::{Node, Word};
 
 /// Decodes a gear pair, or a gear and its rack; a mobility count needs no sizes.
-pub(super) fn gear(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawRolling> {
+pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Option<RawRolling> {
     let f = Fields::open(node, both!("a gear pair", "齿轮副"), keys::GEAR, faults)?;
     let before = faults.list.len();
     let links = f.need("links", "[\"2\", \"4\"]", faults).map(|n| words(Some(n), "\"links\"", faults)).unwrap_or_default();
@@ -95,7 +95,7 @@ pub(super) fn gear(node: &Node, extent: Extent, faults: &mut Faults) -> Option<R
 
 /// Decodes a wheel that rolls without slip on a straight or round track; a mobility count needs
 /// no radius.
-pub(super) fn wheel(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawRolling> {
+pub(super) fn wheel(node: &Node, extent: RequiredData, faults: &mut Faults) -> Option<RawRolling> {
     let f = Fields::open(node, both!("a rolling wheel", "滚轮"), keys::ROLLING, faults)?;
     let before = faults.list.len();
     let link = f.need("wheel", "\"4\"", faults).and_then(|n| word(n, "\"wheel\"", faults));

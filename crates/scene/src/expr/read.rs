@@ -25,7 +25,7 @@
 //! failure after it is a failure of the whole (`cut_err`), so that the fault is at the position of
 //! the input.
 
-use super::{Expr, ExprKind, FUNCTIONS, Function, Op, is_bare};
+use super::{Expr, ExprKind, FUNCTIONS, Function, Operator, is_bare};
 use crate::units::{Dim, OF_ARC, UNITS, Unit, unit_named};
 use hodograph_base::diag::{Both, Diagnostic, Span, both};
 use hodograph_base::json::fields::suggest;
@@ -37,11 +37,11 @@ use winnow::token::{one_of, take_while};
 use winnow::{ModalResult, Parser};
 
 /// A text with the known names.
-type Input<'a> = Stateful<LocatingSlice<&'a str>, Names<'a>>;
-type Read<O> = ModalResult<O, EmptyError>;
+type ExpressionInput<'a> = Stateful<LocatingSlice<&'a str>, KnownNames<'a>>;
+type ParseResult<O> = ModalResult<O, EmptyError>;
 
 #[derive(Debug)]
-struct Names<'a> {
+struct KnownNames<'a> {
     parameters: &'a [&'a str],
     /// End of the last value with a unit.
     tailed: usize,
@@ -51,7 +51,7 @@ struct Names<'a> {
 
 /// Reads a whole text.
 pub(super) fn whole(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
-    let mut input = Input { input: LocatingSlice::new(text), state: Names { parameters, tailed: 0, unknown: None } };
+    let mut input = ExpressionInput { input: LocatingSlice::new(text), state: KnownNames { parameters, tailed: 0, unknown: None } };
     match terminated(sum, token(eof)).parse_next(&mut input) {
         Ok(tree) => input.state.unknown.map_or(Ok(tree), Err),
         Err(_) => Err(unreadable(text, input.current_token_start())),
@@ -114,52 +114,54 @@ fn decimal_comma(text: &str, at: usize) -> bool {
     left > 0 && rest.len() < after.len() && !before.ends_with('.') && !rest.starts_with('.')
 }
 
-fn binary(op: Op, a: Expr, b: Expr) -> Expr {
+fn binary(op: Operator, a: Expr, b: Expr) -> Expr {
     let span = Span::new(a.span.start, b.span.end);
     Expr { kind: ExprKind::Binary(op, Box::new(a), Box::new(b)), span }
 }
 
 /// Parses a token, with spaces before it; returns it with its place.
-fn token<'a, O>(of: impl Parser<Input<'a>, O, ErrMode<EmptyError>>) -> impl Parser<Input<'a>, (O, Span), ErrMode<EmptyError>> {
+fn token<'a, O>(
+    of: impl Parser<ExpressionInput<'a>, O, ErrMode<EmptyError>>,
+) -> impl Parser<ExpressionInput<'a>, (O, Span), ErrMode<EmptyError>> {
     let spaces = take_while(0.., [' ', '\t']);
     preceded(spaces, of.with_span()).map(|(token, at)| (token, Span::new(at.start, at.end)))
 }
 
 /// Parses one of these characters.
-fn sign<'a, const N: usize>(of: [char; N]) -> impl Parser<Input<'a>, char, ErrMode<EmptyError>> {
+fn sign<'a, const N: usize>(of: [char; N]) -> impl Parser<ExpressionInput<'a>, char, ErrMode<EmptyError>> {
     token(one_of(of)).map(|(c, _)| c)
 }
 
-fn sum(i: &mut Input) -> Read<Expr> {
+fn sum(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let mut left = product(i)?;
     while let Some(sign) = opt(sign(SIGNS)).parse_next(i)? {
-        left = binary(if sign == '+' { Op::Add } else { Op::Sub }, left, product(i)?);
+        left = binary(if sign == '+' { Operator::Add } else { Operator::Sub }, left, product(i)?);
     }
     Ok(left)
 }
 
-fn product(i: &mut Input) -> Read<Expr> {
+fn product(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let mut left = signed(i, power)?;
     while let Some(sign) = opt(sign(FACTORS)).parse_next(i)? {
         let right = signed(i, power)?;
         left = match right.kind {
-            ExprKind::Binary(Op::Mul, value, unit)
+            ExprKind::Binary(Operator::Mul, value, unit)
                 if sign == '/'
                     && i.state.tailed == i.current_token_start()
                     && is_bare(&left)
                     && is_bare(&value)
                     && !matches!(unit.kind, ExprKind::Unit(u) if u.dim == Dim::TIME) =>
             {
-                binary(Op::Mul, binary(Op::Div, left, *value), *unit)
+                binary(Operator::Mul, binary(Operator::Div, left, *value), *unit)
             }
-            kind => binary(if sign == '/' { Op::Div } else { Op::Mul }, left, Expr { kind, span: right.span }),
+            kind => binary(if sign == '/' { Operator::Div } else { Operator::Mul }, left, Expr { kind, span: right.span }),
         };
     }
     Ok(left)
 }
 
 /// Parses signs, then an operand.
-fn signed(i: &mut Input, operand: fn(&mut Input) -> Read<Expr>) -> Read<Expr> {
+fn signed(i: &mut ExpressionInput, operand: fn(&mut ExpressionInput) -> ParseResult<Expr>) -> ParseResult<Expr> {
     let (_, Span { start, .. }) = token("").parse_next(i)?;
     let negative = repeat(0.., sign(SIGNS)).fold(|| false, |negative, sign| negative ^ (sign != '+')).parse_next(i)?;
     let inner = operand(i)?;
@@ -167,21 +169,21 @@ fn signed(i: &mut Input, operand: fn(&mut Input) -> Read<Expr>) -> Read<Expr> {
     Ok(if negative { Expr { kind: ExprKind::Neg(Box::new(inner)), span } } else { inner })
 }
 
-fn power(i: &mut Input) -> Read<Expr> {
+fn power(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let base = atom(i)?;
     raised(i, base)
 }
 
 /// Returns `base` with the exponent that may follow.
-fn raised(i: &mut Input, base: Expr) -> Read<Expr> {
-    let caret = preceded(sign(['^']), cut_err(|i: &mut Input| signed(i, exponent)));
+fn raised(i: &mut ExpressionInput, base: Expr) -> ParseResult<Expr> {
+    let caret = preceded(sign(['^']), cut_err(|i: &mut ExpressionInput| signed(i, exponent)));
     Ok(match opt(alt((caret, superscript))).parse_next(i)? {
-        Some(exponent) => binary(Op::Pow, base, exponent),
+        Some(exponent) => binary(Operator::Pow, base, exponent),
         None => base,
     })
 }
 
-fn superscript(i: &mut Input) -> Read<Expr> {
+fn superscript(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let minus = opt(token('⁻')).parse_next(i)?;
     let digit = token(one_of(SUPERSCRIPT)).map(|(c, at)| (SUPERSCRIPT.iter().position(|d| *d == c).unwrap_or_default(), at));
     let digits: Vec<(usize, Span)> = match minus {
@@ -196,14 +198,14 @@ fn superscript(i: &mut Input) -> Read<Expr> {
     })
 }
 
-fn atom(i: &mut Input) -> Read<Expr> {
+fn atom(i: &mut ExpressionInput) -> ParseResult<Expr> {
     token(alt((arc, with_unit, name, unit))).map(|(atom, _)| atom).parse_next(i)
 }
 
 /// Parses a value, and the unit that may follow it.
-fn with_unit(i: &mut Input) -> Read<Expr> {
+fn with_unit(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let multiple = (number, opt(pi)).map(|(n, pi)| match pi {
-        Some(pi) => binary(Op::Mul, n, pi),
+        Some(pi) => binary(Operator::Mul, n, pi),
         None => n,
     });
     let value = (alt((multiple, pi, group)), opt(tail));
@@ -212,29 +214,29 @@ fn with_unit(i: &mut Input) -> Read<Expr> {
     Ok(match tail {
         Some(tail) => {
             i.state.tailed = i.current_token_start();
-            binary(Op::Mul, value, tail)
+            binary(Operator::Mul, value, tail)
         }
         None => value,
     })
 }
 
 /// Parses degrees with minutes, seconds, or both.
-fn arc(i: &mut Input) -> Read<Expr> {
+fn arc(i: &mut ExpressionInput) -> ParseResult<Expr> {
     // This attempt may meet another unit or none, so it reports no fault.
     let degree = token(alt(("°", word))).verify_map(|(name, span)| {
         let unit = unit_named(name).filter(|_| ["°", "deg"].contains(&name))?;
         Some(Expr { kind: ExprKind::Unit(unit), span })
     });
     let degrees = (number, terminated(degree, peek(number)));
-    let minutes = |i: &mut Input| part(i, &OF_ARC[0], &["′", "'", "’"]);
-    let seconds = |i: &mut Input| part(i, &OF_ARC[1], &["″", "\"", "”", "''", "′′", "’’"]);
+    let minutes = |i: &mut ExpressionInput| part(i, &OF_ARC[0], &["′", "'", "’"]);
+    let seconds = |i: &mut ExpressionInput| part(i, &OF_ARC[1], &["″", "\"", "”", "''", "′′", "’’"]);
     let ((whole, unit), smaller) =
         (degrees, alt(((seconds, "").map(|(s, _)| [Some(s), None]), (minutes, opt(seconds)).map(|(m, s)| [Some(m), s])))).parse_next(i)?;
-    Ok(smaller.into_iter().flatten().fold(binary(Op::Mul, whole, unit), |sum, part| binary(Op::Add, sum, part)))
+    Ok(smaller.into_iter().flatten().fold(binary(Operator::Mul, whole, unit), |sum, part| binary(Operator::Add, sum, part)))
 }
 
 /// Parses a number of sixtieths of a degree or of a minute, with one of their marks.
-fn part(i: &mut Input, unit: &'static Unit, marks: &[&'static str]) -> Read<Expr> {
+fn part(i: &mut ExpressionInput, unit: &'static Unit, marks: &[&'static str]) -> ParseResult<Expr> {
     let count = number(i)?;
     let mark =
         repeat(1.., one_of(['′', '\'', '’', '″', '"', '”'])).fold(|| (), |(), _| ()).take().verify(|mark: &str| marks.contains(&mark));
@@ -245,49 +247,49 @@ fn part(i: &mut Input, unit: &'static Unit, marks: &[&'static str]) -> Read<Expr
         let help = both!("write less than 60, and the rest before it", "请写小于 60 的数，余下部分并入前一级");
         i.state.unknown.get_or_insert(Diagnostic::error("expression", message).at(Span::new(count.span.start, at.end)).help(help));
     }
-    Ok(binary(Op::Mul, count, Expr { kind: ExprKind::Unit(unit), span: at }))
+    Ok(binary(Operator::Mul, count, Expr { kind: ExprKind::Unit(unit), span: at }))
 }
 
 /// Parses a factor that binds to a value without a sign.
-fn tail(i: &mut Input) -> Read<Expr> {
+fn tail(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let factor = alt((group, unit)).parse_next(i)?;
-    cut_err(|i: &mut Input| raised(i, factor.clone())).parse_next(i)
+    cut_err(|i: &mut ExpressionInput| raised(i, factor.clone())).parse_next(i)
 }
 
 /// Parses a unit after a value that is not a number; other words do not belong to the value.
-fn known_tail(i: &mut Input) -> Read<Expr> {
+fn known_tail(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let turns = terminated("r/min", not(one_of(is_letter)));
     let known = token(alt(("°", turns, word))).verify_map(|(name, span)| Some(Expr { kind: ExprKind::Unit(unit_named(name)?), span }));
     let unit = terminated(known, peek(not(token('(')))).parse_next(i)?;
     raised(i, unit)
 }
 
-fn exponent(i: &mut Input) -> Read<Expr> {
+fn exponent(i: &mut ExpressionInput) -> ParseResult<Expr> {
     token(alt((number, pi, group, call, name))).map(|(exponent, _)| exponent).parse_next(i)
 }
 
-fn number(i: &mut Input) -> Read<Expr> {
+fn number(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let digits = alt(((digit1, opt(('.', digit0))).void(), ('.', digit1).void()));
     let power = (one_of(['e', 'E']), opt(one_of(['+', '-'])), digit1);
     let (text, span) = token((digits, opt(power)).take()).parse_next(i)?;
     Ok(Expr { kind: ExprKind::Number(text.to_owned()), span })
 }
 
-fn group(i: &mut Input) -> Read<Expr> {
+fn group(i: &mut ExpressionInput) -> ParseResult<Expr> {
     preceded(sign(['(']), cut_err(terminated(sum, sign([')'])))).parse_next(i)
 }
 
-fn word<'a>(i: &mut Input<'a>) -> Read<&'a str> {
+fn word<'a>(i: &mut ExpressionInput<'a>) -> ParseResult<&'a str> {
     (one_of(char::is_alphabetic), take_while(0.., is_letter)).take().parse_next(i)
 }
 
 /// Parses the constant.
-fn pi(i: &mut Input) -> Read<Expr> {
+fn pi(i: &mut ExpressionInput) -> ParseResult<Expr> {
     token(word.verify(is_pi)).map(|(_, span)| Expr { kind: ExprKind::Pi, span }).parse_next(i)
 }
 
 /// Parses a unit directly after a value, or a degree sign.
-fn unit(i: &mut Input) -> Read<Expr> {
+fn unit(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let turns = terminated("r/min", not(one_of(is_letter)));
     let (name, span) = token(alt(("°", turns, word))).parse_next(i)?;
     Ok(match unit_named(name).map(ExprKind::Unit) {
@@ -300,7 +302,7 @@ fn unit(i: &mut Input) -> Read<Expr> {
 }
 
 /// Parses a function of a value in parentheses.
-fn call(i: &mut Input) -> Read<Expr> {
+fn call(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let (name, at) = terminated(token(word), peek(sign(['(']))).parse_next(i)?;
     let function = FUNCTIONS.iter().find(|(n, _)| *n == name).map(|(_, f)| *f);
     if function.is_none() {
@@ -314,7 +316,7 @@ fn call(i: &mut Input) -> Read<Expr> {
 }
 
 /// Parses a parameter.
-fn parameter(i: &mut Input) -> Read<Expr> {
+fn parameter(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let parameters = i.state.parameters;
     let known = |(name, span): (&str, Span)| {
         let kind = ExprKind::Parameter(name.to_owned());
@@ -324,7 +326,7 @@ fn parameter(i: &mut Input) -> Read<Expr> {
 }
 
 /// Parses a single name: a parameter or a unit.
-fn name(i: &mut Input) -> Read<Expr> {
+fn name(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let (name, span) = token(word).parse_next(i)?;
     let parameter = i.state.parameters.contains(&name).then(|| ExprKind::Parameter(name.to_owned()));
     Ok(match parameter.or_else(|| unit_named(name).map(ExprKind::Unit)) {
@@ -338,7 +340,7 @@ fn name(i: &mut Input) -> Read<Expr> {
 
 /// Records a name without meaning; the returned expression replaces it until the text has been
 /// read.
-fn without_meaning(i: &mut Input, span: Span, why: Diagnostic) -> Expr {
+fn without_meaning(i: &mut ExpressionInput, span: Span, why: Diagnostic) -> Expr {
     i.state.unknown.get_or_insert(why.at(span));
     Expr { kind: ExprKind::Pi, span }
 }

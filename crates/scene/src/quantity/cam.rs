@@ -8,11 +8,11 @@
 //! normal at the contact, and the radius of the arc in contact.
 
 use super::along::along;
-use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::cams::{Cam, Turning};
+use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
+use crate::cams::{Cam, TurningCam};
 use crate::model::{Find, GuideId, GuidePath, LinkId, PointId, Scene};
 use crate::resolve::Question;
-use hodograph_base::cam::{Fault, Follower, Mark, Motion, Side, Touch, in_turn, least_base};
+use hodograph_base::cam::{CamExtreme, CamMotion, Fault, Follower, FollowerTip, PieceSide, in_turn, least_base};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Vec2;
@@ -22,7 +22,7 @@ use hodograph_base::number::Real;
 /// A quantity of a cam and its follower.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CamQuantity {
-    what: What,
+    what: CamProperty,
     /// The follower; for ρ the cam.
     link: LinkId,
     /// The follower, for ρ.
@@ -32,7 +32,7 @@ pub struct CamQuantity {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum What {
+enum CamProperty {
     Lift,
     Swing,
     Stroke,
@@ -58,46 +58,48 @@ enum OfTurn {
 }
 
 /// Rows of the table.
-const ROWS: [What; 9] = [
-    What::Lift,
-    What::Swing,
-    What::Stroke,
-    What::Angle,
-    What::Turn(OfTurn::Rise),
-    What::Pressure,
-    What::Rho,
-    What::Turn(OfTurn::BaseMin),
-    What::Turn(OfTurn::FaceHalf),
+const ROWS: [CamProperty; 9] = [
+    CamProperty::Lift,
+    CamProperty::Swing,
+    CamProperty::Stroke,
+    CamProperty::Angle,
+    CamProperty::Turn(OfTurn::Rise),
+    CamProperty::Pressure,
+    CamProperty::Rho,
+    CamProperty::Turn(OfTurn::BaseMin),
+    CamProperty::Turn(OfTurn::FaceHalf),
 ];
 
 /// Quantities with a word after the symbol of another quantity: `Phi_far_3`.
-const WORDS: [(What, &str, What); 9] = [
-    (What::Rho, "min_", What::Turn(OfTurn::RhoMin)),
-    (What::Turn(OfTurn::Rise), "far_", What::Turn(OfTurn::Far)),
-    (What::Turn(OfTurn::Rise), "back_", What::Turn(OfTurn::Back)),
-    (What::Turn(OfTurn::Rise), "near_", What::Turn(OfTurn::Near)),
-    (What::Pressure, "start_", What::Turn(OfTurn::PressureStart)),
-    (What::Pressure, "out_", What::Turn(OfTurn::PressureOut)),
-    (What::Pressure, "back_", What::Turn(OfTurn::PressureBack)),
-    (What::Turn(OfTurn::BaseMin), "min_", What::Turn(OfTurn::BaseMin)),
-    (What::Turn(OfTurn::FaceHalf), "half_", What::Turn(OfTurn::FaceHalf)),
+const WORDS: [(CamProperty, &str, CamProperty); 9] = [
+    (CamProperty::Rho, "min_", CamProperty::Turn(OfTurn::RhoMin)),
+    (CamProperty::Turn(OfTurn::Rise), "far_", CamProperty::Turn(OfTurn::Far)),
+    (CamProperty::Turn(OfTurn::Rise), "back_", CamProperty::Turn(OfTurn::Back)),
+    (CamProperty::Turn(OfTurn::Rise), "near_", CamProperty::Turn(OfTurn::Near)),
+    (CamProperty::Pressure, "start_", CamProperty::Turn(OfTurn::PressureStart)),
+    (CamProperty::Pressure, "out_", CamProperty::Turn(OfTurn::PressureOut)),
+    (CamProperty::Pressure, "back_", CamProperty::Turn(OfTurn::PressureBack)),
+    (CamProperty::Turn(OfTurn::BaseMin), "min_", CamProperty::Turn(OfTurn::BaseMin)),
+    (CamProperty::Turn(OfTurn::FaceHalf), "half_", CamProperty::Turn(OfTurn::FaceHalf)),
 ];
 
 impl Quantity for CamQuantity {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("s", "s_3", Kind::Length, Form::Scalar, ["lift of the follower", "从动件位移"]),
-        Entry::new("psi", "psi_3", Kind::Angle, Form::Scalar, ["lift of the swinging follower", "摆动从动件角位移"])
-            .printed("\\psi", Over::Nothing),
-        Entry::new("h", "h_3", Kind::Length, Form::Scalar, ["stroke of the follower", "行程"]),
-        Entry::new("Psi", "Psi_3", Kind::Angle, Form::Scalar, ["swing of the follower", "最大摆角"]).printed("\\Psi", Over::Nothing),
-        Entry::new("Phi", "Phi_3", Kind::Angle, Form::Scalar, ["angle of the rise", "推程运动角"]).printed("\\Phi", Over::Nothing),
-        Entry::new("pressure", "pressure_3", Kind::Angle, Form::Scalar, ["pressure angle", "压力角"]).printed("\\alpha", Over::Sign("p")),
-        Entry::new("rho", "rho_2/3", Kind::Length, Form::Scalar, ["radius of curvature of the profile", "廓线曲率半径"])
-            .printed("\\rho", Over::Nothing),
-        Entry::new("rb", "rb_min_2", Kind::Length, Form::Scalar, ["least base radius without undercut", "不失真的最小基圆半径"])
-            .printed("r", Over::Nothing),
-        Entry::new("face", "face_half_3", Kind::Length, Form::Scalar, ["half length of the face", "平底的最小半长"])
-            .printed("l", Over::Nothing),
+        Entry::new("s", "s_3", Kind::Length, ValueForm::Scalar, ["lift of the follower", "从动件位移"]),
+        Entry::new("psi", "psi_3", Kind::Angle, ValueForm::Scalar, ["lift of the swinging follower", "摆动从动件角位移"])
+            .printed("\\psi", OverSign::Nothing),
+        Entry::new("h", "h_3", Kind::Length, ValueForm::Scalar, ["stroke of the follower", "行程"]),
+        Entry::new("Psi", "Psi_3", Kind::Angle, ValueForm::Scalar, ["swing of the follower", "最大摆角"])
+            .printed("\\Psi", OverSign::Nothing),
+        Entry::new("Phi", "Phi_3", Kind::Angle, ValueForm::Scalar, ["angle of the rise", "推程运动角"]).printed("\\Phi", OverSign::Nothing),
+        Entry::new("pressure", "pressure_3", Kind::Angle, ValueForm::Scalar, ["pressure angle", "压力角"])
+            .printed("\\alpha", OverSign::Sign("p")),
+        Entry::new("rho", "rho_2/3", Kind::Length, ValueForm::Scalar, ["radius of curvature of the profile", "廓线曲率半径"])
+            .printed("\\rho", OverSign::Nothing),
+        Entry::new("rb", "rb_min_2", Kind::Length, ValueForm::Scalar, ["least base radius without undercut", "不失真的最小基圆半径"])
+            .printed("r", OverSign::Nothing),
+        Entry::new("face", "face_half_3", Kind::Length, ValueForm::Scalar, ["half length of the face", "平底的最小半长"])
+            .printed("l", OverSign::Nothing),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<CamQuantity>, Diagnostic> {
@@ -113,12 +115,12 @@ impl Quantity for CamQuantity {
         if let Some((what, name)) = worded {
             return Ok(Some(CamQuantity { what, link: question.link(name.trim())?, follower: None, end: None }));
         }
-        if matches!(what, What::Turn(OfTurn::BaseMin | OfTurn::FaceHalf)) {
+        if matches!(what, CamProperty::Turn(OfTurn::BaseMin | OfTurn::FaceHalf)) {
             let message = both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", question.text());
             let example = Self::WRITTEN[question.row(Self::WRITTEN)].example;
             return Err(question.fault(message).help(both!("write {example}", "请写 {example}")));
         }
-        if what == What::Rho {
+        if what == CamProperty::Rho {
             let Some((cam, follower)) = names.split_once('/') else {
                 let d = question.fault(both!(
                     "`{}` does not say of which cam and follower",
@@ -134,7 +136,7 @@ impl Quantity for CamQuantity {
             return Ok(Some(CamQuantity { what, link, follower: Some(follower), end: None }));
         }
         let link = question.link(names)?;
-        let end = (what == What::Pressure).then(|| question.end_of(link)).flatten();
+        let end = (what == CamProperty::Pressure).then(|| question.end_of(link)).flatten();
         Ok(Some(CamQuantity { what, link, follower: None, end }))
     }
 
@@ -154,15 +156,22 @@ impl Quantity for CamQuantity {
     fn no_value(&self, scene: &Scene) -> Both {
         let link = scene.link_name(self.link);
         match self.what {
-            What::Turn(OfTurn::RhoMin) => both!("the profile of cam {link} is nowhere convex", "凸轮 {link} 的廓线没有外凸部分"),
-            What::Rho => {
+            CamProperty::Turn(OfTurn::RhoMin) => both!("the profile of cam {link} is nowhere convex", "凸轮 {link} 的廓线没有外凸部分"),
+            CamProperty::Rho => {
                 both!("the profile of cam {link} is straight there, or touches nothing", "凸轮 {link} 的廓线在该处为直线，或没有接触")
             }
-            What::Turn(OfTurn::BaseMin) => both!("no base circle of cam {link} avoids an undercut", "加大凸轮 {link} 的基圆也不能避免失真"),
-            What::Turn(OfTurn::PressureStart | OfTurn::PressureOut | OfTurn::PressureBack) => {
+            CamProperty::Turn(OfTurn::BaseMin) => {
+                both!("no base circle of cam {link} avoids an undercut", "加大凸轮 {link} 的基圆也不能避免失真")
+            }
+            CamProperty::Turn(OfTurn::PressureStart | OfTurn::PressureOut | OfTurn::PressureBack) => {
                 both!("follower {link} does not move so", "从动件 {link} 没有该运动")
             }
-            What::Lift | What::Swing | What::Stroke | What::Angle | What::Pressure | What::Turn(_) => {
+            CamProperty::Lift
+            | CamProperty::Swing
+            | CamProperty::Stroke
+            | CamProperty::Angle
+            | CamProperty::Pressure
+            | CamProperty::Turn(_) => {
                 both!("the follower {link} touches nothing in this pose", "从动件 {link} 在该位置没有接触")
             }
         }
@@ -203,9 +212,9 @@ impl Quantity for CamQuantity {
             return Some(Diagnostic::error("find", both!("`{}` is of {}", "`{}` 属于{}", find.text, needed)).at(find.span));
         }
         let wrong = match self.what {
-            What::Lift | What::Stroke => swings,
-            What::Swing | What::Angle => !swings,
-            What::Pressure | What::Rho | What::Turn(_) => false,
+            CamProperty::Lift | CamProperty::Stroke => swings,
+            CamProperty::Swing | CamProperty::Angle => !swings,
+            CamProperty::Pressure | CamProperty::Rho | CamProperty::Turn(_) => false,
         };
         wrong.then(|| {
             let name = scene.link_name(cam.follower);
@@ -219,13 +228,13 @@ impl Quantity for CamQuantity {
     }
 
     fn infinite(&self, scene: &Scene) -> Option<Both> {
-        let cam = self.pair(scene).filter(|c| self.what == What::Rho && c.is_touched_straight())?;
+        let cam = self.pair(scene).filter(|c| self.what == CamProperty::Rho && c.is_touched_straight())?;
         let name = scene.link_name(cam.cam);
         Some(both!("the profile of cam {name} is straight there", "凸轮 {name} 的廓线在该处为直线"))
     }
 
     fn note(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
-        let (_, t) = self.cam(scene).filter(|_| self.what == What::Turn(OfTurn::RhoMin))?;
+        let (_, t) = self.cam(scene).filter(|_| self.what == CamProperty::Turn(OfTurn::RhoMin))?;
         let survey = t.survey.of(&t.disc);
         let undercut = survey.faults.iter().find_map(|f| match f {
             Fault::Undercut { phi, .. } => Some(*phi),
@@ -242,29 +251,29 @@ impl Quantity for CamQuantity {
         )))
     }
 
-    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         let scene = known.scene();
         let Some((_, t)) = self.cam(scene) else { return self.posed(known) };
         let value = if N::refines() { self.exactly(scene, t)? } else { N::from_f64(self.doubly(t)?) };
-        value.is_decided().then_some(Value::Scalar(value))
+        value.is_decided().then_some(AnswerValue::Scalar(value))
     }
 }
 
 /// Returns the least radius of curvature of the profile.
-fn least_radius(t: &Turning) -> Option<f64> {
+fn least_radius(t: &TurningCam) -> Option<f64> {
     let (_, rho) = t.survey.of(&t.disc).least_rho?;
     let end = match t.disc.touch {
-        Touch::Point { radius } => radius,
-        Touch::Flat { .. } => 0.0,
+        FollowerTip::Point { radius } => radius,
+        FollowerTip::Flat { .. } => 0.0,
     };
     Some(rho - end)
 }
 
 /// Returns the necessary half width of a flat face on both sides of its point: the greatest
 /// distance of the contact over a turn, where s′ is greatest or least.
-fn face_half(t: &Turning) -> Option<f64> {
+fn face_half(t: &TurningCam) -> Option<f64> {
     let reach = |phi: f64| {
-        let sides = [Side::Before, Side::After].map(|side| t.disc.station(phi, side).map(|s| (s.contact - s.pitch).norm()));
+        let sides = [PieceSide::Before, PieceSide::After].map(|side| t.disc.station(phi, side).map(|s| (s.contact - s.pitch).norm()));
         sides.into_iter().flatten().reduce(f64::max)
     };
     t.survey.of(&t.disc).velocity.iter().filter_map(|(phi, _)| reach(*phi)).reduce(f64::max)
@@ -272,68 +281,74 @@ fn face_half(t: &Turning) -> Option<f64> {
 
 impl CamQuantity {
     /// Returns its value in double precision.
-    fn doubly(&self, t: &Turning) -> Option<f64> {
+    fn doubly(&self, t: &TurningCam) -> Option<f64> {
         let survey = || t.survey.of(&t.disc);
         match self.what {
-            What::Lift | What::Swing => match &t.disc.motion {
-                Motion::Law { program, .. } => Some(program.lift(t.phi, t.side).value()),
-                Motion::Profile(_) => Some(t.disc.coordinate(t.phi, t.side)?.value() - survey().rest),
+            CamProperty::Lift | CamProperty::Swing => match &t.disc.motion {
+                CamMotion::Law { program, .. } => Some(program.lift(t.phi, t.side).value()),
+                CamMotion::Profile(_) => Some(t.disc.coordinate(t.phi, t.side)?.value() - survey().rest),
             },
-            What::Stroke | What::Angle => Some(survey().stroke),
-            What::Turn(OfTurn::Rise) => Some(survey().angle(1, false)),
-            What::Pressure => Some(t.disc.station(t.phi, t.side)?.pressure),
-            What::Rho => Some(t.disc.station(t.phi, t.side)?.rho),
-            What::Turn(OfTurn::RhoMin) => least_radius(t),
-            What::Turn(OfTurn::Far) => Some(survey().angle(0, true)),
-            What::Turn(OfTurn::Back) => Some(survey().angle(-1, false)),
-            What::Turn(OfTurn::Near) => Some(survey().angle(0, false)),
-            What::Turn(OfTurn::PressureStart) => {
+            CamProperty::Stroke | CamProperty::Angle => Some(survey().stroke),
+            CamProperty::Turn(OfTurn::Rise) => Some(survey().angle(1, false)),
+            CamProperty::Pressure => Some(t.disc.station(t.phi, t.side)?.pressure),
+            CamProperty::Rho => Some(t.disc.station(t.phi, t.side)?.rho),
+            CamProperty::Turn(OfTurn::RhoMin) => least_radius(t),
+            CamProperty::Turn(OfTurn::Far) => Some(survey().angle(0, true)),
+            CamProperty::Turn(OfTurn::Back) => Some(survey().angle(-1, false)),
+            CamProperty::Turn(OfTurn::Near) => Some(survey().angle(0, false)),
+            CamProperty::Turn(OfTurn::PressureStart) => {
                 let start = survey().phases.iter().find(|p| p.way == 1)?.from;
-                Some(t.disc.station(start, Side::After)?.pressure)
+                Some(t.disc.station(start, PieceSide::After)?.pressure)
             }
-            What::Turn(OfTurn::PressureOut) => Some(survey().pressure[0]?.1.abs()),
-            What::Turn(OfTurn::PressureBack) => Some(survey().pressure[1]?.1.abs()),
-            What::Turn(OfTurn::BaseMin) => least_base(&t.disc),
-            What::Turn(OfTurn::FaceHalf) => face_half(t),
+            CamProperty::Turn(OfTurn::PressureOut) => Some(survey().pressure[0]?.1.abs()),
+            CamProperty::Turn(OfTurn::PressureBack) => Some(survey().pressure[1]?.1.abs()),
+            CamProperty::Turn(OfTurn::BaseMin) => least_base(&t.disc),
+            CamProperty::Turn(OfTurn::FaceHalf) => face_half(t),
         }
     }
 
     /// Returns its value in a number type with error bounds or more digits.
-    fn exactly<N: Real>(&self, scene: &Scene, t: &Turning) -> Option<N> {
+    fn exactly<N: Real>(&self, scene: &Scene, t: &TurningCam) -> Option<N> {
         let (cam, phi) = t.exact::<N>(scene)?;
         let here = (t.phi, t.side);
         match self.what {
-            What::Lift | What::Swing => cam.lift(here, phi),
-            What::Stroke | What::Angle => cam.stroke(),
-            What::Turn(OfTurn::Rise) => cam.angle(1, false),
-            What::Pressure => Some(cam.station(here, phi)?.pressure),
-            What::Rho => Some(cam.station(here, phi)?.rho),
-            What::Turn(OfTurn::RhoMin) => cam.least_rho(),
-            What::Turn(OfTurn::Far) => cam.angle(0, true),
-            What::Turn(OfTurn::Back) => cam.angle(-1, false),
-            What::Turn(OfTurn::Near) => cam.angle(0, false),
-            What::Turn(OfTurn::PressureStart) => cam.pressure_at_start(),
-            What::Turn(OfTurn::PressureOut) => Some(cam.mark(Mark::Pressure(0))?[1].magnitude()),
-            What::Turn(OfTurn::PressureBack) => Some(cam.mark(Mark::Pressure(1))?[1].magnitude()),
-            What::Turn(OfTurn::BaseMin) => cam.least_base(),
-            What::Turn(OfTurn::FaceHalf) => cam.face_half(),
+            CamProperty::Lift | CamProperty::Swing => cam.lift(here, phi),
+            CamProperty::Stroke | CamProperty::Angle => cam.stroke(),
+            CamProperty::Turn(OfTurn::Rise) => cam.angle(1, false),
+            CamProperty::Pressure => Some(cam.station(here, phi)?.pressure),
+            CamProperty::Rho => Some(cam.station(here, phi)?.rho),
+            CamProperty::Turn(OfTurn::RhoMin) => cam.least_rho(),
+            CamProperty::Turn(OfTurn::Far) => cam.angle(0, true),
+            CamProperty::Turn(OfTurn::Back) => cam.angle(-1, false),
+            CamProperty::Turn(OfTurn::Near) => cam.angle(0, false),
+            CamProperty::Turn(OfTurn::PressureStart) => cam.pressure_at_start(),
+            CamProperty::Turn(OfTurn::PressureOut) => Some(cam.mark(CamExtreme::Pressure(0))?[1].magnitude()),
+            CamProperty::Turn(OfTurn::PressureBack) => Some(cam.mark(CamExtreme::Pressure(1))?[1].magnitude()),
+            CamProperty::Turn(OfTurn::BaseMin) => cam.least_base(),
+            CamProperty::Turn(OfTurn::FaceHalf) => cam.face_half(),
         }
     }
 
     /// Returns the kind of cam that the quantity needs, if this cam is of another kind.
-    fn lacking(&self, t: &Turning) -> Option<Both> {
-        let flat = matches!((t.disc.touch, t.disc.follower), (Touch::Flat { .. }, Follower::Translating { .. }));
+    fn lacking(&self, t: &TurningCam) -> Option<Both> {
+        let flat = matches!((t.disc.touch, t.disc.follower), (FollowerTip::Flat { .. }, Follower::Translating { .. }));
         match self.what {
-            What::Turn(OfTurn::FaceHalf) if !flat => Some(both!("a sliding flat-faced follower", "直动平底从动件")),
-            What::Turn(OfTurn::BaseMin) if !matches!(t.disc.motion, Motion::Law { .. }) => {
+            CamProperty::Turn(OfTurn::FaceHalf) if !flat => Some(both!("a sliding flat-faced follower", "直动平底从动件")),
+            CamProperty::Turn(OfTurn::BaseMin) if !matches!(t.disc.motion, CamMotion::Law { .. }) => {
                 Some(both!("a cam by a law", "按运动规律给定的凸轮"))
             }
-            What::Lift | What::Swing | What::Stroke | What::Angle | What::Pressure | What::Rho | What::Turn(_) => None,
+            CamProperty::Lift
+            | CamProperty::Swing
+            | CamProperty::Stroke
+            | CamProperty::Angle
+            | CamProperty::Pressure
+            | CamProperty::Rho
+            | CamProperty::Turn(_) => None,
         }
     }
 
     /// Returns the cam of the quantity.
-    fn cam<'s>(&self, scene: &'s Scene) -> Option<(&'s Cam, &'s Turning)> {
+    fn cam<'s>(&self, scene: &'s Scene) -> Option<(&'s Cam, &'s TurningCam)> {
         let cam = self.pair(scene)?;
         Some((cam, cam.disc.as_ref()?))
     }
@@ -341,20 +356,20 @@ impl CamQuantity {
     /// Returns true if the pose alone gives the quantity, for any carrier of the cam.
     fn of_the_pose(&self, scene: &Scene, cam: &Cam) -> bool {
         match self.what {
-            What::Rho => cam.touched_radius().is_some() || cam.is_touched_straight(),
-            What::Pressure => {
+            CamProperty::Rho => cam.touched_radius().is_some() || cam.is_touched_straight(),
+            CamProperty::Pressure => {
                 cam.follows.radius().is_some() && (cam.contact.is_some() || cam.is_on_course()) && way_of(scene, cam).is_some()
             }
-            What::Lift | What::Swing | What::Stroke | What::Angle | What::Turn(_) => false,
+            CamProperty::Lift | CamProperty::Swing | CamProperty::Stroke | CamProperty::Angle | CamProperty::Turn(_) => false,
         }
     }
 
     /// Returns its value in the pose.
-    fn posed<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn posed<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         let scene = known.scene();
         let cam = self.pair(scene)?;
-        if self.what == What::Rho {
-            return cam.touched_radius_in(scene).map(Value::Scalar);
+        if self.what == CamProperty::Rho {
+            return cam.touched_radius_in(scene).map(AnswerValue::Scalar);
         }
         let end = known.point(cam.follows.point())?;
         let normal = match cam.contact.map(|g| &scene.guides[g.0]) {
@@ -365,33 +380,41 @@ impl CamQuantity {
             None => cam.touched_on_course(scene, &|p| known.point(p))?.1,
         };
         let way = match way_of(scene, cam)? {
-            Way::Guide(g) => along(known, &scene.guides[g.0])?,
-            Way::Pivot(p) => (end - known.point(p)?).perp(),
+            FollowerGuidance::Guide(g) => along(known, &scene.guides[g.0])?,
+            FollowerGuidance::Pivot(p) => (end - known.point(p)?).perp(),
         };
         let (n, w) = (normal.unit()?, way.unit()?);
-        Some(Value::Scalar(Vec2 { x: n.dot(w).magnitude(), y: n.cross(w).magnitude() }.angle()))
+        Some(AnswerValue::Scalar(Vec2 { x: n.dot(w).magnitude(), y: n.cross(w).magnitude() }.angle()))
     }
 
     /// Returns the cam pair of the quantity, on any carrier.
     fn pair<'s>(&self, scene: &'s Scene) -> Option<&'s Cam> {
         let meant = |c: &&Cam| match (self.what, self.follower) {
-            (What::Rho, follower) => c.cam == self.link && follower == Some(c.follower),
-            (What::Turn(OfTurn::RhoMin | OfTurn::BaseMin), _) => c.cam == self.link,
-            (What::Lift | What::Swing | What::Stroke | What::Angle | What::Pressure | What::Turn(_), _) => c.follower == self.link,
+            (CamProperty::Rho, follower) => c.cam == self.link && follower == Some(c.follower),
+            (CamProperty::Turn(OfTurn::RhoMin | OfTurn::BaseMin), _) => c.cam == self.link,
+            (
+                CamProperty::Lift
+                | CamProperty::Swing
+                | CamProperty::Stroke
+                | CamProperty::Angle
+                | CamProperty::Pressure
+                | CamProperty::Turn(_),
+                _,
+            ) => c.follower == self.link,
         };
         scene.cams.iter().find(meant)
     }
 }
 
 /// The path of a follower.
-enum Way {
+enum FollowerGuidance {
     Guide(GuideId),
     Pivot(PointId),
 }
 
 /// Returns the guide in which a follower slides, or the pivot about which it turns.
-fn way_of(scene: &Scene, cam: &Cam) -> Option<Way> {
-    let slides = scene.guides.iter().position(|g| g.slider == Some(cam.follower)).map(|g| Way::Guide(GuideId(g)));
+fn way_of(scene: &Scene, cam: &Cam) -> Option<FollowerGuidance> {
+    let slides = scene.guides.iter().position(|g| g.slider == Some(cam.follower)).map(|g| FollowerGuidance::Guide(GuideId(g)));
     let joint = |p: &PointId| *p != cam.follows.point() && scene.carriers(*p).any(|l| l != cam.follower);
-    slides.or_else(|| scene.links[cam.follower.0].points.iter().copied().find(joint).map(Way::Pivot))
+    slides.or_else(|| scene.links[cam.follower.0].points.iter().copied().find(joint).map(FollowerGuidance::Pivot))
 }

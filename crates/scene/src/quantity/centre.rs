@@ -4,7 +4,7 @@
 //! The module `centres` finds it independently, by the theorem of three centres.
 
 use super::value::{fastest, vanishes};
-use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
 use crate::model::{LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -21,8 +21,8 @@ pub struct InstantCentre {
 }
 
 impl Quantity for InstantCentre {
-    const WRITTEN: &'static [Entry] = &[Entry::new("P", "P_13", Kind::Length, Form::Point, ["instantaneous centre", "速度瞬心"])
-        .printed("P", Over::Nothing)
+    const WRITTEN: &'static [Entry] = &[Entry::new("P", "P_13", Kind::Length, ValueForm::Point, ["instantaneous centre", "速度瞬心"])
+        .printed("P", OverSign::Nothing)
         .at_level(Level::Velocity)];
 
     fn read(question: &Question<'_>) -> Result<Option<InstantCentre>, Diagnostic> {
@@ -54,7 +54,7 @@ impl Quantity for InstantCentre {
         moving.flat_map(|(l, p)| [Need::Turning(l), Need::Point(p, Some(l))]).map(|need| (need, Level::Velocity)).collect()
     }
 
-    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         let zero = N::from_f64(0.0);
         let base = known.point(self.links.iter().find_map(|(_, p)| *p)?)?;
         // Velocity of the link's point at `base`, and ω.
@@ -70,7 +70,7 @@ impl Quantity for InstantCentre {
             return None;
         }
         let at = base + (v - w).perp() * (N::from_f64(1.0) / (a - b));
-        at.is_finite().then_some(Value::Point(at))
+        at.is_finite().then_some(AnswerValue::Point(at))
     }
 }
 

@@ -93,12 +93,12 @@ const KINDS: [Kind; 11] = [
     Kind::Moment,
     Kind::Power,
 ];
-const FORMS: [Form; 2] = [Form::Scalar, Form::Vector];
+const FORMS: [ValueForm; 2] = [ValueForm::Scalar, ValueForm::Vector];
 const LEVELS: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
 
 /// One row for each kind, form and level of a combination.
 static ENTRIES: [Entry; KINDS.len() * FORMS.len() * LEVELS.len()] = {
-    let first = Entry::new("", "omega_2 + omega_4", Kind::Number, Form::Scalar, ["quantity", "量"]);
+    let first = Entry::new("", "omega_2 + omega_4", Kind::Number, ValueForm::Scalar, ["quantity", "量"]);
     let mut all = [first; KINDS.len() * FORMS.len() * LEVELS.len()];
     let mut k = 0;
     while k < all.len() {
@@ -138,10 +138,12 @@ impl Combined {
     pub(crate) fn new(operation: Operation, [a, b]: [Asked; 2]) -> Option<Combined> {
         let (x, y) = (a.entry(), b.entry());
         let (kind, form) = match operation {
-            Operation::Sum | Operation::Difference if x.kind == y.kind && x.form == y.form && x.form != Form::Point => (x.kind, x.form),
+            Operation::Sum | Operation::Difference if x.kind == y.kind && x.form == y.form && x.form != ValueForm::Point => {
+                (x.kind, x.form)
+            }
             Operation::Sum | Operation::Difference => return None,
-            Operation::Ratio if x.form == Form::Point || y.form == Form::Point => return None,
-            Operation::Ratio => (quotient(x.kind, y.kind)?, Form::Scalar),
+            Operation::Ratio if x.form == ValueForm::Point || y.form == ValueForm::Point => return None,
+            Operation::Ratio => (quotient(x.kind, y.kind)?, ValueForm::Scalar),
         };
         let level = x.level.max(y.level);
         let entry = ENTRIES.iter().find(|e| e.kind == kind && e.form == form && e.level == level)?;
@@ -197,7 +199,7 @@ impl Quantity for Combined {
         }
     }
 
-    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         let [a, b] = self.operands.map(|q| q.asked().value(known));
         combine(self.operation, a?, b?)
     }
@@ -205,20 +207,20 @@ impl Quantity for Combined {
 
 /// Combines two values; returns `None` if the forms differ, or if a ratio is undecided or not
 /// finite.
-pub fn combine<N: Real>(operation: Operation, a: Value<N>, b: Value<N>) -> Option<Value<N>> {
-    let size = |v: Value<N>| match v {
-        Value::Scalar(s) => Some(s),
-        Value::Vector(v) => Some(v.norm()),
-        Value::Point(_) => None,
+pub fn combine<N: Real>(operation: Operation, a: AnswerValue<N>, b: AnswerValue<N>) -> Option<AnswerValue<N>> {
+    let size = |v: AnswerValue<N>| match v {
+        AnswerValue::Scalar(s) => Some(s),
+        AnswerValue::Vector(v) => Some(v.norm()),
+        AnswerValue::Point(_) => None,
     };
     Some(match (operation, a, b) {
-        (Operation::Sum, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a + b),
-        (Operation::Sum, Value::Vector(a), Value::Vector(b)) => Value::Vector(a + b),
-        (Operation::Difference, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a - b),
-        (Operation::Difference, Value::Vector(a), Value::Vector(b)) => Value::Vector(a - b),
+        (Operation::Sum, AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => AnswerValue::Scalar(a + b),
+        (Operation::Sum, AnswerValue::Vector(a), AnswerValue::Vector(b)) => AnswerValue::Vector(a + b),
+        (Operation::Difference, AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => AnswerValue::Scalar(a - b),
+        (Operation::Difference, AnswerValue::Vector(a), AnswerValue::Vector(b)) => AnswerValue::Vector(a - b),
         (Operation::Ratio, a, b) => {
             let ratio = size(a)? / size(b)?;
-            return ratio.is_decided().then_some(ratio).filter(|r| r.approx().is_finite()).map(Value::Scalar);
+            return ratio.is_decided().then_some(ratio).filter(|r| r.approx().is_finite()).map(AnswerValue::Scalar);
         }
         (Operation::Sum | Operation::Difference, ..) => return None,
     })

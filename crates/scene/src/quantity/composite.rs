@@ -3,7 +3,10 @@
 //! a_rⁿ + a_rᵗ + a_k. `path_A/2` is the place of A in the axes of the frame.
 
 use super::joined::name;
-use super::{Entry, Form, Frame, Known, Level, Meaning, Need, Of, Over, Quantity, RelativePath, Seen, Split, Value, owns, relative_path};
+use super::{
+    AnswerValue, Entry, FormulaInputs, Frame, Level, Meaning, Need, ObservedPart, Of, OverSign, Quantity, RelativeComponent, RelativePath,
+    ValueForm, owns, relative_path,
+};
 use crate::model::{Find, OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -15,7 +18,7 @@ use hodograph_base::number::Real;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composite {
     /// The part.
-    pub part: Part,
+    pub part: CompositePart,
     /// The moving point.
     pub of: OnLink,
     /// The frame.
@@ -24,7 +27,7 @@ pub struct Composite {
 
 /// The parts of a composite motion, in the order of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum CompositePart {
     /// Transport velocity v_e.
     TransportVelocity,
     /// Relative velocity v_r.
@@ -47,45 +50,47 @@ pub enum Part {
     Path,
 }
 
-impl Part {
+impl CompositePart {
     /// All parts.
-    pub const ALL: [Part; 10] = [
-        Part::TransportVelocity,
-        Part::RelativeVelocity,
-        Part::Transport,
-        Part::TransportNormal,
-        Part::TransportTangential,
-        Part::Relative,
-        Part::RelativeNormal,
-        Part::RelativeTangential,
-        Part::Coriolis,
-        Part::Path,
+    pub const ALL: [CompositePart; 10] = [
+        CompositePart::TransportVelocity,
+        CompositePart::RelativeVelocity,
+        CompositePart::Transport,
+        CompositePart::TransportNormal,
+        CompositePart::TransportTangential,
+        CompositePart::Relative,
+        CompositePart::RelativeNormal,
+        CompositePart::RelativeTangential,
+        CompositePart::Coriolis,
+        CompositePart::Path,
     ];
 }
 
 impl Quantity for Composite {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("ve", "ve_E/1", Kind::Velocity, Form::Vector, ["transport velocity", "牵连速度"]).printed("v", Over::Sign("e")),
-        Entry::new("vr", "vr_E/1", Kind::Velocity, Form::Vector, ["relative velocity", "相对速度"]).printed("v", Over::Sliding),
-        Entry::new("ae", "ae_E/1", Kind::Acceleration, Form::Vector, ["transport acceleration", "牵连加速度"])
-            .printed("a", Over::Sign("e")),
-        Entry::new("aen", "aen_E/1", Kind::Acceleration, Form::Vector, ["normal transport acceleration", "牵连法向加速度"])
-            .printed("a", Over::Sign("e\\,n")),
-        Entry::new("aet", "aet_E/1", Kind::Acceleration, Form::Vector, ["tangential transport acceleration", "牵连切向加速度"])
-            .printed("a", Over::Sign("e\\,t")),
-        Entry::new("ar", "ar_E/1", Kind::Acceleration, Form::Vector, ["relative acceleration", "相对加速度"]).printed("a", Over::Sliding),
-        Entry::new("arn", "arn_E/1", Kind::Acceleration, Form::Vector, ["normal relative acceleration", "相对法向加速度"])
-            .printed("a", Over::SlidingPart("n")),
-        Entry::new("art", "art_E/1", Kind::Acceleration, Form::Vector, ["tangential relative acceleration", "相对切向加速度"])
-            .printed("a", Over::SlidingPart("t")),
-        Entry::new("ak", "ak_E/1", Kind::Acceleration, Form::Vector, ["Coriolis acceleration", "科氏加速度"]).printed("a", Over::Coriolis),
-        Entry::new("path", "path_E/1", Kind::Length, Form::Point, ["place on the relative path", "相对轨迹上的位置"])
-            .printed("r", Over::Sliding),
+        Entry::new("ve", "ve_E/1", Kind::Velocity, ValueForm::Vector, ["transport velocity", "牵连速度"]).printed("v", OverSign::Sign("e")),
+        Entry::new("vr", "vr_E/1", Kind::Velocity, ValueForm::Vector, ["relative velocity", "相对速度"]).printed("v", OverSign::Sliding),
+        Entry::new("ae", "ae_E/1", Kind::Acceleration, ValueForm::Vector, ["transport acceleration", "牵连加速度"])
+            .printed("a", OverSign::Sign("e")),
+        Entry::new("aen", "aen_E/1", Kind::Acceleration, ValueForm::Vector, ["normal transport acceleration", "牵连法向加速度"])
+            .printed("a", OverSign::Sign("e\\,n")),
+        Entry::new("aet", "aet_E/1", Kind::Acceleration, ValueForm::Vector, ["tangential transport acceleration", "牵连切向加速度"])
+            .printed("a", OverSign::Sign("e\\,t")),
+        Entry::new("ar", "ar_E/1", Kind::Acceleration, ValueForm::Vector, ["relative acceleration", "相对加速度"])
+            .printed("a", OverSign::Sliding),
+        Entry::new("arn", "arn_E/1", Kind::Acceleration, ValueForm::Vector, ["normal relative acceleration", "相对法向加速度"])
+            .printed("a", OverSign::SlidingPart("n")),
+        Entry::new("art", "art_E/1", Kind::Acceleration, ValueForm::Vector, ["tangential relative acceleration", "相对切向加速度"])
+            .printed("a", OverSign::SlidingPart("t")),
+        Entry::new("ak", "ak_E/1", Kind::Acceleration, ValueForm::Vector, ["Coriolis acceleration", "科氏加速度"])
+            .printed("a", OverSign::Coriolis),
+        Entry::new("path", "path_E/1", Kind::Length, ValueForm::Point, ["place on the relative path", "相对轨迹上的位置"])
+            .printed("r", OverSign::Sliding),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Composite>, Diagnostic> {
         let Some((of, frame)) = question.point_and_frame()? else { return Ok(None) };
-        Ok(Some(Composite { part: Part::ALL[question.row(Self::WRITTEN)], of, frame }))
+        Ok(Some(Composite { part: CompositePart::ALL[question.row(Self::WRITTEN)], of, frame }))
     }
 
     fn entry(&self) -> &'static Entry {
@@ -105,44 +110,49 @@ impl Quantity for Composite {
         let seen = |seen| Meaning::Seen(seen, of, frame, about);
         let relative = |split| Meaning::Relative(split, of, seat);
         Some(match (part, frame) {
-            (Part::TransportVelocity | Part::Transport, _) => Meaning::Vector(seat),
-            (Part::RelativeVelocity, _) | (Part::Relative, Frame::Point(_)) => relative(Split::Whole),
-            (Part::Relative, Frame::Link(_)) if slides => relative(Split::Sliding),
-            (Part::Relative, Frame::Link(_)) => seen(Seen::Relative),
-            (Part::RelativeNormal, _) if slides => relative(Split::SlidingNormal),
-            (Part::RelativeTangential, _) if slides => relative(Split::SlidingTangential),
-            (Part::RelativeNormal, Frame::Point(c)) if on_one_link(scene, &of, &c) => relative(Split::Along),
-            (Part::RelativeTangential, Frame::Point(c)) if on_one_link(scene, &of, &c) => relative(Split::Across),
-            (Part::RelativeNormal, _) => seen(Seen::RelativeNormal),
-            (Part::RelativeTangential, _) => seen(Seen::RelativeTangential),
-            (Part::Coriolis, Frame::Link(_)) if slides => relative(Split::Coriolis),
-            (Part::Coriolis, _) => seen(Seen::Coriolis),
-            (Part::TransportNormal | Part::TransportTangential, _) => {
-                let normal = part == Part::TransportNormal;
+            (CompositePart::TransportVelocity | CompositePart::Transport, _) => Meaning::Vector(seat),
+            (CompositePart::RelativeVelocity, _) | (CompositePart::Relative, Frame::Point(_)) => relative(RelativeComponent::Whole),
+            (CompositePart::Relative, Frame::Link(_)) if slides => relative(RelativeComponent::Sliding),
+            (CompositePart::Relative, Frame::Link(_)) => seen(ObservedPart::Relative),
+            (CompositePart::RelativeNormal, _) if slides => relative(RelativeComponent::SlidingNormal),
+            (CompositePart::RelativeTangential, _) if slides => relative(RelativeComponent::SlidingTangential),
+            (CompositePart::RelativeNormal, Frame::Point(c)) if on_one_link(scene, &of, &c) => relative(RelativeComponent::Along),
+            (CompositePart::RelativeTangential, Frame::Point(c)) if on_one_link(scene, &of, &c) => relative(RelativeComponent::Across),
+            (CompositePart::RelativeNormal, _) => seen(ObservedPart::RelativeNormal),
+            (CompositePart::RelativeTangential, _) => seen(ObservedPart::RelativeTangential),
+            (CompositePart::Coriolis, Frame::Link(_)) if slides => relative(RelativeComponent::Coriolis),
+            (CompositePart::Coriolis, _) => seen(ObservedPart::Coriolis),
+            (CompositePart::TransportNormal | CompositePart::TransportTangential, _) => {
+                let normal = part == CompositePart::TransportNormal;
                 match frame.axis(scene, of) {
                     Some(o) => {
-                        let split = if normal { Split::Along } else { Split::Across };
+                        let split = if normal { RelativeComponent::Along } else { RelativeComponent::Across };
                         Meaning::Relative(split, seat, OnLink { point: o, link: None })
                     }
-                    None => seen(if normal { Seen::TransportNormal } else { Seen::TransportTangential }),
+                    None => seen(if normal { ObservedPart::TransportNormal } else { ObservedPart::TransportTangential }),
                 }
             }
-            (Part::Path, _) => return None,
+            (CompositePart::Path, _) => return None,
         })
     }
 
     fn no_value(&self, scene: &Scene) -> Both {
         let point = name(scene, &self.of);
         match self.part {
-            Part::TransportNormal | Part::TransportTangential => both!(
+            CompositePart::TransportNormal | CompositePart::TransportTangential => both!(
                 "the point of the frame at {point} stands still, so that nothing says what is along its path and what is square to it",
                 "动系上与 {point} 重合的点不动，无从区分沿其轨迹和垂直于轨迹的分量"
             ),
-            Part::RelativeNormal | Part::RelativeTangential => both!(
+            CompositePart::RelativeNormal | CompositePart::RelativeTangential => both!(
                 "{point} does not move in its frame, so that nothing says what is along its path and what is square to it",
                 "{point} 相对动系不动，无从区分沿相对轨迹和垂直于轨迹的分量"
             ),
-            Part::TransportVelocity | Part::RelativeVelocity | Part::Transport | Part::Relative | Part::Coriolis | Part::Path => {
+            CompositePart::TransportVelocity
+            | CompositePart::RelativeVelocity
+            | CompositePart::Transport
+            | CompositePart::Relative
+            | CompositePart::Coriolis
+            | CompositePart::Path => {
                 both!("nothing defines it in this pose", "该位置此量无定义")
             }
         }
@@ -158,16 +168,16 @@ impl Quantity for Composite {
         };
         let both = |level| [at(self.of, level), at(seat, level)];
         match self.part {
-            Part::TransportVelocity => vec![at(seat, Velocity)],
-            Part::RelativeVelocity => both(Velocity).to_vec(),
-            Part::Transport => vec![at(seat, Acceleration)],
-            Part::TransportNormal | Part::TransportTangential => {
+            CompositePart::TransportVelocity => vec![at(seat, Velocity)],
+            CompositePart::RelativeVelocity => both(Velocity).to_vec(),
+            CompositePart::Transport => vec![at(seat, Acceleration)],
+            CompositePart::TransportNormal | CompositePart::TransportTangential => {
                 [at(seat, Velocity), at(seat, Acceleration)].into_iter().chain(turning).collect()
             }
-            Part::Relative | Part::RelativeNormal | Part::RelativeTangential | Part::Coriolis => {
+            CompositePart::Relative | CompositePart::RelativeNormal | CompositePart::RelativeTangential | CompositePart::Coriolis => {
                 both(Velocity).into_iter().chain(both(Acceleration)).chain(turning).collect()
             }
-            Part::Path => match self.frame {
+            CompositePart::Path => match self.frame {
                 Frame::Link(l) => vec![(Need::Point(self.of.point, None), Position), (Need::Turning(l), Position)],
                 Frame::Point(_) => vec![(Need::Point(self.of.point, None), Position), (Need::Point(seat.point, None), Position)],
             },
@@ -178,13 +188,13 @@ impl Quantity for Composite {
         unusable(scene, &self.of, self.frame, &find.text).map(|d| d.at(find.span))
     }
 
-    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         let scene = known.scene();
         if let Some(meaning) = self.meaning(scene) {
             return meaning.value(self.entry().level, known);
         }
         let at = known.point(self.of.point)?;
-        Some(Value::Point(match self.frame {
+        Some(AnswerValue::Point(match self.frame {
             Frame::Point(c) => (at - known.point(c.point)?).to_point(),
             Frame::Link(l) => {
                 let (origin, x) = (known.point(*scene.links[l.0].points.first()?)?, known.direction(l)?.unit()?);

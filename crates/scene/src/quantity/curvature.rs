@@ -7,7 +7,7 @@
 //! quantities and treats the cases in which they do not exist.
 
 use super::value::{fastest, largest, vanishes};
-use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
 use crate::model::{LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -58,17 +58,17 @@ const POLES: [OfPole; 5] = [OfPole::InflectionPole, OfPole::Diameter, OfPole::Ac
 
 impl Quantity for Curvature {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("rho", "rho_E", Kind::Length, Form::Scalar, ["radius of curvature of the path", "轨迹曲率半径"])
-            .printed("\\rho", Over::Nothing)
+        Entry::new("rho", "rho_E", Kind::Length, ValueForm::Scalar, ["radius of curvature of the path", "轨迹曲率半径"])
+            .printed("\\rho", OverSign::Nothing)
             .at_level(Level::Acceleration),
-        Entry::new("O", "O_E", Kind::Length, Form::Point, ["centre of curvature of the path", "轨迹曲率中心"])
+        Entry::new("O", "O_E", Kind::Length, ValueForm::Point, ["centre of curvature of the path", "轨迹曲率中心"])
             .at_level(Level::Acceleration),
-        Entry::new("J", "J_2", Kind::Length, Form::Point, ["inflection pole", "拐点极"]).at_level(Level::Acceleration),
-        Entry::new("d", "d_2", Kind::Length, Form::Scalar, ["diameter of the inflection circle", "拐点圆直径"])
+        Entry::new("J", "J_2", Kind::Length, ValueForm::Point, ["inflection pole", "拐点极"]).at_level(Level::Acceleration),
+        Entry::new("d", "d_2", Kind::Length, ValueForm::Scalar, ["diameter of the inflection circle", "拐点圆直径"])
             .at_level(Level::Acceleration),
-        Entry::new("K", "K_2", Kind::Length, Form::Point, ["acceleration pole", "加速度瞬心"]).at_level(Level::Acceleration),
-        Entry::new("u", "u_2", Kind::Velocity, Form::Vector, ["pole velocity", "瞬心移动速度"]).at_level(Level::Acceleration),
-        Entry::new("p", "p_2", Kind::Length, Form::Point, ["pole in the axes of the link", "瞬心在构件坐标系中的位置"])
+        Entry::new("K", "K_2", Kind::Length, ValueForm::Point, ["acceleration pole", "加速度瞬心"]).at_level(Level::Acceleration),
+        Entry::new("u", "u_2", Kind::Velocity, ValueForm::Vector, ["pole velocity", "瞬心移动速度"]).at_level(Level::Acceleration),
+        Entry::new("p", "p_2", Kind::Length, ValueForm::Point, ["pole in the axes of the link", "瞬心在构件坐标系中的位置"])
             .at_level(Level::Velocity),
     ];
 
@@ -161,7 +161,7 @@ impl Quantity for Curvature {
         }
     }
 
-    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         match *self {
             Curvature::Path(p, of) => path(known, &p, of),
             Curvature::Pole(links, of) => pole(known, links, of),
@@ -169,7 +169,7 @@ impl Quantity for Curvature {
     }
 }
 
-fn path<N: Real, K: Known<N>>(known: &K, p: &OnLink, of: OfPath) -> Option<Value<N>> {
+fn path<N: Real, K: FormulaInputs<N>>(known: &K, p: &OnLink, of: OfPath) -> Option<AnswerValue<N>> {
     let (v, a) = (known.vector(Level::Velocity, p)?, known.vector(Level::Acceleration, p)?);
     let (square, turn) = (v.norm2(), v.cross(a));
     // The rounding error of v and a is that of the largest velocity and acceleration.
@@ -182,17 +182,17 @@ fn path<N: Real, K: Known<N>>(known: &K, p: &OnLink, of: OfPath) -> Option<Value
         OfPath::Radius => {
             let radius = square * square.sqrt() / turn;
             let radius = if turn.approx() < 0.0 { -radius } else { radius };
-            radius.is_decided().then_some(Value::Scalar(radius))
+            radius.is_decided().then_some(AnswerValue::Scalar(radius))
         }
         OfPath::Centre => {
             let centre = known.point(p.point)? + v.perp() * (square / turn);
-            centre.is_finite().then_some(Value::Point(centre))
+            centre.is_finite().then_some(AnswerValue::Point(centre))
         }
     }
 }
 
 /// The motion of one link relative to another at a place: velocity, ω, acceleration, α.
-struct Seen<N> {
+struct RelativeState<N> {
     at: Point<N>,
     v: Vec2<N>,
     omega: N,
@@ -200,7 +200,7 @@ struct Seen<N> {
     alpha: N,
 }
 
-fn seen<N: Real, K: Known<N>>(known: &K, links: [(LinkId, Option<PointId>); 2], level: Level) -> Option<Seen<N>> {
+fn seen<N: Real, K: FormulaInputs<N>>(known: &K, links: [(LinkId, Option<PointId>); 2], level: Level) -> Option<RelativeState<N>> {
     let zero = N::from_f64(0.0);
     let at = known.point(links.iter().find_map(|(_, p)| *p)?)?;
     let deep = level == Level::Acceleration;
@@ -223,18 +223,18 @@ fn seen<N: Real, K: Known<N>>(known: &K, links: [(LinkId, Option<PointId>); 2], 
         return None;
     }
     let v = v - w;
-    Some(Seen { at, v, omega: relative, a: a - b - v.perp() * (N::from_f64(2.0) * frame), alpha: alpha - turns })
+    Some(RelativeState { at, v, omega: relative, a: a - b - v.perp() * (N::from_f64(2.0) * frame), alpha: alpha - turns })
 }
 
-fn pole<N: Real, K: Known<N>>(known: &K, links: [(LinkId, Option<PointId>); 2], of: OfPole) -> Option<Value<N>> {
+fn pole<N: Real, K: FormulaInputs<N>>(known: &K, links: [(LinkId, Option<PointId>); 2], of: OfPole) -> Option<AnswerValue<N>> {
     let level = if of == OfPole::InLink { Level::Velocity } else { Level::Acceleration };
-    let Seen { at, v, omega, a, alpha } = seen(known, links, level)?;
+    let RelativeState { at, v, omega, a, alpha } = seen(known, links, level)?;
     let one = N::from_f64(1.0);
     let arm = v.perp() * (one / omega);
     let square = omega * omega;
     let a = a + arm.perp() * alpha - arm * square;
     let pole = at + arm;
-    let place = |p: Point<N>| p.is_finite().then_some(Value::Point(p));
+    let place = |p: Point<N>| p.is_finite().then_some(AnswerValue::Point(p));
     match of {
         OfPole::InLink => {
             let base = known.point(links[0].1?)?;
@@ -244,11 +244,11 @@ fn pole<N: Real, K: Known<N>>(known: &K, links: [(LinkId, Option<PointId>); 2], 
         OfPole::AccelerationPole => place(pole + a.divide_by(Vec2::new(square, -alpha))),
         OfPole::Diameter => {
             let d = a.norm() / square;
-            d.is_decided().then_some(Value::Scalar(d))
+            d.is_decided().then_some(AnswerValue::Scalar(d))
         }
         OfPole::PoleVelocity => {
             let u = a.perp() * (one / omega);
-            u.is_finite().then_some(Value::Vector(u))
+            u.is_finite().then_some(AnswerValue::Vector(u))
         }
     }
 }

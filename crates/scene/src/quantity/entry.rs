@@ -8,7 +8,7 @@ use hodograph_base::kind::Kind;
 /// The form of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Form {
+pub enum ValueForm {
     /// A number; positive counter-clockwise.
     Scalar,
     /// A vector.
@@ -17,21 +17,21 @@ pub enum Form {
     Point,
 }
 
-impl Form {
+impl ValueForm {
     /// Returns the endings of its columns in a table: a number has one column, a vector its
     /// components and its magnitude, a place its coordinates.
     pub fn columns(self) -> &'static [&'static str] {
         match self {
-            Form::Scalar => &[""],
-            Form::Vector => &[".x", ".y", ""],
-            Form::Point => &[".x", ".y"],
+            ValueForm::Scalar => &[""],
+            ValueForm::Vector => &[".x", ".y", ""],
+            ValueForm::Point => &[".x", ".y"],
         }
     }
 }
 
 /// The sign above the letter of a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Over {
+pub enum OverSign {
     /// No sign.
     Nothing,
     /// This sign.
@@ -92,11 +92,11 @@ pub struct Entry {
     /// The level of motion.
     pub level: Level,
     /// The form of the value.
-    pub form: Form,
+    pub form: ValueForm,
     /// Its letter in the label language.
     pub letter: &'static str,
     /// The sign above the letter.
-    pub over: Over,
+    pub over: OverSign,
     /// True if the value is measured from a chosen place or direction: then its size has no
     /// meaning, nor has an error relative to it.
     pub from_origin: bool,
@@ -109,7 +109,7 @@ pub struct Entry {
 impl Entry {
     /// Returns a row of the table. The default level is that of the kind, the default letter the
     /// symbol. `name` is in English and in Chinese.
-    pub(super) const fn new(symbol: &'static str, example: &'static str, kind: Kind, form: Form, name: [&'static str; 2]) -> Entry {
+    pub(super) const fn new(symbol: &'static str, example: &'static str, kind: Kind, form: ValueForm, name: [&'static str; 2]) -> Entry {
         let level = kind.level();
         Entry {
             symbol,
@@ -118,15 +118,15 @@ impl Entry {
             level,
             form,
             letter: symbol,
-            over: Over::Nothing,
-            from_origin: matches!(form, Form::Point),
+            over: OverSign::Nothing,
+            from_origin: matches!(form, ValueForm::Point),
             name,
             several: None,
         }
     }
 
     /// Returns the row with this letter and the sign above it.
-    pub(super) const fn printed(self, letter: &'static str, over: Over) -> Entry {
+    pub(super) const fn printed(self, letter: &'static str, over: OverSign) -> Entry {
         Entry { letter, over, ..self }
     }
 

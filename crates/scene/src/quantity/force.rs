@@ -6,7 +6,7 @@
 
 use super::contact::{Contact, bar, contacts, parties};
 use super::forces::{Forces, Wrench};
-use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
 use crate::model::{Find, GuideId, GuidePath, LinkId, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -16,11 +16,11 @@ use hodograph_base::number::Real;
 
 /// A quantity of forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Force(Which);
+pub struct Force(ForceQuantity);
 
 /// A part of a reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Along {
+pub enum ReactionPart {
     /// The whole force.
     Whole,
     /// The part along the bar from the pin to the next joint of the second link.
@@ -48,19 +48,23 @@ impl Force {
     /// Returns the quantity, if it contains no reaction.
     pub fn by_motion(&self) -> Option<ByMotion> {
         match self.0 {
-            Which::Power => Some(ByMotion::Power),
-            Which::Balance { driver, .. } => Some(ByMotion::Balance(driver)),
-            Which::InertiaForce(l) => Some(ByMotion::Inertia(l)),
-            Which::InertiaCouple(l) => Some(ByMotion::InertiaCouple(l)),
-            Which::Shaking => Some(ByMotion::Shaking),
-            Which::Reaction(..) | Which::OfPin(..) | Which::Offset(_) | Which::Couple(_) | Which::Efficiency => None,
+            ForceQuantity::Power => Some(ByMotion::Power),
+            ForceQuantity::Balance { driver, .. } => Some(ByMotion::Balance(driver)),
+            ForceQuantity::InertiaForce(l) => Some(ByMotion::Inertia(l)),
+            ForceQuantity::InertiaCouple(l) => Some(ByMotion::InertiaCouple(l)),
+            ForceQuantity::Shaking => Some(ByMotion::Shaking),
+            ForceQuantity::Reaction(..)
+            | ForceQuantity::OfPin(..)
+            | ForceQuantity::Offset(_)
+            | ForceQuantity::Couple(_)
+            | ForceQuantity::Efficiency => None,
         }
     }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Which {
-    Reaction([LinkId; 2], Along),
+enum ForceQuantity {
+    Reaction([LinkId; 2], ReactionPart),
     OfPin(PointId, LinkId),
     Offset([LinkId; 2]),
     Couple([LinkId; 2]),
@@ -86,67 +90,73 @@ const EFFICIENCY: usize = 10;
 
 impl Quantity for Force {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("F", "F_12", Kind::Force, Form::Vector, ["reaction", "运动副反力"]),
+        Entry::new("F", "F_12", Kind::Force, ValueForm::Vector, ["reaction", "运动副反力"]),
         Entry::new(
             "Fn",
             "Fn_12",
             Kind::Force,
-            Form::Vector,
+            ValueForm::Vector,
             ["reaction along the link, or square to the guide", "沿杆（或垂直于导路）的反力分量"],
         )
-        .printed("F", Over::Sign("n")),
+        .printed("F", OverSign::Sign("n")),
         Entry::new(
             "Ft",
             "Ft_12",
             Kind::Force,
-            Form::Vector,
+            ValueForm::Vector,
             ["reaction square to the link, or along the guide", "垂直于杆（或沿导路）的反力分量"],
         )
-        .printed("F", Over::Sign("t")),
-        Entry::new("F", "F_b", Kind::Force, Form::Scalar, ["balancing force", "平衡力"]),
-        Entry::new("h", "h_65", Kind::Length, Form::Scalar, ["distance of the force of a guide from the pin", "导路反力到销中心的距离"]),
-        Entry::new("M", "M_b", Kind::Moment, Form::Scalar, ["balancing moment", "平衡力矩"]),
-        Entry::new("FI", "FI_2", Kind::Force, Form::Vector, ["inertia force", "惯性力"]).printed("F_I", Over::Nothing),
-        Entry::new("MI", "MI_2", Kind::Moment, Form::Scalar, ["inertia couple", "惯性力偶矩"]).printed("M_I", Over::Nothing),
-        Entry::new("P", "P", Kind::Power, Form::Scalar, ["power of the driver", "原动件功率"]),
-        Entry::new("F", "F_sh", Kind::Force, Form::Vector, ["shaking force", "总惯性力"]),
-        Entry::new("eta", "eta", Kind::Number, Form::Scalar, ["efficiency", "机械效率"]).printed("\\eta", Over::Nothing),
+        .printed("F", OverSign::Sign("t")),
+        Entry::new("F", "F_b", Kind::Force, ValueForm::Scalar, ["balancing force", "平衡力"]),
+        Entry::new(
+            "h",
+            "h_65",
+            Kind::Length,
+            ValueForm::Scalar,
+            ["distance of the force of a guide from the pin", "导路反力到销中心的距离"],
+        ),
+        Entry::new("M", "M_b", Kind::Moment, ValueForm::Scalar, ["balancing moment", "平衡力矩"]),
+        Entry::new("FI", "FI_2", Kind::Force, ValueForm::Vector, ["inertia force", "惯性力"]).printed("F_I", OverSign::Nothing),
+        Entry::new("MI", "MI_2", Kind::Moment, ValueForm::Scalar, ["inertia couple", "惯性力偶矩"]).printed("M_I", OverSign::Nothing),
+        Entry::new("P", "P", Kind::Power, ValueForm::Scalar, ["power of the driver", "原动件功率"]),
+        Entry::new("F", "F_sh", Kind::Force, ValueForm::Vector, ["shaking force", "总惯性力"]),
+        Entry::new("eta", "eta", Kind::Number, ValueForm::Scalar, ["efficiency", "机械效率"]).printed("\\eta", OverSign::Nothing),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Force>, Diagnostic> {
         let names = question.names();
         let which = match question.symbol() {
             "P" => match names {
-                "" => Which::Power,
+                "" => ForceQuantity::Power,
                 _ => return Ok(None),
             },
             "eta" => match names {
-                "" => Which::Efficiency,
+                "" => ForceQuantity::Efficiency,
                 _ => return Ok(None),
             },
-            "F" if names == "sh" => Which::Shaking,
+            "F" if names == "sh" => ForceQuantity::Shaking,
             "F" => match balanced(names) {
-                Some(driver) => Which::Balance { driver: question.driver(driver)?, force: true },
+                Some(driver) => ForceQuantity::Balance { driver: question.driver(driver)?, force: true },
                 None => match question.two_links() {
-                    Ok(links) => Which::Reaction(links, Along::Whole),
+                    Ok(links) => ForceQuantity::Reaction(links, ReactionPart::Whole),
                     Err(_) => match question.points() {
                         Ok((at, None)) if at.link.is_some() => {
                             let link = at.link.unwrap_or(question.ground());
-                            Which::OfPin(at.point, link)
+                            ForceQuantity::OfPin(at.point, link)
                         }
                         _ => return Err(reaction_wanted(question)),
                     },
                 },
             },
-            "Fn" => Which::Reaction(question.two_links()?, Along::Normal),
-            "Ft" => Which::Reaction(question.two_links()?, Along::Tangential),
-            "h" => Which::Offset(question.two_links()?),
+            "Fn" => ForceQuantity::Reaction(question.two_links()?, ReactionPart::Normal),
+            "Ft" => ForceQuantity::Reaction(question.two_links()?, ReactionPart::Tangential),
+            "h" => ForceQuantity::Offset(question.two_links()?),
             "M" => match balanced(names) {
-                Some(driver) => Which::Balance { driver: question.driver(driver)?, force: false },
-                None => Which::Couple(question.two_links()?),
+                Some(driver) => ForceQuantity::Balance { driver: question.driver(driver)?, force: false },
+                None => ForceQuantity::Couple(question.two_links()?),
             },
-            "FI" => Which::InertiaForce(moving(question)?),
-            "MI" => Which::InertiaCouple(moving(question)?),
+            "FI" => ForceQuantity::InertiaForce(moving(question)?),
+            "MI" => ForceQuantity::InertiaCouple(moving(question)?),
             _ => return Ok(None),
         };
         Ok(Some(Force(which)))
@@ -154,26 +164,26 @@ impl Quantity for Force {
 
     fn entry(&self) -> &'static Entry {
         &Self::WRITTEN[match self.0 {
-            Which::Reaction(_, Along::Whole) | Which::OfPin(..) => REACTION,
-            Which::Reaction(_, Along::Normal) => NORMAL,
-            Which::Reaction(_, Along::Tangential) => TANGENTIAL,
-            Which::Balance { force: true, .. } => BALANCE_FORCE,
-            Which::Offset(_) => OFFSET,
-            Which::Balance { force: false, .. } | Which::Couple(_) => MOMENT,
-            Which::InertiaForce(_) => INERTIA,
-            Which::InertiaCouple(_) => INERTIA_COUPLE,
-            Which::Power => POWER,
-            Which::Shaking => SHAKING,
-            Which::Efficiency => EFFICIENCY,
+            ForceQuantity::Reaction(_, ReactionPart::Whole) | ForceQuantity::OfPin(..) => REACTION,
+            ForceQuantity::Reaction(_, ReactionPart::Normal) => NORMAL,
+            ForceQuantity::Reaction(_, ReactionPart::Tangential) => TANGENTIAL,
+            ForceQuantity::Balance { force: true, .. } => BALANCE_FORCE,
+            ForceQuantity::Offset(_) => OFFSET,
+            ForceQuantity::Balance { force: false, .. } | ForceQuantity::Couple(_) => MOMENT,
+            ForceQuantity::InertiaForce(_) => INERTIA,
+            ForceQuantity::InertiaCouple(_) => INERTIA_COUPLE,
+            ForceQuantity::Power => POWER,
+            ForceQuantity::Shaking => SHAKING,
+            ForceQuantity::Efficiency => EFFICIENCY,
         }]
     }
 
     fn of(&self) -> Of {
         match self.0 {
-            Which::Reaction([i, j], _) | Which::Offset([i, j]) | Which::Couple([i, j]) => Of::Links(i, j),
-            Which::OfPin(p, link) => Of::Point(crate::model::OnLink { point: p, link: Some(link) }),
-            Which::InertiaForce(l) | Which::InertiaCouple(l) => Of::Link(l),
-            Which::Balance { .. } | Which::Power | Which::Efficiency | Which::Shaking => Of::Mechanism,
+            ForceQuantity::Reaction([i, j], _) | ForceQuantity::Offset([i, j]) | ForceQuantity::Couple([i, j]) => Of::Links(i, j),
+            ForceQuantity::OfPin(p, link) => Of::Point(crate::model::OnLink { point: p, link: Some(link) }),
+            ForceQuantity::InertiaForce(l) | ForceQuantity::InertiaCouple(l) => Of::Link(l),
+            ForceQuantity::Balance { .. } | ForceQuantity::Power | ForceQuantity::Efficiency | ForceQuantity::Shaking => Of::Mechanism,
         }
     }
 
@@ -187,32 +197,32 @@ impl Quantity for Force {
 
     fn places(&self, scene: &Scene) -> Vec<LinkId> {
         match self.0 {
-            Which::Reaction(links, _) | Which::Offset(links) | Which::Couple(links) => links.to_vec(),
-            Which::OfPin(p, link) => scene.carriers(p).chain([link]).collect(),
-            Which::InertiaForce(_)
-            | Which::InertiaCouple(_)
-            | Which::Balance { .. }
-            | Which::Power
-            | Which::Efficiency
-            | Which::Shaking => Vec::new(),
+            ForceQuantity::Reaction(links, _) | ForceQuantity::Offset(links) | ForceQuantity::Couple(links) => links.to_vec(),
+            ForceQuantity::OfPin(p, link) => scene.carriers(p).chain([link]).collect(),
+            ForceQuantity::InertiaForce(_)
+            | ForceQuantity::InertiaCouple(_)
+            | ForceQuantity::Balance { .. }
+            | ForceQuantity::Power
+            | ForceQuantity::Efficiency
+            | ForceQuantity::Shaking => Vec::new(),
         }
     }
 
     fn no_value(&self, _scene: &Scene) -> Both {
         match self.0 {
-            Which::Offset(_) => {
+            ForceQuantity::Offset(_) => {
                 both!("the force of the guide is zero: it has a couple, but no line of action", "导路反力为零：只有力偶，没有作用线")
             }
-            Which::Reaction(..) | Which::OfPin(..) | Which::Couple(_) => both!(
+            ForceQuantity::Reaction(..) | ForceQuantity::OfPin(..) | ForceQuantity::Couple(_) => both!(
                 "the reactions are not determined: a link or pair only repeats what the others hold, or a belt pulls with a tension that is not told",
                 "反力不确定：有构件或运动副只重复其余的约束，或带的拉力未知"
             ),
-            Which::Balance { .. } | Which::Power => both!(
+            ForceQuantity::Balance { .. } | ForceQuantity::Power => both!(
                 "the balancing force does no work in this pose: its line passes through the pole of its link, or its point is at rest",
                 "该位置平衡力不做功：其作用线通过所在构件的瞬心，或作用点静止"
             ),
-            Which::Efficiency => both!("the balancing moment does no work here", "该位置平衡力矩不做功"),
-            Which::InertiaForce(_) | Which::InertiaCouple(_) | Which::Shaking => {
+            ForceQuantity::Efficiency => both!("the balancing moment does no work here", "该位置平衡力矩不做功"),
+            ForceQuantity::InertiaForce(_) | ForceQuantity::InertiaCouple(_) | ForceQuantity::Shaking => {
                 both!("the forces are not determined in this pose", "该位置的力不确定")
             }
         }
@@ -221,15 +231,15 @@ impl Quantity for Force {
     fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
         let at = |message: Both| Diagnostic::error("find", message).at(find.span);
         match self.0 {
-            Which::Reaction([i, j], part) => {
+            ForceQuantity::Reaction([i, j], part) => {
                 let [a, b] = [i, j].map(|l| scene.link_name(l));
                 match contacts(scene, i, j)[..] {
-                    [Contact::Pin(p)] if part != Along::Whole => bar(scene, p, j).is_none().then(|| {
+                    [Contact::Pin(p)] if part != ReactionPart::Whole => bar(scene, p, j).is_none().then(|| {
                         at(both!("`{}`: link {b} has no second joint", "`{}`：构件 {b} 没有第二个运动副", find.text))
                             .help(both!("ask for F_{a}{b}", "请求 F_{a}{b}"))
                     }),
                     [Contact::Guide(g, _)] if matches!(scene.guides[g.0].path, GuidePath::Line { .. }) => None,
-                    [_] if part != Along::Whole => Some(
+                    [_] if part != ReactionPart::Whole => Some(
                         at(both!(
                             "`{}`: links {a} and {b} are joined neither by a pin nor by a straight guide",
                             "`{}`：构件 {a} 与 {b} 不是以转动副或直线移动副相连",
@@ -246,7 +256,7 @@ impl Quantity for Force {
                     [] => Some(self.not_joined(scene, find, [i, j])),
                 }
             }
-            Which::OfPin(p, link) => {
+            ForceQuantity::OfPin(p, link) => {
                 let pin = scene.point_name(p);
                 let joined = scene.links[link.0].points.contains(&p) && parties(scene, p) > 1;
                 (!joined).then(|| {
@@ -258,18 +268,18 @@ impl Quantity for Force {
                     ))
                 })
             }
-            Which::Offset([i, j]) | Which::Couple([i, j]) => {
+            ForceQuantity::Offset([i, j]) | ForceQuantity::Couple([i, j]) => {
                 let guided = contacts(scene, i, j).iter().any(|c| matches!(c, Contact::Guide(g, _) if slides(scene, *g)));
                 (!guided).then(|| {
                     let [a, b] = [i, j].map(|l| scene.link_name(l));
                     at(both!("`{}`: no straight guide joins links {a} and {b}", "`{}`：构件 {a} 与 {b} 之间没有直线移动副", find.text))
                 })
             }
-            Which::InertiaForce(l) | Which::InertiaCouple(l) => {
+            ForceQuantity::InertiaForce(l) | ForceQuantity::InertiaCouple(l) => {
                 let has = scene
                     .loads
                     .mass_of(l)
-                    .is_some_and(|m| if matches!(self.0, Which::InertiaForce(_)) { m.m.is_some() } else { m.j.is_some() });
+                    .is_some_and(|m| if matches!(self.0, ForceQuantity::InertiaForce(_)) { m.m.is_some() } else { m.j.is_some() });
                 (!has).then(|| {
                     let name = scene.link_name(l);
                     at(both!("`{}`: link {name} has no mass of this kind", "`{}`：构件 {name} 没有相应的质量", find.text)).help(both!(
@@ -278,7 +288,7 @@ impl Quantity for Force {
                     ))
                 })
             }
-            Which::Balance { driver, force } => {
+            ForceQuantity::Balance { driver, force } => {
                 let by_force = match &scene.loads.balance {
                     Some(balance) => balance.force.is_some(),
                     None => !scene.drivers.get(driver)?.kind.turns(),
@@ -295,55 +305,55 @@ impl Quantity for Force {
                     .help(both!("ask for {right} instead of {asked}", "请以 {right} 代替 {asked}"))
                 })
             }
-            Which::Efficiency => scene.loads.friction.is_empty().then(|| {
+            ForceQuantity::Efficiency => scene.loads.friction.is_empty().then(|| {
                 let message = both!("`{}`: the scene has no friction", "`{}`：机构文件没有摩擦", find.text);
                 at(message).help(both!(
                     "give \"friction\": [{{\"pin\": \"B\", \"circle\": \"4 mm\"}}]",
                     "请给出 \"friction\": [{{\"pin\": \"B\", \"circle\": \"4 mm\"}}]"
                 ))
             }),
-            Which::Power | Which::Shaking => None,
+            ForceQuantity::Power | ForceQuantity::Shaking => None,
         }
     }
 
-    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         let (scene, forces) = (known.scene(), known.forces()?);
         match self.0 {
-            Which::Reaction([i, j], part) => {
+            ForceQuantity::Reaction([i, j], part) => {
                 let contact = *contacts(scene, i, j).first()?;
                 let force = reaction(forces, contact, j)?.force;
                 let along = |p: PointId| (known.point(bar(scene, p, j)?)? - known.point(p)?).unit();
                 // The normal force of a guide is perpendicular to it.
                 let u = match (contact, part) {
-                    (_, Along::Whole) | (Contact::Rolling(..), _) => return Some(Value::Vector(force)),
-                    (Contact::Pin(p), Along::Normal) => along(p)?,
-                    (Contact::Pin(p), Along::Tangential) => along(p)?.perp(),
-                    (Contact::Guide(g, _), Along::Normal) => known.guide(g)?.1.perp(),
-                    (Contact::Guide(g, _), Along::Tangential) => known.guide(g)?.1,
+                    (_, ReactionPart::Whole) | (Contact::Rolling(..), _) => return Some(AnswerValue::Vector(force)),
+                    (Contact::Pin(p), ReactionPart::Normal) => along(p)?,
+                    (Contact::Pin(p), ReactionPart::Tangential) => along(p)?.perp(),
+                    (Contact::Guide(g, _), ReactionPart::Normal) => known.guide(g)?.1.perp(),
+                    (Contact::Guide(g, _), ReactionPart::Tangential) => known.guide(g)?.1,
                 };
-                Some(Value::Vector(u * u.dot(force)))
+                Some(AnswerValue::Vector(u * u.dot(force)))
             }
-            Which::OfPin(p, link) => Some(Value::Vector(of_pin(forces, p, link)?)),
-            Which::Offset([i, j]) | Which::Couple([i, j]) => {
+            ForceQuantity::OfPin(p, link) => Some(AnswerValue::Vector(of_pin(forces, p, link)?)),
+            ForceQuantity::Offset([i, j]) | ForceQuantity::Couple([i, j]) => {
                 let guide = contacts(scene, i, j).into_iter().find(|c| matches!(c, Contact::Guide(g, _) if slides(scene, *g)))?;
                 let wrench = reaction(forces, guide, j)?;
-                if matches!(self.0, Which::Couple(_)) {
-                    return Some(Value::Scalar(wrench.couple));
+                if matches!(self.0, ForceQuantity::Couple(_)) {
+                    return Some(AnswerValue::Scalar(wrench.couple));
                 }
                 let Contact::Guide(g, _) = guide else { return None };
                 let normal = known.guide(g)?.1.perp().dot(wrench.force);
                 let nothing = !N::refines() && normal.approx().abs() <= super::ROUNDING * forces.largest;
-                (!nothing).then(|| Value::Scalar(wrench.couple / normal))
+                (!nothing).then(|| AnswerValue::Scalar(wrench.couple / normal))
             }
-            Which::Balance { driver, .. } => {
+            ForceQuantity::Balance { driver, .. } => {
                 let of_scene = scene.loads.balance.is_some();
-                Some(Value::Scalar(if of_scene { forces.balance? } else { *forces.drivers.get(driver)? }))
+                Some(AnswerValue::Scalar(if of_scene { forces.balance? } else { *forces.drivers.get(driver)? }))
             }
-            Which::InertiaForce(l) => forces.inertia.iter().find(|(own, _)| *own == l).map(|(_, w)| Value::Vector(w.force)),
-            Which::InertiaCouple(l) => forces.inertia.iter().find(|(own, _)| *own == l).map(|(_, w)| Value::Scalar(w.couple)),
-            Which::Shaking => Some(Value::Vector(forces.inertia.iter().fold(Vec2::zero(), |sum, (_, w)| sum + w.force))),
-            Which::Power => Some(Value::Scalar(forces.power)),
-            Which::Efficiency => Some(Value::Scalar(forces.efficiency().filter(|eta| eta.is_decided())?)),
+            ForceQuantity::InertiaForce(l) => forces.inertia.iter().find(|(own, _)| *own == l).map(|(_, w)| AnswerValue::Vector(w.force)),
+            ForceQuantity::InertiaCouple(l) => forces.inertia.iter().find(|(own, _)| *own == l).map(|(_, w)| AnswerValue::Scalar(w.couple)),
+            ForceQuantity::Shaking => Some(AnswerValue::Vector(forces.inertia.iter().fold(Vec2::zero(), |sum, (_, w)| sum + w.force))),
+            ForceQuantity::Power => Some(AnswerValue::Scalar(forces.power)),
+            ForceQuantity::Efficiency => Some(AnswerValue::Scalar(forces.efficiency().filter(|eta| eta.is_decided())?)),
         }
     }
 }
@@ -351,7 +361,7 @@ impl Quantity for Force {
 impl Force {
     /// Returns true for a reaction between two links, or of a pin on a link.
     pub fn is_reaction(&self) -> bool {
-        matches!(self.0, Which::Reaction(..) | Which::OfPin(..))
+        matches!(self.0, ForceQuantity::Reaction(..) | ForceQuantity::OfPin(..))
     }
 
     /// Returns the fault of a question for the force of two links that do not press on each other,

@@ -4,7 +4,7 @@
 //! translate with that). The point of the frame that coincides with M is the transport point; in a
 //! frame that translates with C it moves as C does.
 
-use super::{Joined, joined};
+use super::{PointJoint, joined};
 use crate::model::{GuideId, GuidePath, LinkId, OnLink, PointId, Scene};
 
 /// The frame from which a moving point is observed.
@@ -79,7 +79,7 @@ fn carriers<'a>(scene: &'a Scene, p: &'a OnLink) -> impl Iterator<Item = LinkId>
 /// Returns the path of a moving point in a frame, from the pairs of the scene.
 pub fn relative_path(scene: &Scene, of: OnLink, frame: Frame) -> RelativePath {
     let seat = frame.transport_point(of);
-    if let (Frame::Link(l), Some(Joined::Guide(g))) = (frame, joined(scene, &of, &seat)) {
+    if let (Frame::Link(l), Some(PointJoint::Guide(g))) = (frame, joined(scene, &of, &seat)) {
         let guide = &scene.guides[g.0];
         let straight = matches!(guide.path, GuidePath::Line { .. });
         // Of a block on an arc only the pin follows the arc; the others move on circles about the

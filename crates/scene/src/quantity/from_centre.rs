@@ -1,7 +1,7 @@
 //! `P_13D`, also written `P13D`: the distance of a point from the instantaneous centre of two
 //! links, to which velocities are proportional: v_D = ω₃ · P13D.
 
-use super::{Entry, Form, InstantCentre, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use super::{AnswerValue, Entry, FormulaInputs, InstantCentre, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
 use crate::model::{OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic};
@@ -19,8 +19,8 @@ pub struct FromCentre {
 
 impl Quantity for FromCentre {
     const WRITTEN: &'static [Entry] =
-        &[Entry::new("P", "P_13D", Kind::Length, Form::Scalar, ["distance from the instantaneous centre", "点到速度瞬心的距离"])
-            .printed("P", Over::Nothing)
+        &[Entry::new("P", "P_13D", Kind::Length, ValueForm::Scalar, ["distance from the instantaneous centre", "点到速度瞬心的距离"])
+            .printed("P", OverSign::Nothing)
             .at_level(Level::Velocity)];
 
     fn read(question: &Question<'_>) -> Result<Option<FromCentre>, Diagnostic> {
@@ -58,10 +58,10 @@ impl Quantity for FromCentre {
         self.centre.needs().into_iter().chain([place]).collect()
     }
 
-    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         match self.centre.value(known)? {
-            Value::Point(centre) => Some(Value::Scalar(known.point(self.point)?.distance(centre))),
-            Value::Vector(_) | Value::Scalar(_) => None,
+            AnswerValue::Point(centre) => Some(AnswerValue::Scalar(known.point(self.point)?.distance(centre))),
+            AnswerValue::Vector(_) | AnswerValue::Scalar(_) => None,
         }
     }
 }

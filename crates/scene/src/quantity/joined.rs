@@ -9,7 +9,7 @@ use crate::model::{Guide, GuideId, LinkId, OnLink, PointId, Scene};
 
 /// The joint of two points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Joined {
+pub enum PointJoint {
     /// One link that carries both.
     Link(LinkId),
     /// A cylinder whose ends they are (index of its driver).
@@ -19,15 +19,15 @@ pub enum Joined {
 }
 
 /// Returns the joint of two points; `None` if only their v and a are defined.
-pub fn joined(scene: &Scene, a: &OnLink, b: &OnLink) -> Option<Joined> {
+pub fn joined(scene: &Scene, a: &OnLink, b: &OnLink) -> Option<PointJoint> {
     if a.point == b.point {
         let slides = |g: &Guide| (carries(scene, g, a) && runs(scene, g, b)) || (carries(scene, g, b) && runs(scene, g, a));
-        return scene.guides.iter().position(slides).map(|g| Joined::Guide(GuideId(g)));
+        return scene.guides.iter().position(slides).map(|g| PointJoint::Guide(GuideId(g)));
     }
     let own = |l: LinkId, p: &OnLink| p.link.map_or_else(|| scene.links[l.0].points.contains(&p.point), |on| on == l);
     let both = (0..scene.links.len()).map(LinkId).find(|l| own(*l, a) && own(*l, b));
     let ends = |[p, q]: [PointId; 2]| [(p, q), (q, p)].contains(&(a.point, b.point));
-    both.map(Joined::Link).or_else(|| scene.drivers.iter().position(|d| d.kind.ends().is_some_and(ends)).map(Joined::Cylinder))
+    both.map(PointJoint::Link).or_else(|| scene.drivers.iter().position(|d| d.kind.ends().is_some_and(ends)).map(PointJoint::Cylinder))
 }
 
 /// Returns true if a point is on the link that carries the guide.

@@ -4,7 +4,7 @@
 //! the families of quantities.
 
 use super::value::{fastest, vanishes};
-use super::{Frame, Joined, Known, Level, Place, Seen, Value, joined};
+use super::{AnswerValue, FormulaInputs, Frame, Level, ObservedPart, Place, PointJoint, joined};
 use crate::model::{GuidePath, LinkId, OnLink, PointId};
 use hodograph_base::number::Real;
 
@@ -16,10 +16,10 @@ pub enum Meaning {
     /// The vector of a point, drawn from the pole.
     Vector(OnLink),
     /// A part of the motion of the first point relative to the second.
-    Relative(Split, OnLink, OnLink),
+    Relative(RelativeComponent, OnLink, OnLink),
     /// A part of the motion of a point observed from a frame, without a guide that gives it; the
     /// last field is the centre of the relative path, if it is a circle.
-    Seen(Seen, OnLink, Frame, Option<PointId>),
+    Seen(ObservedPart, OnLink, Frame, Option<PointId>),
     /// The angular velocity or acceleration of a link; with a second link, relative to it.
     Turning(LinkId, Option<LinkId>),
     /// The ratio of the first link's angular velocity to the second's; with an arm, both relative
@@ -29,7 +29,7 @@ pub enum Meaning {
 
 /// The parts of the motion of one point relative to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Split {
+pub enum RelativeComponent {
     /// The whole.
     Whole,
     /// Along the line of the two, with the rotation of that line.
@@ -50,19 +50,19 @@ pub enum Split {
 impl Meaning {
     /// Returns the value by the formulas of relative motion; `None` if data are unknown, or if no
     /// joint of the two points fits the part.
-    pub(super) fn value<N: Real, K: Known<N>>(self, level: Level, known: &K) -> Option<Value<N>> {
+    pub(super) fn value<N: Real, K: FormulaInputs<N>>(self, level: Level, known: &K) -> Option<AnswerValue<N>> {
         match self {
             Meaning::Place(place) => place.value(known),
-            Meaning::Vector(p) => known.vector(level, &p).map(Value::Vector),
+            Meaning::Vector(p) => known.vector(level, &p).map(AnswerValue::Vector),
             Meaning::Relative(split, a, b) => relative(split, level, known, &a, &b),
             Meaning::Seen(seen, of, frame, about) => seen.value(known, &of, frame, about),
-            Meaning::Turning(l, None) => known.turning(level, l).map(Value::Scalar),
+            Meaning::Turning(l, None) => known.turning(level, l).map(AnswerValue::Scalar),
             Meaning::Ratio(links, arm) => {
                 let of = |l| known.turning(level, l);
                 let arm = arm.map_or(Some(N::from_f64(0.0)), of)?;
-                ratio([of(links[0])?, of(links[1])?], arm, fastest(known)).map(Value::Scalar)
+                ratio([of(links[0])?, of(links[1])?], arm, fastest(known)).map(AnswerValue::Scalar)
             }
-            Meaning::Turning(l, Some(against)) => Some(Value::Scalar(known.turning(level, l)? - known.turning(level, against)?)),
+            Meaning::Turning(l, Some(against)) => Some(AnswerValue::Scalar(known.turning(level, l)? - known.turning(level, against)?)),
         }
     }
 }
@@ -77,7 +77,13 @@ pub fn ratio<N: Real>([a, b]: [N; 2], arm: N, fastest: f64) -> Option<N> {
     ratio.is_decided().then_some(ratio)
 }
 
-fn relative<N: Real, K: Known<N>>(split: Split, level: Level, known: &K, a: &OnLink, b: &OnLink) -> Option<Value<N>> {
+fn relative<N: Real, K: FormulaInputs<N>>(
+    split: RelativeComponent,
+    level: Level,
+    known: &K,
+    a: &OnLink,
+    b: &OnLink,
+) -> Option<AnswerValue<N>> {
     use Level::{Acceleration, Position, Velocity};
     let joint = joined(known.scene(), a, b);
     let whole = |level| Some(known.vector(level, a)? - known.vector(level, b)?);
@@ -91,44 +97,44 @@ fn relative<N: Real, K: Known<N>>(split: Split, level: Level, known: &K, a: &OnL
     };
     let two = N::from_f64(2.0);
     let coriolis = || match joint? {
-        Joined::Guide(g) => Some(whole(Velocity)?.perp() * (two * known.turning(Velocity, known.scene().guides[g.0].on)?)),
+        PointJoint::Guide(g) => Some(whole(Velocity)?.perp() * (two * known.turning(Velocity, known.scene().guides[g.0].on)?)),
         // v_r along the line, ω of the line.
-        Joined::Cylinder(_) => {
+        PointJoint::Cylinder(_) => {
             let (u, l, along, across) = split_velocity()?;
             Some(u.perp() * (two * along * across / l))
         }
-        Joined::Link(_) => None,
+        PointJoint::Link(_) => None,
     };
-    Some(Value::Vector(match (split, level, joint) {
-        (Split::Whole, level, _) => whole(level)?,
-        (Split::Along, _, Some(Joined::Link(_))) => {
+    Some(AnswerValue::Vector(match (split, level, joint) {
+        (RelativeComponent::Whole, level, _) => whole(level)?,
+        (RelativeComponent::Along, _, Some(PointJoint::Link(_))) => {
             let u = line()?.unit()?;
             u * u.dot(whole(Acceleration)?)
         }
-        (Split::Along, _, Some(Joined::Cylinder(_))) => {
+        (RelativeComponent::Along, _, Some(PointJoint::Cylinder(_))) => {
             let (u, l, _, across) = split_velocity()?;
             u * -(across * across / l)
         }
-        (Split::Across, _, Some(Joined::Link(_))) => {
+        (RelativeComponent::Across, _, Some(PointJoint::Link(_))) => {
             let u = line()?.unit()?.perp();
             u * u.dot(whole(Acceleration)?)
         }
-        (Split::Across, _, Some(Joined::Cylinder(_))) => {
+        (RelativeComponent::Across, _, Some(PointJoint::Cylinder(_))) => {
             let u = line()?.unit()?.perp();
             u * u.dot(whole(Acceleration)?) - coriolis()?
         }
-        (Split::Sliding, Acceleration, Some(Joined::Guide(_))) => whole(Acceleration)? - coriolis()?,
-        (Split::Sliding, Acceleration, Some(Joined::Cylinder(_))) => {
+        (RelativeComponent::Sliding, Acceleration, Some(PointJoint::Guide(_))) => whole(Acceleration)? - coriolis()?,
+        (RelativeComponent::Sliding, Acceleration, Some(PointJoint::Cylinder(_))) => {
             let (u, l, _, across) = split_velocity()?;
             u * (u.dot(whole(Acceleration)?) + across * across / l)
         }
-        (Split::Sliding, Position | Velocity, Some(Joined::Guide(_))) => whole(Velocity)?,
-        (Split::Sliding, Position | Velocity, Some(Joined::Cylinder(_))) => {
+        (RelativeComponent::Sliding, Position | Velocity, Some(PointJoint::Guide(_))) => whole(Velocity)?,
+        (RelativeComponent::Sliding, Position | Velocity, Some(PointJoint::Cylinder(_))) => {
             let (u, _, along, _) = split_velocity()?;
             u * along
         }
-        (Split::Coriolis, _, _) => coriolis()?,
-        (Split::SlidingNormal | Split::SlidingTangential, _, Some(Joined::Guide(g))) => {
+        (RelativeComponent::Coriolis, _, _) => coriolis()?,
+        (RelativeComponent::SlidingNormal | RelativeComponent::SlidingTangential, _, Some(PointJoint::Guide(g))) => {
             let whole = whole(Acceleration)? - coriolis()?;
             let tangential = match known.scene().guides[g.0].path {
                 GuidePath::Line { .. } => whole,
@@ -137,10 +143,15 @@ fn relative<N: Real, K: Known<N>>(split: Split, level: Level, known: &K, a: &OnL
                     along * along.dot(whole)
                 }
             };
-            if split == Split::SlidingTangential { tangential } else { whole - tangential }
+            if split == RelativeComponent::SlidingTangential { tangential } else { whole - tangential }
         }
-        (Split::SlidingNormal | Split::SlidingTangential, _, Some(Joined::Link(_) | Joined::Cylinder(_)) | None) => return None,
-        (Split::Along | Split::Across, _, Some(Joined::Guide(_)) | None) | (Split::Sliding, _, Some(Joined::Link(_)) | None) => {
+        (
+            RelativeComponent::SlidingNormal | RelativeComponent::SlidingTangential,
+            _,
+            Some(PointJoint::Link(_) | PointJoint::Cylinder(_)) | None,
+        ) => return None,
+        (RelativeComponent::Along | RelativeComponent::Across, _, Some(PointJoint::Guide(_)) | None)
+        | (RelativeComponent::Sliding, _, Some(PointJoint::Link(_)) | None) => {
             return None;
         }
     }))

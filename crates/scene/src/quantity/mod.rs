@@ -44,28 +44,28 @@ pub use combined::{Combined, Operand};
 pub use composite::Composite;
 pub use contact::{Contact, bar, contacts, met_at, parties};
 pub use curvature::{Curvature, OfPath, OfPole};
-pub use entry::{Entry, Form, Of, Over};
-pub use force::{Along, ByMotion, Force};
+pub use entry::{Entry, Of, OverSign, ValueForm};
+pub use force::{ByMotion, Force, ReactionPart};
 pub use forces::{Forces, Wrench};
 pub use frame::owns;
 pub use frame::{Frame, RelativePath, relative_path};
 pub use from_centre::FromCentre;
 pub use hodograph_base::kind::Level;
-pub use joined::{Joined, joined};
+pub use joined::{PointJoint, joined};
 pub use level::{Need, Rate};
 pub use meaning::ratio;
-pub use meaning::{Meaning, Split};
+pub use meaning::{Meaning, RelativeComponent};
 pub use place::{Axis, Place};
 pub use point::PointMotion;
 pub use ratio::Ratio;
 pub use relative::Relative;
 pub use roller::RollerSpin;
-pub use seen::Seen;
+pub use seen::ObservedPart;
 pub use seen::{heading, split};
 pub use sliding::Sliding;
 pub use transmission::Transmission;
 pub use turning::Turning;
-pub use value::{Known, ROUNDING, Value};
+pub use value::{AnswerValue, FormulaInputs, ROUNDING};
 
 use super::model::{Find, LinkId, OnLink, Scene};
 use super::resolve::Question;
@@ -127,7 +127,7 @@ trait Quantity: Copy + Into<Asked> {
     }
 
     /// Returns its value from known places, vectors and rates.
-    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         self.meaning(known.scene())?.value(self.entry().level, known)
     }
 }
@@ -187,7 +187,7 @@ macro_rules! families {
 
             /// Returns its value by the formulas of relative motion; `None` if data are unknown, or
             /// if it is not defined.
-            pub fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+            pub fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
                 match self { $(Asked::$Family(q) => q.value(known)),+ }
             }
 

@@ -1,7 +1,7 @@
 //! `x_E`, `y_E`, `phi_3`, `l_AB`, `s_F`: coordinates of a point, angle of a link from the x axis,
 //! distance of two points, position of a pin or slider along its straight guide, at the instant.
 
-use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
 use crate::model::{Find, GuideId, GuidePath, LinkId, OnLink, PointId, Scene, Through};
 use crate::resolve::Question;
 use hodograph_base::diag::{Diagnostic, both};
@@ -42,11 +42,13 @@ const ALONG: usize = 4;
 
 impl Quantity for Place {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("x", "x_E", Kind::Length, Form::Scalar, ["coordinate $x$", "坐标 $x$"]).counted_from_origin(),
-        Entry::new("y", "y_E", Kind::Length, Form::Scalar, ["coordinate $y$", "坐标 $y$"]).counted_from_origin(),
-        Entry::new("phi", "phi_3", Kind::Angle, Form::Scalar, ["angle", "位置角"]).printed("\\varphi", Over::Nothing).counted_from_origin(),
-        Entry::new("l", "l_AB", Kind::Length, Form::Scalar, ["distance", "距离"]),
-        Entry::new("s", "s_F", Kind::Length, Form::Scalar, ["coordinate along the guide", "沿导路的位移"]).counted_from_origin(),
+        Entry::new("x", "x_E", Kind::Length, ValueForm::Scalar, ["coordinate $x$", "坐标 $x$"]).counted_from_origin(),
+        Entry::new("y", "y_E", Kind::Length, ValueForm::Scalar, ["coordinate $y$", "坐标 $y$"]).counted_from_origin(),
+        Entry::new("phi", "phi_3", Kind::Angle, ValueForm::Scalar, ["angle", "位置角"])
+            .printed("\\varphi", OverSign::Nothing)
+            .counted_from_origin(),
+        Entry::new("l", "l_AB", Kind::Length, ValueForm::Scalar, ["distance", "距离"]),
+        Entry::new("s", "s_F", Kind::Length, ValueForm::Scalar, ["coordinate along the guide", "沿导路的位移"]).counted_from_origin(),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Place>, Diagnostic> {
@@ -173,8 +175,8 @@ impl Quantity for Place {
 
 impl Place {
     /// Returns its value from known places.
-    pub(super) fn value<N: Real, K: Known<N>>(self, known: &K) -> Option<Value<N>> {
-        Some(Value::Scalar(match self {
+    pub(super) fn value<N: Real, K: FormulaInputs<N>>(self, known: &K) -> Option<AnswerValue<N>> {
+        Some(AnswerValue::Scalar(match self {
             Place::Coordinate(p, Axis::X) => known.point(p)?.x,
             Place::Coordinate(p, Axis::Y) => known.point(p)?.y,
             Place::LinkAngle(l) => known.direction(l)?.angle(),

@@ -1,7 +1,7 @@
 //! `v_E`, `a_E`: velocity and acceleration of a point; `v_B3`: of the point of link 3 that
 //! coincides with B.
 
-use super::{Entry, Form, Meaning, Of, Quantity, Rate};
+use super::{Entry, Meaning, Of, Quantity, Rate, ValueForm};
 use crate::model::{OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::Diagnostic;
@@ -25,8 +25,9 @@ impl PointMotion {
 
 impl Quantity for PointMotion {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("v", "v_E", Kind::Velocity, Form::Vector, ["velocity", "速度"]).several_are(["velocities", "各点的速度"]),
-        Entry::new("a", "a_E", Kind::Acceleration, Form::Vector, ["acceleration", "加速度"]).several_are(["accelerations", "各点的加速度"]),
+        Entry::new("v", "v_E", Kind::Velocity, ValueForm::Vector, ["velocity", "速度"]).several_are(["velocities", "各点的速度"]),
+        Entry::new("a", "a_E", Kind::Acceleration, ValueForm::Vector, ["acceleration", "加速度"])
+            .several_are(["accelerations", "各点的加速度"]),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<PointMotion>, Diagnostic> {

@@ -2,7 +2,7 @@
 //! senses; `i_24/3` in the frame of the arm 3, (ω₂ − ω₃)/(ω₄ − ω₃), which for a gear train depends
 //! on its numbers of teeth alone (Willis).
 
-use super::{Entry, Form, Level, Meaning, Need, Of, Over, Quantity};
+use super::{Entry, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
 use crate::model::{LinkId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -18,8 +18,8 @@ pub struct Ratio {
 }
 
 impl Quantity for Ratio {
-    const WRITTEN: &'static [Entry] = &[Entry::new("i", "i_23", Kind::Number, Form::Scalar, ["transmission ratio", "传动比"])
-        .printed("i", Over::Nothing)
+    const WRITTEN: &'static [Entry] = &[Entry::new("i", "i_23", Kind::Number, ValueForm::Scalar, ["transmission ratio", "传动比"])
+        .printed("i", OverSign::Nothing)
         .at_level(Level::Velocity)];
 
     fn read(question: &Question<'_>) -> Result<Option<Ratio>, Diagnostic> {

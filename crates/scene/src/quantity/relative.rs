@@ -2,7 +2,7 @@
 //! perpendicular to their line, if a link or a cylinder turns with that line.
 
 use super::joined::name;
-use super::{Entry, Form, Joined, Meaning, Of, Over, Quantity, Split, joined};
+use super::{Entry, Meaning, Of, OverSign, PointJoint, Quantity, RelativeComponent, ValueForm, joined};
 use crate::model::{Find, OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -12,7 +12,7 @@ use hodograph_base::kind::Kind;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Relative {
     /// The part.
-    pub part: Part,
+    pub part: RelativePart,
     /// The point.
     pub of: OnLink,
     /// The reference point.
@@ -21,7 +21,7 @@ pub struct Relative {
 
 /// The parts of a relative motion, in the order of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum RelativePart {
     /// The difference of the two velocities.
     Velocity,
     /// The difference of the two accelerations.
@@ -32,9 +32,9 @@ pub enum Part {
     Tangential,
 }
 
-impl Part {
+impl RelativePart {
     /// All parts.
-    pub const ALL: [Part; 4] = [Part::Velocity, Part::Acceleration, Part::Normal, Part::Tangential];
+    pub const ALL: [RelativePart; 4] = [RelativePart::Velocity, RelativePart::Acceleration, RelativePart::Normal, RelativePart::Tangential];
 }
 
 impl Quantity for Relative {
@@ -44,17 +44,18 @@ impl Quantity for Relative {
     }
 
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("v", "v_CB", Kind::Velocity, Form::Vector, ["velocity", "速度"]),
-        Entry::new("a", "a_CB", Kind::Acceleration, Form::Vector, ["acceleration", "加速度"]),
-        Entry::new("an", "an_CB", Kind::Acceleration, Form::Vector, ["normal acceleration", "法向加速度"]).printed("a", Over::Sign("n")),
-        Entry::new("at", "at_CB", Kind::Acceleration, Form::Vector, ["tangential acceleration", "切向加速度"])
-            .printed("a", Over::Sign("t")),
+        Entry::new("v", "v_CB", Kind::Velocity, ValueForm::Vector, ["velocity", "速度"]),
+        Entry::new("a", "a_CB", Kind::Acceleration, ValueForm::Vector, ["acceleration", "加速度"]),
+        Entry::new("an", "an_CB", Kind::Acceleration, ValueForm::Vector, ["normal acceleration", "法向加速度"])
+            .printed("a", OverSign::Sign("n")),
+        Entry::new("at", "at_CB", Kind::Acceleration, ValueForm::Vector, ["tangential acceleration", "切向加速度"])
+            .printed("a", OverSign::Sign("t")),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Relative>, Diagnostic> {
         let (of, to) = question.two_points()?;
-        let part = Part::ALL[question.row(Self::WRITTEN)];
-        if matches!(part, Part::Normal | Part::Tangential) && of.point == to.point {
+        let part = RelativePart::ALL[question.row(Self::WRITTEN)];
+        if matches!(part, RelativePart::Normal | RelativePart::Tangential) && of.point == to.point {
             let d = question.fault(both!(
                 "`{}`: two links at one place have no line between them",
                 "`{}`：重合点之间没有连线",
@@ -75,17 +76,19 @@ impl Quantity for Relative {
 
     fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         let split = match self.part {
-            Part::Velocity | Part::Acceleration => Split::Whole,
-            Part::Normal => Split::Along,
-            Part::Tangential => Split::Across,
+            RelativePart::Velocity | RelativePart::Acceleration => RelativeComponent::Whole,
+            RelativePart::Normal => RelativeComponent::Along,
+            RelativePart::Tangential => RelativeComponent::Across,
         };
         Some(Meaning::Relative(split, self.of, self.to))
     }
 
     fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
         match (self.part, joined(scene, &self.of, &self.to)) {
-            (Part::Velocity | Part::Acceleration, _) | (_, Some(Joined::Link(_) | Joined::Cylinder(_))) => return None,
-            (Part::Normal | Part::Tangential, Some(Joined::Guide(_)) | None) => {}
+            (RelativePart::Velocity | RelativePart::Acceleration, _) | (_, Some(PointJoint::Link(_) | PointJoint::Cylinder(_))) => {
+                return None;
+            }
+            (RelativePart::Normal | RelativePart::Tangential, Some(PointJoint::Guide(_)) | None) => {}
         }
         let (a, b) = (name(scene, &self.of), name(scene, &self.to));
         let message = both!(

@@ -2,7 +2,7 @@
 //! v_B + ω × (E − B) is the velocity of the cam's point at the contact E. A roller's spin moves no
 //! other link (局部自由度), so it is reported only if a question names it.
 
-use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
 use crate::cams::{Cam, Follows};
 use crate::model::{Find, LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
@@ -22,8 +22,8 @@ pub struct RollerSpin {
 
 impl Quantity for RollerSpin {
     const WRITTEN: &'static [Entry] =
-        &[Entry::new("spin", "spin_3", Kind::Omega, Form::Scalar, ["angular velocity of the roller", "滚子角速度"])
-            .printed("\\omega", Over::Sign("s"))];
+        &[Entry::new("spin", "spin_3", Kind::Omega, ValueForm::Scalar, ["angular velocity of the roller", "滚子角速度"])
+            .printed("\\omega", OverSign::Sign("s"))];
 
     fn read(question: &Question<'_>) -> Result<Option<RollerSpin>, Diagnostic> {
         let follower = question.link(question.names())?;
@@ -58,7 +58,7 @@ impl Quantity for RollerSpin {
         )))
     }
 
-    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         let (centre, cam, point) = self.on?;
         let pair = known.scene().cams.iter().find(|c| c.cam == cam && c.follower == self.follower)?;
         let Follows::Roller(..) = pair.follows else { return None };
@@ -71,12 +71,12 @@ impl Quantity for RollerSpin {
         let of_centre = known.vector(Level::Velocity, &OnLink { point: centre, link: None })?;
         // The contact is at −r n from the centre.
         let spin = (of_cam - of_centre).dot(normal.perp()) / -radius;
-        spin.is_decided().then_some(Value::Scalar(spin))
+        spin.is_decided().then_some(AnswerValue::Scalar(spin))
     }
 }
 
 /// Returns the normal of the profile at the contact, toward the roller.
-fn normal<N: Real, K: Known<N>>(pair: &Cam, known: &K, at: Vec2<N>) -> Option<Vec2<N>> {
+fn normal<N: Real, K: FormulaInputs<N>>(pair: &Cam, known: &K, at: Vec2<N>) -> Option<Vec2<N>> {
     if let Some((k, _)) = pair.circle {
         return (at - known.point(k)?.to_vec2()).unit();
     }

@@ -2,14 +2,14 @@
 //! perpendicular to the relative path.
 
 use super::value::{largest, vanishes};
-use super::{Frame, Known, Level, Value};
+use super::{AnswerValue, FormulaInputs, Frame, Level};
 use crate::model::{OnLink, PointId};
 use hodograph_base::geom::Vec2;
 use hodograph_base::number::Real;
 
 /// A part of the motion of a point observed from a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Seen {
+pub enum ObservedPart {
     /// The relative acceleration a_r.
     Relative,
     /// a_rⁿ: perpendicular to the relative path.
@@ -24,10 +24,16 @@ pub enum Seen {
     TransportTangential,
 }
 
-impl Seen {
+impl ObservedPart {
     /// Returns the value by the formulas; `about` is the centre of the relative path, if it is a
     /// circle.
-    pub(super) fn value<N: Real, K: Known<N>>(self, known: &K, of: &OnLink, frame: Frame, about: Option<PointId>) -> Option<Value<N>> {
+    pub(super) fn value<N: Real, K: FormulaInputs<N>>(
+        self,
+        known: &K,
+        of: &OnLink,
+        frame: Frame,
+        about: Option<PointId>,
+    ) -> Option<AnswerValue<N>> {
         use Level::{Acceleration, Velocity};
         let seat = frame.transport_point(*of);
         let relative = |level| Some(known.vector(level, of)? - known.vector(level, &seat)?);
@@ -48,17 +54,17 @@ impl Seen {
         let seen = || Some(relative(Acceleration)? - coriolis()?);
         let transport = || Some((heading(known.vector(Velocity, &seat)?, fastest()), known.vector(Acceleration, &seat)?));
         let [tangential, normal] = match self {
-            Seen::Relative => return seen().map(Value::Vector),
-            Seen::Coriolis => return coriolis().map(Value::Vector),
-            Seen::RelativeNormal | Seen::RelativeTangential => split(along()?, seen()?),
-            Seen::TransportNormal | Seen::TransportTangential => {
+            ObservedPart::Relative => return seen().map(AnswerValue::Vector),
+            ObservedPart::Coriolis => return coriolis().map(AnswerValue::Vector),
+            ObservedPart::RelativeNormal | ObservedPart::RelativeTangential => split(along()?, seen()?),
+            ObservedPart::TransportNormal | ObservedPart::TransportTangential => {
                 let (along, whole) = transport()?;
                 split(along, whole)
             }
         };
-        Some(Value::Vector(match self {
-            Seen::RelativeTangential | Seen::TransportTangential => tangential,
-            Seen::RelativeNormal | Seen::TransportNormal | Seen::Relative | Seen::Coriolis => normal,
+        Some(AnswerValue::Vector(match self {
+            ObservedPart::RelativeTangential | ObservedPart::TransportTangential => tangential,
+            ObservedPart::RelativeNormal | ObservedPart::TransportNormal | ObservedPart::Relative | ObservedPart::Coriolis => normal,
         }))
     }
 }

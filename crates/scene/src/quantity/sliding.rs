@@ -2,7 +2,7 @@
 //! relative to the link on which it slides, or of the ends of a cylinder.
 
 use super::joined::name;
-use super::{Entry, Form, Joined, Level, Meaning, Need, Of, Over, Quantity, Split, joined};
+use super::{Entry, Level, Meaning, Need, Of, OverSign, PointJoint, Quantity, RelativeComponent, ValueForm, joined};
 use crate::cams::Cam;
 use crate::model::{Find, Guide, OnLink, Scene};
 use crate::resolve::Question;
@@ -14,7 +14,7 @@ use hodograph_base::kind::Kind;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sliding {
     /// The part.
-    pub part: Part,
+    pub part: SlidingTerm,
     /// The sliding point.
     pub of: OnLink,
     /// The point on which it slides.
@@ -23,7 +23,7 @@ pub struct Sliding {
 
 /// The parts of a sliding motion, in the order of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum SlidingTerm {
     /// Sliding velocity v_r.
     Velocity,
     /// Sliding acceleration aʳ.
@@ -32,17 +32,19 @@ pub enum Part {
     Coriolis,
 }
 
-impl Part {
+impl SlidingTerm {
     /// All parts.
-    pub const ALL: [Part; 3] = [Part::Velocity, Part::Acceleration, Part::Coriolis];
+    pub const ALL: [SlidingTerm; 3] = [SlidingTerm::Velocity, SlidingTerm::Acceleration, SlidingTerm::Coriolis];
 }
 
 impl Quantity for Sliding {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("vr", "vr_B3B2", Kind::Velocity, Form::Vector, ["sliding velocity", "相对滑动速度"]).printed("v", Over::Sliding),
-        Entry::new("ar", "ar_B3B2", Kind::Acceleration, Form::Vector, ["sliding acceleration", "相对滑动加速度"])
-            .printed("a", Over::Sliding),
-        Entry::new("ak", "ak_B3B2", Kind::Acceleration, Form::Vector, ["Coriolis acceleration", "科氏加速度"]).printed("a", Over::Coriolis),
+        Entry::new("vr", "vr_B3B2", Kind::Velocity, ValueForm::Vector, ["sliding velocity", "相对滑动速度"])
+            .printed("v", OverSign::Sliding),
+        Entry::new("ar", "ar_B3B2", Kind::Acceleration, ValueForm::Vector, ["sliding acceleration", "相对滑动加速度"])
+            .printed("a", OverSign::Sliding),
+        Entry::new("ak", "ak_B3B2", Kind::Acceleration, ValueForm::Vector, ["Coriolis acceleration", "科氏加速度"])
+            .printed("a", OverSign::Coriolis),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Sliding>, Diagnostic> {
@@ -66,7 +68,7 @@ impl Quantity for Sliding {
                 question.symbol()
             )));
         }
-        Ok(Some(Sliding { part: Part::ALL[question.row(Self::WRITTEN)], of, to }))
+        Ok(Some(Sliding { part: SlidingTerm::ALL[question.row(Self::WRITTEN)], of, to }))
     }
 
     fn entry(&self) -> &'static Entry {
@@ -80,9 +82,9 @@ impl Quantity for Sliding {
     fn meaning(&self, scene: &Scene) -> Option<Meaning> {
         let split = match self.part {
             // At the contact of a cam the whole relative velocity is sliding.
-            Part::Velocity if self.at_a_cam(scene) => Split::Whole,
-            Part::Velocity | Part::Acceleration => Split::Sliding,
-            Part::Coriolis => Split::Coriolis,
+            SlidingTerm::Velocity if self.at_a_cam(scene) => RelativeComponent::Whole,
+            SlidingTerm::Velocity | SlidingTerm::Acceleration => RelativeComponent::Sliding,
+            SlidingTerm::Coriolis => RelativeComponent::Coriolis,
         };
         Some(Meaning::Relative(split, self.of, self.to))
     }
@@ -90,19 +92,19 @@ impl Quantity for Sliding {
     fn needs(&self) -> Vec<(Need, Level)> {
         let of = self.of();
         match self.part {
-            Part::Velocity => of.needs(Level::Velocity),
+            SlidingTerm::Velocity => of.needs(Level::Velocity),
             // 2 ω × v_r follows from velocities.
-            Part::Acceleration | Part::Coriolis => [of.needs(Level::Velocity), of.needs(Level::Acceleration)].concat(),
+            SlidingTerm::Acceleration | SlidingTerm::Coriolis => [of.needs(Level::Velocity), of.needs(Level::Acceleration)].concat(),
         }
     }
 
     fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
-        if self.part == Part::Velocity && self.at_a_cam(scene) {
+        if self.part == SlidingTerm::Velocity && self.at_a_cam(scene) {
             return None;
         }
         match joined(scene, &self.of, &self.to) {
-            Some(Joined::Guide(_) | Joined::Cylinder(_)) => return None,
-            Some(Joined::Link(_)) | None => {}
+            Some(PointJoint::Guide(_) | PointJoint::Cylinder(_)) => return None,
+            Some(PointJoint::Link(_)) | None => {}
         }
         let (a, b) = (name(scene, &self.of), name(scene, &self.to));
         let message = both!(

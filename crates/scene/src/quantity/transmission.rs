@@ -2,7 +2,7 @@
 //! acute angle between the two, for a slider that between the rod and the normal of its guide.
 
 use super::along::along;
-use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
 use crate::model::{Find, Guide, GuideId, GuidePath, LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -19,7 +19,7 @@ pub struct Transmission {
 
 /// The form of one of the two links at the pin.
 #[derive(Clone, Copy)]
-enum Side {
+enum PinLink {
     /// A bar to another joint.
     Bar(PointId),
     /// A slider in a straight guide.
@@ -27,8 +27,8 @@ enum Side {
 }
 
 impl Quantity for Transmission {
-    const WRITTEN: &'static [Entry] = &[Entry::new("gamma", "gamma_C", Kind::Angle, Form::Scalar, ["transmission angle", "传动角"])
-        .printed("\\gamma", Over::Nothing)
+    const WRITTEN: &'static [Entry] = &[Entry::new("gamma", "gamma_C", Kind::Angle, ValueForm::Scalar, ["transmission angle", "传动角"])
+        .printed("\\gamma", OverSign::Nothing)
         .at_level(Level::Position)];
 
     fn read(question: &Question<'_>) -> Result<Option<Transmission>, Diagnostic> {
@@ -82,24 +82,24 @@ impl Quantity for Transmission {
         )))
     }
 
-    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+    fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         let [a, b] = self.sides(known.scene())?;
-        let direction = |side: Side| -> Option<Vec2<N>> {
+        let direction = |side: PinLink| -> Option<Vec2<N>> {
             match side {
-                Side::Bar(end) => (known.point(end)? - known.point(self.at)?).unit(),
-                Side::Slider(guide) => along(known, &known.scene().guides[guide.0]).map(Vec2::perp),
+                PinLink::Bar(end) => (known.point(end)? - known.point(self.at)?).unit(),
+                PinLink::Slider(guide) => along(known, &known.scene().guides[guide.0]).map(Vec2::perp),
             }
         };
         let (a, b) = (direction(a)?, direction(b)?);
         // The acute one of the angle and its supplement.
-        Some(Value::Scalar(Vec2 { x: a.dot(b).magnitude(), y: a.cross(b).magnitude() }.angle()))
+        Some(AnswerValue::Scalar(Vec2 { x: a.dot(b).magnitude(), y: a.cross(b).magnitude() }.angle()))
     }
 }
 
 impl Transmission {
     /// Returns the two moving links at the pin; `None` if there are not two, or if one of them has
     /// no other joint.
-    fn sides(&self, scene: &Scene) -> Option<[Side; 2]> {
+    fn sides(&self, scene: &Scene) -> Option<[PinLink; 2]> {
         let joint = |p: PointId| scene.carriers(p).count() > 1 || scene.guides.iter().any(|g| g.pin == Some(p));
         let straight = |l: LinkId| {
             let runs = |g: &Guide| g.slider == Some(l) && g.pin == Some(self.at) && matches!(g.path, GuidePath::Line { .. });
@@ -107,7 +107,7 @@ impl Transmission {
         };
         let side = |l: LinkId| {
             let end = || scene.links[l.0].points.iter().copied().find(|p| *p != self.at && joint(*p));
-            straight(l).map(Side::Slider).or_else(|| end().map(Side::Bar))
+            straight(l).map(PinLink::Slider).or_else(|| end().map(PinLink::Bar))
         };
         let links: Vec<LinkId> = scene.carriers(self.at).collect();
         match links[..] {

@@ -1,7 +1,7 @@
 //! `omega_3`, `alpha_3`: angular velocity and acceleration of a link, positive counter-clockwise;
 //! `omega_3/2`: relative to link `2`.
 
-use super::{Entry, Form, Meaning, Of, Over, Quantity, Rate};
+use super::{Entry, Meaning, Of, OverSign, Quantity, Rate, ValueForm};
 use crate::model::{LinkId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Diagnostic, both};
@@ -20,11 +20,11 @@ pub struct Turning {
 
 impl Quantity for Turning {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("omega", "omega_3", Kind::Omega, Form::Scalar, ["angular velocity", "角速度"])
-            .printed("\\omega", Over::Nothing)
+        Entry::new("omega", "omega_3", Kind::Omega, ValueForm::Scalar, ["angular velocity", "角速度"])
+            .printed("\\omega", OverSign::Nothing)
             .several_are(["angular velocities of the links", "各构件的角速度"]),
-        Entry::new("alpha", "alpha_3", Kind::Alpha, Form::Scalar, ["angular acceleration", "角加速度"])
-            .printed("\\alpha", Over::Nothing)
+        Entry::new("alpha", "alpha_3", Kind::Alpha, ValueForm::Scalar, ["angular acceleration", "角加速度"])
+            .printed("\\alpha", OverSign::Nothing)
             .several_are(["angular accelerations of the links", "各构件的角加速度"]),
     ];
 

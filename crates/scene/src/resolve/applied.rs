@@ -5,20 +5,20 @@ use super::loads::{loaded, on_link, positive};
 use super::*;
 
 /// Guides and drivers of the scene.
-pub(super) type Moving<'a> = (&'a [Numbered], &'a [Driver]);
+pub(super) type GuidesAndDrivers<'a> = (&'a [Numbered], &'a [Driver]);
 
 /// The size of a load in the form of the file.
-enum Told {
-    Couple(Given),
-    Components([Given; 2]),
-    Magnitude(Given),
+enum LoadAmount {
+    Couple(GivenQuantity),
+    Components([GivenQuantity; 2]),
+    Magnitude(GivenQuantity),
 }
 
 fn fault(message: Both, help: Both, span: Span, faults: &mut Faults) {
     faults.push(Diagnostic::error("force", message).at(span).help(help));
 }
 
-pub(super) fn applied(c: &Context, moving: Moving, raw: &RawApplied, faults: &mut Faults) -> Option<Applied> {
+pub(super) fn applied(c: &Context, moving: GuidesAndDrivers, raw: &RawApplied, faults: &mut Faults) -> Option<Applied> {
     let link = loaded(c, &raw.on, faults)?;
     let against = match &raw.against {
         None => false,
@@ -30,20 +30,20 @@ pub(super) fn applied(c: &Context, moving: Moving, raw: &RawApplied, faults: &mu
         }
     };
     let course = transpose(raw.course.as_ref().map(|course| self::course(c, moving, raw, course, faults)))?;
-    let size = match (told(c, raw, course.as_ref(), faults)?, against) {
-        (Told::Couple(given), _) => couple(raw, given, against, faults)?,
-        (Told::Components(xy), _) => {
+    let size = match (load_amount(c, raw, course.as_ref(), faults)?, against) {
+        (LoadAmount::Couple(given), _) => couple(raw, given, against, faults)?,
+        (LoadAmount::Components(xy), _) => {
             if let Some(span) = raw.angle.as_ref().map(|q| q.span).or(raw.line.as_ref().or(raw.against.as_ref()).map(|w| w.span)) {
                 let message = both!("components of a force already tell its direction", "力的分量已经给出方向");
                 fault(message, both!("give its magnitude as \"F\", or leave this out", "请以 \"F\" 给出大小，或去掉此项"), span, faults);
                 return None;
             }
-            Size::Components(xy)
+            LoadSize::Components(xy)
         }
-        (Told::Magnitude(given), _) => directed(c, raw, given, against, faults)?,
+        (LoadAmount::Magnitude(given), _) => directed(c, raw, given, against, faults)?,
     };
     let at = match (&size, &raw.at, &c.names.links[link.0].points[..]) {
-        (Size::Couple(_) | Size::AgainstTurning(_), ..) => None,
+        (LoadSize::Couple(_) | LoadSize::AgainstTurning(_), ..) => None,
         (_, Some(word), _) => Some(on_link(c, word, link, faults)?),
         (_, None, [one]) => Some(*one),
         (_, None, _) => {
@@ -56,13 +56,13 @@ pub(super) fn applied(c: &Context, moving: Moving, raw: &RawApplied, faults: &mu
 }
 
 /// Returns the size of a load: `F`, `M`, or the largest amount of its diagram.
-fn told(c: &Context, raw: &RawApplied, course: Option<&(Course, bool)>, faults: &mut Faults) -> Option<Told> {
+fn load_amount(c: &Context, raw: &RawApplied, course: Option<&(LoadCourse, bool)>, faults: &mut Faults) -> Option<LoadAmount> {
     let amounts = course.map(|(course, _)| course.stations.iter().filter_map(|s| s.amount.as_ref()));
     let largest = amounts.and_then(|all| all.max_by(|a, b| a.value.abs().total_cmp(&b.value.abs())));
     match (&raw.force, &raw.moment, largest) {
         (None, None, Some(largest)) => Some(match course {
-            Some((_, true)) => Told::Couple(largest.clone()),
-            Some((_, false)) | None => Told::Magnitude(largest.clone()),
+            Some((_, true)) => LoadAmount::Couple(largest.clone()),
+            Some((_, false)) | None => LoadAmount::Magnitude(largest.clone()),
         }),
         (_, _, Some(_)) => {
             let message = both!("the amounts of a load stand in its diagram", "载荷的大小已由线图给出");
@@ -74,16 +74,18 @@ fn told(c: &Context, raw: &RawApplied, course: Option<&(Course, bool)>, faults: 
             fault(message, both!("give one of them", "请给出其一"), raw.span, faults);
             None
         }
-        (None, Some(moment), None) => Some(Told::Couple(c.values.si(moment, Wanted::Moment, faults)?)),
+        (None, Some(moment), None) => Some(LoadAmount::Couple(c.values.si(moment, RequiredQuantity::Moment, faults)?)),
         (Some(RawSizeOfForce::Components([x, y])), None, None) => {
-            let (x, y) = (c.values.si(x, Wanted::Force, faults), c.values.si(y, Wanted::Force, faults));
-            Some(Told::Components([x?, y?]))
+            let (x, y) = (c.values.si(x, RequiredQuantity::Force, faults), c.values.si(y, RequiredQuantity::Force, faults));
+            Some(LoadAmount::Components([x?, y?]))
         }
-        (Some(RawSizeOfForce::Magnitude(force)), None, None) => Some(Told::Magnitude(c.values.si(force, Wanted::Force, faults)?)),
+        (Some(RawSizeOfForce::Magnitude(force)), None, None) => {
+            Some(LoadAmount::Magnitude(c.values.si(force, RequiredQuantity::Force, faults)?))
+        }
     }
 }
 
-fn couple(raw: &RawApplied, given: Given, against: bool, faults: &mut Faults) -> Option<Size> {
+fn couple(raw: &RawApplied, given: GivenQuantity, against: bool, faults: &mut Faults) -> Option<LoadSize> {
     for (key, span) in [
         ("at", raw.at.as_ref().map(|w| w.span)),
         ("line", raw.line.as_ref().map(|w| w.span)),
@@ -97,19 +99,19 @@ fn couple(raw: &RawApplied, given: Given, against: bool, faults: &mut Faults) ->
         }
     }
     Some(if against {
-        Size::AgainstTurning(positive(given, both!("a resisting couple", "阻力矩"), faults)?)
+        LoadSize::AgainstTurning(positive(given, both!("a resisting couple", "阻力矩"), faults)?)
     } else {
-        Size::Couple(given)
+        LoadSize::Couple(given)
     })
 }
 
 /// Resolves a force given by its magnitude: at an angle or against the motion.
-fn directed(c: &Context, raw: &RawApplied, given: Given, against: bool, faults: &mut Faults) -> Option<Size> {
+fn directed(c: &Context, raw: &RawApplied, given: GivenQuantity, against: bool, faults: &mut Faults) -> Option<LoadSize> {
     let line = transpose(raw.line.as_ref().map(|word| line_of(c, word, faults)))?;
     let angle = transpose(raw.angle.as_ref().map(|q| c.values.angle(q, faults)))?;
     match (against, line.is_some() || angle.is_some()) {
-        (true, false) => Some(Size::AgainstMotion(positive(given, both!("a resistance", "阻力"), faults)?)),
-        (false, true) => Some(Size::Directed { force: given, line, angle }),
+        (true, false) => Some(LoadSize::AgainstMotion(positive(given, both!("a resistance", "阻力"), faults)?)),
+        (false, true) => Some(LoadSize::Directed { force: given, line, angle }),
         (true, true) => {
             let message = both!("a force against the motion has no direction of its own", "与运动方向相反的力没有另外的方向");
             fault(message, both!("leave \"angle\" and \"line\" out", "请去掉 \"angle\" 和 \"line\""), raw.span, faults);
@@ -139,40 +141,41 @@ fn line_of(c: &Context, word: &Word, faults: &mut Faults) -> Option<(PointId, Po
 }
 
 /// Returns the part of the motion, with true if its diagram is one of couples.
-fn course(c: &Context, moving: Moving, load: &RawApplied, raw: &RawCourse, faults: &mut Faults) -> Option<(Course, bool)> {
+fn course(c: &Context, moving: GuidesAndDrivers, load: &RawApplied, raw: &RawCourse, faults: &mut Faults) -> Option<(LoadCourse, bool)> {
     let along = along(c, moving, raw, faults)?;
     let amounts: Vec<&RawQuantity> = raw.stations.iter().filter_map(|(_, amount)| amount.as_ref()).collect();
     // A load with a direction is a force.
     let is_couple = !amounts.is_empty() && load.at.is_none() && load.angle.is_none() && load.line.is_none() && {
         let mut tried = Faults::default();
-        amounts.iter().for_each(|q| drop(c.values.si(q, Wanted::Moment, &mut tried)));
+        amounts.iter().for_each(|q| drop(c.values.si(q, RequiredQuantity::Moment, &mut tried)));
         !tried.has_errors()
     };
-    let wanted = if is_couple { Wanted::Moment } else { Wanted::Force };
+    let wanted = if is_couple { RequiredQuantity::Moment } else { RequiredQuantity::Force };
     let station = |(at, amount): &(RawQuantity, Option<RawQuantity>), faults: &mut Faults| {
         let at = match &along {
-            Along::Turn { .. } => Abscissa::Angle(c.values.angle(at, faults)?),
-            Along::Stroke { .. } => {
+            LoadTravel::Turn { .. } => Abscissa::Angle(c.values.angle(at, faults)?),
+            LoadTravel::Stroke { .. } => {
                 let mut tried = Faults::default();
                 match c.values.pure_number(at, &mut tried) {
                     Some(value) => {
                         let radius = f64::EPSILON * value.abs();
-                        Abscissa::Part(Given { value, radius, text: at.text.clone(), span: at.span })
+                        Abscissa::Part(GivenQuantity { value, radius, text: at.text.clone(), span: at.span })
                     }
-                    None => Abscissa::Way(c.values.si(at, Wanted::Length, faults)?),
+                    None => Abscissa::Way(c.values.si(at, RequiredQuantity::Length, faults)?),
                 }
             }
         };
-        Some(Station { at, amount: transpose(amount.as_ref().map(|q| c.values.si(q, wanted, faults)))? })
+        Some(LoadStation { at, amount: transpose(amount.as_ref().map(|q| c.values.si(q, wanted, faults)))? })
     };
-    let stations: Vec<Station> = raw.stations.iter().map(|s| station(s, faults)).collect::<Option<_>>()?;
+    let stations: Vec<LoadStation> = raw.stations.iter().map(|s| station(s, faults)).collect::<Option<_>>()?;
     let places: Vec<f64> = stations.iter().map(|s| s.at.value()).collect();
     let kinds = stations.windows(2).all(|w| matches!(w[0].at, Abscissa::Part(_)) == matches!(w[1].at, Abscissa::Part(_)));
     let rising = places.windows(2).all(|w| w[0] <= w[1]) && places.first() < places.last();
-    let inside = |s: &Station| !matches!(&s.at, Abscissa::Part(x) if !(0.0..=1.0).contains(&x.value)) && s.at.value() >= f64::NEG_INFINITY;
+    let inside =
+        |s: &LoadStation| !matches!(&s.at, Abscissa::Part(x) if !(0.0..=1.0).contains(&x.value)) && s.at.value() >= f64::NEG_INFINITY;
     let turn = match &along {
-        Along::Turn { period, .. } => places.last().zip(places.first()).is_some_and(|(b, a)| b - a > period.value.degrees()),
-        Along::Stroke { .. } => false,
+        LoadTravel::Turn { period, .. } => places.last().zip(places.first()).is_some_and(|(b, a)| b - a > period.value.degrees()),
+        LoadTravel::Stroke { .. } => false,
     };
     let message = if stations.len() < 2 {
         both!("a diagram has two points at least", "线图至少要有两点")
@@ -185,7 +188,7 @@ fn course(c: &Context, moving: Moving, load: &RawApplied, raw: &RawCourse, fault
     } else if turn {
         both!("the angles go beyond one period", "角度范围超过一个周期")
     } else {
-        return Some((Course { along, stations, span: raw.span }, is_couple));
+        return Some((LoadCourse { along, stations, span: raw.span }, is_couple));
     };
     let help = both!(
         "write places in the order of the working stroke, all as parts from 0 to 1 or all as lengths, or angles within one period",
@@ -201,7 +204,7 @@ fn words(places: &[f64]) -> Both {
 }
 
 /// Returns the motion along which a load is given.
-fn along(c: &Context, (guides, drivers): Moving, raw: &RawCourse, faults: &mut Faults) -> Option<Along> {
+fn along(c: &Context, (guides, drivers): GuidesAndDrivers, raw: &RawCourse, faults: &mut Faults) -> Option<LoadTravel> {
     match (&raw.slide, &raw.turn) {
         (Some(word), None) => {
             let point = note(c.names.point(word), faults)?;
@@ -224,7 +227,7 @@ fn along(c: &Context, (guides, drivers): Moving, raw: &RawCourse, faults: &mut F
                 );
                 return None;
             };
-            Some(Along::Stroke { point, guide: GuideId(guide), toward, ends: Ends::default() })
+            Some(LoadTravel::Stroke { point, guide: GuideId(guide), toward, ends: StrokeEnds::default() })
         }
         (None, Some(word)) => {
             let link = note(c.names.link(word), faults)?;
@@ -235,14 +238,14 @@ fn along(c: &Context, (guides, drivers): Moving, raw: &RawCourse, faults: &mut F
             };
             let period = match &raw.period {
                 Some(q) => c.values.angle(q, faults)?,
-                None => Given { value: Angle::Deg(360.0), radius: 0.0, text: "360 deg".to_owned(), span: raw.span },
+                None => GivenQuantity { value: Angle::Deg(360.0), radius: 0.0, text: "360 deg".to_owned(), span: raw.span },
             };
             if period.value.degrees() <= 0.0 {
                 let message = both!("the period is {}; it must be positive", "周期为 {}，应为正", period.text);
                 faults.push(Diagnostic::error("not-positive", message).at(period.span));
                 return None;
             }
-            Some(Along::Turn { driver, period })
+            Some(LoadTravel::Turn { driver, period })
         }
         (None, None) | (Some(_), Some(_)) => {
             let message = both!("what the load depends on is either a stroke or an angle", "载荷或随行程变化，或随转角变化");

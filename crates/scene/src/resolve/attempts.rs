@@ -25,7 +25,7 @@ fn attempt(c: &Context, raw: &RawAttempt, faults: &mut Faults) -> Option<Attempt
     let mut printed = Vec::new();
     for (word, quantity) in &raw.printed {
         let Some(what) = note(asked(c, word), faults) else { continue };
-        let Some(value) = c.values.si(quantity, Wanted::of(what.kind()), faults) else { continue };
+        let Some(value) = c.values.si(quantity, RequiredQuantity::of(what.kind()), faults) else { continue };
         printed.push((Find { what, text: word.text.clone(), span: word.span }, value));
     }
     Some(Attempted {

@@ -17,9 +17,9 @@ pub(super) fn round(
     let [p, q] = centres;
     let sizes = match &raw.sizes {
         RawSizes::Radii(radii) => {
-            let radii: Vec<Option<Given>> =
+            let radii: Vec<Option<GivenQuantity>> =
                 radii.iter().map(|r| c.values.positive_length(r, both!("the radius of a pulley", "带轮半径"), faults)).collect();
-            <[Option<Given>; 2]>::try_from(radii).ok().map(|radii| (radii, None))
+            <[Option<GivenQuantity>; 2]>::try_from(radii).ok().map(|radii| (radii, None))
         }
         RawSizes::Teeth(teeth, pitch) => {
             let counts: Vec<Option<u32>> = teeth.iter().map(|z| whole(c, z, faults)).collect();
@@ -27,7 +27,7 @@ pub(super) fn round(
             let radius = |(q, z): (&RawQuantity, Option<u32>)| {
                 // With z teeth on the sprocket and pitch p, the chain advances z p per revolution.
                 let text = format!("({})*{}/(2*pi)", pitch?.text, z?);
-                c.values.si(&RawQuantity { text, span: q.span, bare: false }, Wanted::Length, &mut Faults::default())
+                c.values.si(&RawQuantity { text, span: q.span, bare: false }, RequiredQuantity::Length, &mut Faults::default())
             };
             match (&teeth[..], &counts[..]) {
                 ([a, b], &[y, z]) => Some(([radius((a, y)), radius((b, z))], y.zip(z).map(|(y, z)| [y, z]))),

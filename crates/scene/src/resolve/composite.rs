@@ -6,8 +6,8 @@ use crate::quantity::Frame;
 use crate::quantity::composite::unusable;
 
 /// Resolves the moving points and frames. [`judged`] checks later whether the frames are usable.
-pub(super) fn composite(c: &Context, faults: &mut Faults) -> Vec<Seen> {
-    let mut out: Vec<Seen> = Vec::new();
+pub(super) fn composite(c: &Context, faults: &mut Faults) -> Vec<ObservedPoint> {
+    let mut out: Vec<ObservedPoint> = Vec::new();
     for raw in &c.raw.composite {
         if let Some(cam) = contact(c, &raw.point.text) {
             out.extend(at_contact(c, raw, cam, faults));
@@ -24,13 +24,13 @@ pub(super) fn composite(c: &Context, faults: &mut Faults) -> Vec<Seen> {
         };
         // A point of a link that carries it is the pin itself.
         let of = OnLink { point: of.point, link: link.filter(|l| !c.carries(*l, of.point)) };
-        let of = Moving::Point(of);
+        let of = CompositePoint::Point(of);
         if out.iter().any(|s| s.of == of && s.frame == frame) {
             let text = format!("{}/{}", raw.point.text, raw.frame.text);
             faults.push(Diagnostic::warning("given-twice", both!("`{text}` is given twice", "`{text}` 写了两次")).at(raw.span));
             continue;
         }
-        out.push(Seen { of, frame, span: raw.span });
+        out.push(ObservedPoint { of, frame, span: raw.span });
     }
     out
 }
@@ -42,7 +42,7 @@ fn contact(c: &Context, name: &str) -> Option<usize> {
 }
 
 /// Resolves the point of cam or follower at their contact; the default is the follower's point.
-fn at_contact(c: &Context, raw: &RawComposite, cam: usize, faults: &mut Faults) -> Option<Seen> {
+fn at_contact(c: &Context, raw: &RawComposite, cam: usize, faults: &mut Faults) -> Option<ObservedPoint> {
     let pair = &c.raw.cams[cam];
     let (own, follower) = (note(c.names.link(&pair.cam), faults)?, note(c.names.link(&pair.follower), faults)?);
     let frame = note(c.names.frame(&raw.frame.text, &raw.frame), faults)?;
@@ -57,20 +57,20 @@ fn at_contact(c: &Context, raw: &RawComposite, cam: usize, faults: &mut Faults) 
         faults.push(Diagnostic::error("not-on-link", message).at(raw.span).help(both!("write \"on\": \"{b}\"", "请写 \"on\": \"{b}\"")));
         return None;
     }
-    Some(Seen { of: Moving::Contact { cam, on }, frame, span: raw.span })
+    Some(ObservedPoint { of: CompositePoint::Contact { cam, on }, frame, span: raw.span })
 }
 
 /// Reports the frames that are unusable for their moving points.
 pub(super) fn judged(scene: &Scene, faults: &mut Faults) {
     for s in &scene.composite {
         match s.of {
-            Moving::Point(of) => {
+            CompositePoint::Point(of) => {
                 let text = scene.point_name(of.point).to_owned();
                 unusable(scene, &of, s.frame, &text).into_iter().for_each(|d| faults.push(d.at(s.span)));
             }
             // For every point of the link: a fixed frame gives no frame motion, and the point's own
             // link no relative motion.
-            Moving::Contact { on, .. } if s.frame.is_fixed(scene) || s.frame == Frame::Link(on) => {
+            CompositePoint::Contact { on, .. } if s.frame.is_fixed(scene) || s.frame == Frame::Link(on) => {
                 let (text, link) = (
                     scene.link_name(on),
                     both!(
@@ -82,7 +82,7 @@ pub(super) fn judged(scene: &Scene, faults: &mut Faults) {
                 let help = both!("name the other link, or the centre of the profile", "请写另一构件，或廓线的圆心");
                 faults.push(Diagnostic::error("frame-unusable", both!("`{text}`: {}", "`{text}`：{}", link)).at(s.span).help(help));
             }
-            Moving::Contact { .. } => {}
+            CompositePoint::Contact { .. } => {}
         }
     }
 }

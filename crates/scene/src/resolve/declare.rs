@@ -9,7 +9,7 @@ use super::*;
 
 /// The declared points and links, in the order of the file.
 pub(super) struct Declared {
-    pub points: Vec<Point>,
+    pub points: Vec<NamedPoint>,
     pub links: Vec<Link>,
     /// The ground; `None` (with a fault) if the file names none or an impossible one.
     pub ground: Option<LinkId>,
@@ -22,7 +22,7 @@ pub(super) struct Declared {
 /// Collects points and links while the sections are read in order.
 #[derive(Default)]
 struct Register {
-    points: Vec<Point>,
+    points: Vec<NamedPoint>,
     links: Vec<Link>,
     by_point: HashMap<String, PointId>,
     by_link: HashMap<String, LinkId>,
@@ -36,7 +36,7 @@ impl Register {
         // A bad name is declared too, so that its other mentions are not reported again.
         faults.list.extend(names::check(word, names::Named::Point));
         let id = PointId(self.points.len());
-        self.points.push(Point { name: word.text.clone(), place: Place::Unknown, sketch: None, span: word.span });
+        self.points.push(NamedPoint { name: word.text.clone(), place: PointPlace::Unknown, sketch: None, span: word.span });
         self.by_point.insert(word.text.clone(), id);
         id
     }

@@ -8,8 +8,8 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
     let mut out: Vec<Driver> = Vec::new();
     for raw in &c.raw.drivers {
         let (rate, acceleration) = match raw.kind {
-            RawDriverKind::Turn { .. } => (Wanted::Omega, Wanted::Alpha),
-            RawDriverKind::Slide { .. } | RawDriverKind::Cylinder { .. } => (Wanted::Velocity, Wanted::Acceleration),
+            RawDriverKind::Turn { .. } => (RequiredQuantity::Omega, RequiredQuantity::Alpha),
+            RawDriverKind::Slide { .. } | RawDriverKind::Cylinder { .. } => (RequiredQuantity::Velocity, RequiredQuantity::Acceleration),
         };
         let kind = match &raw.kind {
             RawDriverKind::Turn { link, against, line, against_line, angle } => {
@@ -24,7 +24,7 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
         }
         let rate = match &raw.rate {
             Some(q) => c.values.si(q, rate, faults),
-            None => c.raw.extent.is_at_rest().then(|| untold(raw, rate, c.raw.extent.rate())),
+            None => c.raw.extent.is_at_rest().then(|| assumed_rate(raw, rate, c.raw.extent.rate())),
         };
         let acceleration = match &raw.acceleration {
             Some(q) => c.values.si(q, acceleration, faults).map(Some),
@@ -43,9 +43,9 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
 }
 
 /// Returns the rate of a driver without one.
-fn untold(raw: &RawDriver, rate: Wanted, value: f64) -> Given {
-    let unit = if rate == Wanted::Omega { "rad/s" } else { "m/s" };
-    Given { value, radius: 0.0, text: format!("{value} {unit}"), span: raw.span }
+fn assumed_rate(raw: &RawDriver, rate: RequiredQuantity, value: f64) -> GivenQuantity {
+    let unit = if rate == RequiredQuantity::Omega { "rad/s" } else { "m/s" };
+    GivenQuantity { value, radius: 0.0, text: format!("{value} {unit}"), span: raw.span }
 }
 
 fn same_motion(a: &DriverKind, b: &DriverKind) -> bool {
@@ -137,12 +137,12 @@ fn guided(
     c: &Context,
     link: LinkId,
     guides: &[Numbered],
-    angle: Option<Given<Angle>>,
+    angle: Option<GivenQuantity<Angle>>,
     faults: &mut Faults,
-) -> Option<Option<Given<Angle>>> {
+) -> Option<Option<GivenQuantity<Angle>>> {
     // For a mobility count, a guide without a direction has an arbitrary one.
     let stated = guides.iter().filter(|_| !c.raw.extent.is_of_pairs()).find_map(|(g, _)| match &g.path {
-        GuidePath::Line { direction: Direction::Instant(angle), .. } if g.on == link => Some(angle),
+        GuidePath::Line { direction: GuideDirection::Instant(angle), .. } if g.on == link => Some(angle),
         GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
     });
     let Some(stated) = stated.filter(|_| c.names.links[link.0].points.len() < 2) else { return Some(angle) };
@@ -177,7 +177,7 @@ fn slide(
     faults: &mut Faults,
 ) -> Option<DriverKind> {
     let position = match position {
-        Some(q) => Some(c.values.si(q, Wanted::Length, faults)?),
+        Some(q) => Some(c.values.si(q, RequiredQuantity::Length, faults)?),
         None => None,
     };
     let named = |w: &Option<Word>| w.as_ref().is_some_and(|w| w.text == word.text);

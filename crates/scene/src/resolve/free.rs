@@ -11,7 +11,7 @@ use super::*;
 pub(super) fn centres(
     c: &Context,
     (rolling, drivers, find): (&mut rolling::Resolved, &[Driver], &[Find]),
-    places: &mut [Place],
+    places: &mut [PointPlace],
     lengths: &[Length],
     faults: &mut Faults,
 ) {
@@ -55,7 +55,7 @@ fn lay(
     c: &Context,
     (rolling, pair, drivers): (&mut rolling::Resolved, usize, &[Driver]),
     (from, to): (PointId, PointId),
-    places: &mut [Place],
+    places: &mut [PointPlace],
     lengths: &[Length],
     laid: &mut Vec<PointId>,
 ) {
@@ -65,7 +65,7 @@ fn lay(
         return;
     }
     // A further centre of an arm that meshes with two others is placed by its distances from both.
-    let placed = |q: &PointId| c.carries(arm, *q) && (laid.contains(q) || matches!(places[q.0], Place::At(_)));
+    let placed = |q: &PointId| c.carries(arm, *q) && (laid.contains(q) || matches!(places[q.0], PointPlace::At(_)));
     if on_arm(c, arm).any(|p| laid.contains(&p)) && neighbours(rolling, to).filter(placed).nth(1).is_some() {
         let given = |p: PointId, rolled: &[Length]| lengths.iter().chain(rolled).any(|l| (l.a, l.b) == (p, to) || (l.b, l.a) == (p, to));
         if !given(from, &rolling.lengths)
@@ -86,30 +86,31 @@ fn lay(
         }
         return;
     }
-    let Place::At([x, y]) = &places[from.0] else { return };
+    let PointPlace::At([x, y]) = &places[from.0] else { return };
     let (x, y) = (x.clone(), y.clone());
     // A bare 0 has no dimension, so that no length can be added to it.
     let bare = x.text.trim().parse::<f64>().is_ok();
     let text = if bare { distance.text.clone() } else { summed(&x.text, &distance.text, laid.contains(&from)) };
-    let Some(x) = c.values.si(&RawQuantity { text, span: distance.span, bare: false }, Wanted::Length, &mut Faults::default()) else {
+    let Some(x) = c.values.si(&RawQuantity { text, span: distance.span, bare: false }, RequiredQuantity::Length, &mut Faults::default())
+    else {
         return;
     };
-    places[to.0] = Place::At([x, y]);
+    places[to.0] = PointPlace::At([x, y]);
     // The coordinates replace this length.
     rolling.lengths.retain(|l| !between(l));
     laid.push(to);
 }
 
 /// Returns true if a fixed axis has a place. If no axis has one, the first is placed at the origin.
-fn anchor(c: &Context, p: PointId, places: &mut [Place]) -> bool {
+fn anchor(c: &Context, p: PointId, places: &mut [PointPlace]) -> bool {
     match places[p.0] {
-        Place::At(_) => true,
-        Place::InLink { .. } | Place::Polar { .. } => false,
-        Place::Unknown => {
-            let first = places.iter().all(|p| matches!(p, Place::Unknown));
+        PointPlace::At(_) => true,
+        PointPlace::InLink { .. } | PointPlace::Polar { .. } => false,
+        PointPlace::Unknown => {
+            let first = places.iter().all(|p| matches!(p, PointPlace::Unknown));
             if first {
                 let span = c.names.points[p.0].span;
-                places[p.0] = Place::At([zero(span), zero(span)]);
+                places[p.0] = PointPlace::At([zero(span), zero(span)]);
             }
             first
         }
@@ -122,10 +123,10 @@ fn is_free(
     c: &Context,
     (arm, rolling, laid): (LinkId, &rolling::Resolved, &[PointId]),
     (from, to): (PointId, PointId),
-    places: &[Place],
+    places: &[PointPlace],
     lengths: &[Length],
 ) -> bool {
-    let unplaced = matches!(places[to.0], Place::Unknown) && !c.raw.points.iter().any(|(w, _)| w.text == c.point_name(to));
+    let unplaced = matches!(places[to.0], PointPlace::Unknown) && !c.raw.points.iter().any(|(w, _)| w.text == c.point_name(to));
     // True if an arm carries only centres of the train.
     let centre = |p: PointId| neighbours(rolling, p).next().is_some();
     let only_arm = arm == c.ground || on_arm(c, arm).all(centre);
@@ -191,7 +192,7 @@ fn summed(x: &str, distance: &str, is_sum: bool) -> String {
 
 /// Returns the distance of the centres of two gears of 1 mm module; for two pulleys, whose distance
 /// is free, twice the sum of the radii.
-fn by_teeth(c: &Context, rolling: &rolling::Resolved, pair: usize) -> Option<Given> {
+fn by_teeth(c: &Context, rolling: &rolling::Resolved, pair: usize) -> Option<GivenQuantity> {
     let text = match &rolling.rolling[pair].contours {
         Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } => {
             let halves = if hollow.is_some() { a.abs_diff(*b) } else { a + b };
@@ -201,5 +202,5 @@ fn by_teeth(c: &Context, rolling: &rolling::Resolved, pair: usize) -> Option<Giv
         Contours::Circles { sizes: Sizes::Radii(_), .. } | Contours::Track { .. } => return None,
     };
     let span = rolling.rolling[pair].span;
-    c.values.si(&RawQuantity { text, span, bare: false }, Wanted::Length, &mut Faults::default())
+    c.values.si(&RawQuantity { text, span, bare: false }, RequiredQuantity::Length, &mut Faults::default())
 }

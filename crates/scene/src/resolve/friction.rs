@@ -27,9 +27,9 @@ fn fault<T>(message: Both, help: Both, span: Span, faults: &mut Faults) -> Optio
 }
 
 /// Returns the coefficient of friction.
-fn coefficient(c: &Context, raw: &RawQuantity, faults: &mut Faults) -> Option<Given> {
+fn coefficient(c: &Context, raw: &RawQuantity, faults: &mut Faults) -> Option<GivenQuantity> {
     let value = c.values.pure_number(raw, faults)?;
-    let given = Given { value, radius: 2.0 * f64::EPSILON * value.abs(), text: raw.text.clone(), span: raw.span };
+    let given = GivenQuantity { value, radius: 2.0 * f64::EPSILON * value.abs(), text: raw.text.clone(), span: raw.span };
     positive(given, both!("a coefficient of friction", "摩擦系数"), faults)
 }
 
@@ -60,10 +60,10 @@ fn at_pin(c: &Context, pin: &Word, raw: &RawFriction, faults: &mut Faults) -> Op
         }
     };
     let circle = match (&raw.circle, &raw.radius, &raw.f) {
-        (Some(circle), None, None) => c.values.si(circle, Wanted::Length, faults)?,
+        (Some(circle), None, None) => c.values.si(circle, RequiredQuantity::Length, faults)?,
         (None, Some(radius), Some(f)) => {
-            let (r, f) = (c.values.si(radius, Wanted::Length, faults), coefficient(c, f, faults));
-            computed(c, format!("({})*({})", r?.text, f?.text), radius.span, Wanted::Length, faults)?
+            let (r, f) = (c.values.si(radius, RequiredQuantity::Length, faults), coefficient(c, f, faults));
+            computed(c, format!("({})*({})", r?.text, f?.text), radius.span, RequiredQuantity::Length, faults)?
         }
         _ => {
             let message = both!("the friction circle of `{}` is not told", "没有说明 `{}` 处摩擦圆的大小", pin.text);

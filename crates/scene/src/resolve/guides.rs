@@ -6,7 +6,7 @@ use super::*;
 /// them.
 pub(super) type Numbered = (Guide, usize);
 
-pub(super) fn guides(c: &Context, places: &[Place], faults: &mut Faults) -> Vec<Numbered> {
+pub(super) fn guides(c: &Context, places: &[PointPlace], faults: &mut Faults) -> Vec<Numbered> {
     let mut out: Vec<Numbered> = Vec::with_capacity(c.raw.guides.len());
     for (i, raw) in c.raw.guides.iter().enumerate() {
         let Some(guide) = guide(c, raw, places, faults) else { continue };
@@ -24,7 +24,7 @@ pub(super) fn guides(c: &Context, places: &[Place], faults: &mut Faults) -> Vec<
     out
 }
 
-fn guide(c: &Context, raw: &RawGuide, places: &[Place], faults: &mut Faults) -> Option<Guide> {
+fn guide(c: &Context, raw: &RawGuide, places: &[PointPlace], faults: &mut Faults) -> Option<Guide> {
     if raw.pin.is_none() && raw.slider.is_none() {
         let d = Diagnostic::error(
             "missing-key",
@@ -102,12 +102,12 @@ fn guide(c: &Context, raw: &RawGuide, places: &[Place], faults: &mut Faults) -> 
 /// with its pin. A slider keeps its distance from its guide, and so does every parallel to the
 /// guide through a joint. A joint with coordinates gets the parallel through it; another joint is
 /// on the guide as written.
-fn run_by_a_joint(c: &Context, guide: &mut Guide, places: &[Place]) {
+fn run_by_a_joint(c: &Context, guide: &mut Guide, places: &[PointPlace]) {
     let (None, Some(slider), GuidePath::Line { through, offset, .. }) = (guide.pin, guide.slider, &mut guide.path) else { return };
     let joins = |p: PointId, l: usize| l != slider.0 && c.names.links[l].points.contains(&p);
     let is_joint = |p: &PointId| !c.carries(guide.on, *p) && (0..c.names.links.len()).any(|l| joins(*p, l));
     let joints: Vec<PointId> = c.names.links[slider.0].points.iter().copied().filter(is_joint).collect();
-    if let Some(placed) = joints.iter().find(|p| matches!(places[p.0], Place::At(_))) {
+    if let Some(placed) = joints.iter().find(|p| matches!(places[p.0], PointPlace::At(_))) {
         (guide.pin, *through, *offset) = (Some(*placed), Through::Pin, None);
     } else if let [only] = joints[..]
         && *through != Through::Pin
@@ -145,7 +145,7 @@ fn arc(c: &Context, raw: &RawGuide, on: LinkId, word: &Word, faults: &mut Faults
     Some(GuidePath::Arc { centre, radius })
 }
 
-fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &[Place], faults: &mut Faults) -> Option<GuidePath> {
+fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &[PointPlace], faults: &mut Faults) -> Option<GuidePath> {
     if let Some(radius) = &raw.radius {
         let d = Diagnostic::error("missing-key", both!("a guide with a `radius` has no `centre`", "有 `radius` 的导路没有 `centre`"))
             .at(radius.span);
@@ -154,22 +154,22 @@ fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &
     }
     let ends = raw.line.as_ref().map(|word| note(c.line_on(word, on), faults));
     let angle = raw.angle.as_ref().map(|q| c.values.angle(q, faults));
-    let offset = raw.offset.as_ref().map(|q| c.values.si(q, Wanted::Length, faults));
+    let offset = raw.offset.as_ref().map(|q| c.values.si(q, RequiredQuantity::Length, faults));
     let through = raw.through.as_ref().map(|t| through(c, on, t, faults));
     let (ends, angle, offset, through) = (transpose(ends)?, transpose(angle)?, transpose(offset)?, transpose(through)?);
     let direction = match (ends, angle) {
-        (Some((a, b)), turned) => Direction::Along(a, b, turned),
-        (None, Some(angle)) if raw.slid => Direction::Slid(angle),
-        (None, Some(angle)) => Direction::Instant(angle),
+        (Some((a, b)), turned) => GuideDirection::Along(a, b, turned),
+        (None, Some(angle)) if raw.slid => GuideDirection::Slid(angle),
+        (None, Some(angle)) => GuideDirection::Instant(angle),
         // For a mobility count, the direction has no effect.
         (None, None) if c.raw.extent.is_of_pairs() => {
-            Direction::Instant(Given { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span: raw.span })
+            GuideDirection::Instant(GivenQuantity { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span: raw.span })
         }
         (None, None) => own(c, raw, on, pin, &through, places, faults)?,
     };
     let through = through.unwrap_or(match &direction {
-        Direction::Along(a, ..) => Through::Point(*a),
-        Direction::Instant(_) | Direction::Own | Direction::Slid(_) => Through::Pin,
+        GuideDirection::Along(a, ..) => Through::Point(*a),
+        GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => Through::Pin,
     });
     Some(GuidePath::Line { through, direction, offset })
 }
@@ -217,9 +217,9 @@ fn own(
     on: LinkId,
     pin: Option<PointId>,
     through: &Option<Through>,
-    places: &[Place],
+    places: &[PointPlace],
     faults: &mut Faults,
-) -> Option<Direction> {
+) -> Option<GuideDirection> {
     let mut fault = |message: Both, help: Both| {
         faults.push(Diagnostic::error("no-direction", message).at(raw.span).help(help));
         None
@@ -242,7 +242,7 @@ fn own(
             ),
         );
     };
-    let at = |p: PointId| matches!(places[p.0], Place::At(_));
+    let at = |p: PointId| matches!(places[p.0], PointPlace::At(_));
     if c.names.links[on.0].points.len() > 1 && !(at(*point) && at(pin)) {
         let message = both!(
             "link `{}` has further points, so its guide through `{}` needs a direction",
@@ -258,5 +258,5 @@ fn own(
             ),
         );
     }
-    Some(Direction::Own)
+    Some(GuideDirection::Own)
 }

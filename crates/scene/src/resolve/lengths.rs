@@ -64,8 +64,8 @@ pub(super) fn unit(c: &Context) -> &'static Unit {
         RawPlace::At(xy) | RawPlace::InLink { xy, .. } => xy.as_slice(),
         RawPlace::Polar { length, .. } => std::slice::from_ref(length),
     });
-    let table = c.values.unit_of(Wanted::Length).and_then(unit_named);
-    let usual = || unit_named(Wanted::Length.usual_unit()).expect("the usual unit of lengths is a unit");
+    let table = c.values.unit_of(RequiredQuantity::Length).and_then(unit_named);
+    let usual = || unit_named(RequiredQuantity::Length.usual_unit()).expect("the usual unit of lengths is a unit");
     table.or_else(|| unit_shown(c)).or_else(|| coordinates.clone().find_map(unit_in)).unwrap_or_else(usual)
 }
 
@@ -77,5 +77,5 @@ pub(super) fn unit_shown(c: &Context) -> Option<&'static Unit> {
 /// Returns the unit of length at the end of a quantity.
 fn unit_in(q: &RawQuantity) -> Option<&'static Unit> {
     let word = q.text.trim_end().rsplit(|c: char| !c.is_ascii_alphabetic()).next()?;
-    unit_named(word).filter(|u| u.dim == Wanted::Length.dim())
+    unit_named(word).filter(|u| u.dim == RequiredQuantity::Length.dim())
 }

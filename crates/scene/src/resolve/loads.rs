@@ -1,12 +1,12 @@
 //! The sections of forces: masses, applied forces, springs, balance.
 
-use super::applied::Moving;
+use super::applied::GuidesAndDrivers;
 use super::*;
 
-pub(super) fn loads(c: &Context, moving: Moving, faults: &mut Faults) -> Loads {
+pub(super) fn loads(c: &Context, moving: GuidesAndDrivers, faults: &mut Faults) -> Loads {
     let raw = &c.raw.loads;
     let gravity = raw.gravity.as_ref().and_then(|[x, y]| {
-        let (x, y) = (c.values.si(x, Wanted::Acceleration, faults), c.values.si(y, Wanted::Acceleration, faults));
+        let (x, y) = (c.values.si(x, RequiredQuantity::Acceleration, faults), c.values.si(y, RequiredQuantity::Acceleration, faults));
         Some([x?, y?])
     });
     let mut masses: Vec<Mass> = Vec::new();
@@ -38,7 +38,7 @@ pub(super) fn loaded(c: &Context, word: &Word, faults: &mut Faults) -> Option<Li
     None
 }
 
-pub(super) fn positive(given: Given, what: Both, faults: &mut Faults) -> Option<Given> {
+pub(super) fn positive(given: GivenQuantity, what: Both, faults: &mut Faults) -> Option<GivenQuantity> {
     if given.value >= 0.0 {
         return Some(given);
     }
@@ -48,20 +48,20 @@ pub(super) fn positive(given: Given, what: Both, faults: &mut Faults) -> Option<
 }
 
 /// Resolves an optional quantity; `None` if it has a fault.
-fn optional(c: &Context, raw: Option<&RawQuantity>, wanted: Wanted, faults: &mut Faults) -> Option<Option<Given>> {
+fn optional(c: &Context, raw: Option<&RawQuantity>, wanted: RequiredQuantity, faults: &mut Faults) -> Option<Option<GivenQuantity>> {
     transpose(raw.map(|q| c.values.si(q, wanted, faults).and_then(|given| positive(given, wanted.describe(), faults))))
 }
 
 /// Resolves a quantity that is computed from others of the file.
-pub(super) fn computed(c: &Context, text: String, span: Span, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
+pub(super) fn computed(c: &Context, text: String, span: Span, wanted: RequiredQuantity, faults: &mut Faults) -> Option<GivenQuantity> {
     c.values.si(&RawQuantity { text, span, bare: true }, wanted, faults)
 }
 
-fn mass(c: &Context, raw: &RawMass, gravity: Option<&[Given; 2]>, faults: &mut Faults) -> Option<Mass> {
+fn mass(c: &Context, raw: &RawMass, gravity: Option<&[GivenQuantity; 2]>, faults: &mut Faults) -> Option<Mass> {
     let link = loaded(c, &raw.link, faults)?;
     let name = &raw.link.text;
-    let mut m = optional(c, raw.m.as_ref(), Wanted::Mass, faults)?;
-    let weight = optional(c, raw.weight.as_ref(), Wanted::Force, faults)?;
+    let mut m = optional(c, raw.m.as_ref(), RequiredQuantity::Mass, faults)?;
+    let weight = optional(c, raw.weight.as_ref(), RequiredQuantity::Force, faults)?;
     if let Some(weight) = &weight {
         let Some([x, y]) = gravity else {
             let message = both!("link `{name}` has a weight, but the scene has no gravity", "构件 `{name}` 给出了重量，但机构文件没有重力");
@@ -80,17 +80,17 @@ fn mass(c: &Context, raw: &RawMass, gravity: Option<&[Given; 2]>, faults: &mut F
                 return None;
             }
         };
-        m = Some(computed(c, format!("({})/({g})", weight.text), weight.span, Wanted::Mass, faults)?);
+        m = Some(computed(c, format!("({})/({g})", weight.text), weight.span, RequiredQuantity::Mass, faults)?);
     }
-    let mut j = optional(c, raw.j.as_ref(), Wanted::Inertia, faults)?;
-    if let Some(k) = optional(c, raw.k.as_ref(), Wanted::Length, faults)? {
+    let mut j = optional(c, raw.j.as_ref(), RequiredQuantity::Inertia, faults)?;
+    if let Some(k) = optional(c, raw.k.as_ref(), RequiredQuantity::Length, faults)? {
         let Some(m) = &m else {
             let message = both!("link `{name}` has a radius of gyration, but no mass", "构件 `{name}` 给出了回转半径，但没有质量");
             faults
                 .push(Diagnostic::error("force", message).at(k.span).help(both!("give \"m\" or \"weight\"", "请给出 \"m\" 或 \"weight\"")));
             return None;
         };
-        j = Some(computed(c, format!("({})*({})^2", m.text, k.text), k.span, Wanted::Inertia, faults)?);
+        j = Some(computed(c, format!("({})*({})^2", m.text, k.text), k.span, RequiredQuantity::Inertia, faults)?);
     }
     if m.is_none() && j.is_none() {
         let message = both!("link `{name}` has neither a mass nor a moment of inertia", "构件 `{name}` 既没有质量也没有转动惯量");
@@ -148,8 +148,10 @@ fn spring(c: &Context, raw: &RawSpring, faults: &mut Faults) -> Option<Spring> {
         }
     };
     let (from, to) = (end(&raw.from), end(&raw.to));
-    let stiffness = c.values.si(&raw.k, Wanted::Stiffness, faults).and_then(|k| positive(k, both!("the stiffness", "刚度"), faults));
-    let free = c.values.si(&raw.free, Wanted::Length, faults).and_then(|l| positive(l, both!("the free length", "自由长度"), faults));
+    let stiffness =
+        c.values.si(&raw.k, RequiredQuantity::Stiffness, faults).and_then(|k| positive(k, both!("the stiffness", "刚度"), faults));
+    let free =
+        c.values.si(&raw.free, RequiredQuantity::Length, faults).and_then(|l| positive(l, both!("the free length", "自由长度"), faults));
     let ends = [from?, to?];
     if ends[0].0 == ends[1].0 {
         let message = both!("both ends of the spring are `{}`", "弹簧两端都是 `{}`", raw.from.text);

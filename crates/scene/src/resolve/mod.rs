@@ -28,7 +28,7 @@ use super::cams::{expand, marked, rollers};
 use super::model::*;
 use super::names::Names;
 use super::raw::*;
-use super::units::Wanted;
+use super::units::RequiredQuantity;
 use super::values::Values;
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
 use hodograph_base::json::Word;
@@ -127,12 +127,12 @@ fn transpose<T>(found: Option<Option<T>>) -> Option<Option<T>> {
 }
 
 /// A quantity that is not in the file, such as the coordinates of a pivot at the origin.
-fn zero(span: Span) -> Given {
-    Given { value: 0.0, radius: 0.0, text: "0".to_owned(), span }
+fn zero(span: Span) -> GivenQuantity {
+    GivenQuantity { value: 0.0, radius: 0.0, text: "0".to_owned(), span }
 }
 
 /// The data that other files share with a scene.
-pub(super) struct Opening {
+pub(super) struct SceneHeader {
     pub title: Option<Localized>,
     pub language: Option<Lang>,
     pub paper: Paper,
@@ -140,11 +140,11 @@ pub(super) struct Opening {
 }
 
 /// Resolves title, language, paper and units of a file other than a scene.
-pub(super) fn front(raw: &RawScene, values: &Values, faults: &mut Faults) -> Opening {
+pub(super) fn front(raw: &RawScene, values: &Values, faults: &mut Faults) -> SceneHeader {
     let book = answers::book(raw, faults);
     let paper = paper::paper(raw, values, &book, faults);
     paper::notation(raw, faults);
-    Opening { title: localized(&raw.title), language: paper::language(raw, faults), paper, book }
+    SceneHeader { title: localized(&raw.title), language: paper::language(raw, faults), paper, book }
 }
 
 /// Resolves a whole scene. The result is valid only if no error has been added to `faults`.
@@ -252,7 +252,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         let (language, notation) = (paper::language(raw, faults), paper::notation(raw, faults));
         let statement = statement::statement(raw, &parameters, &values, source, faults);
         faults.list.extend(values.unused(&raw.parameters));
-        let points = points.iter().zip(places).zip(sketch).map(|((p, place), sketch)| Point { place, sketch, ..p.clone() }).collect();
+        let points = points.iter().zip(places).zip(sketch).map(|((p, place), sketch)| NamedPoint { place, sketch, ..p.clone() }).collect();
         Scene {
             title: localized(&raw.title).unwrap_or_default(),
             statement,

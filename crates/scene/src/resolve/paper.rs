@@ -21,7 +21,7 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
         Some(RawSize::Sides(sides)) => sides_mm(sides, values, faults),
         None => None,
     };
-    let mut scale = |kind: Kind, q: &Option<RawQuantity>, wanted: Wanted| {
+    let mut scale = |kind: Kind, q: &Option<RawQuantity>, wanted: RequiredQuantity| {
         let (q, key) = (q.as_ref()?, kind.scale_key()?);
         let given = values.si(q, wanted, faults)?;
         if given.value <= 0.0 {
@@ -32,10 +32,10 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
         Some((kind, given.value / 1000.0))
     };
     let scales = [
-        scale(Kind::Length, &raw.paper.mu_l, Wanted::ScaleOfLengths),
-        scale(Kind::Velocity, &raw.paper.mu_v, Wanted::ScaleOfVelocities),
-        scale(Kind::Acceleration, &raw.paper.mu_a, Wanted::ScaleOfAccelerations),
-        scale(Kind::Force, &raw.paper.mu_f, Wanted::ScaleOfForces),
+        scale(Kind::Length, &raw.paper.mu_l, RequiredQuantity::ScaleOfLengths),
+        scale(Kind::Velocity, &raw.paper.mu_v, RequiredQuantity::ScaleOfVelocities),
+        scale(Kind::Acceleration, &raw.paper.mu_a, RequiredQuantity::ScaleOfAccelerations),
+        scale(Kind::Force, &raw.paper.mu_f, RequiredQuantity::ScaleOfForces),
     ];
     Paper {
         size_mm,

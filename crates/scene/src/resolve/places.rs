@@ -4,8 +4,8 @@ use super::lengths::same;
 use super::*;
 
 /// Returns the place of every point, in the order of the points.
-pub(super) fn places(c: &Context, ground: Option<LinkId>, lengths: &[Length], faults: &mut Faults) -> Vec<Place> {
-    let mut places = vec![Place::Unknown; c.names.points.len()];
+pub(super) fn places(c: &Context, ground: Option<LinkId>, lengths: &[Length], faults: &mut Faults) -> Vec<PointPlace> {
+    let mut places = vec![PointPlace::Unknown; c.names.points.len()];
     for (word, raw) in &c.raw.points {
         let point = note(c.names.point(word), faults);
         let place = place(c, point, raw, faults);
@@ -21,19 +21,19 @@ pub(super) fn places(c: &Context, ground: Option<LinkId>, lengths: &[Length], fa
     places
 }
 
-fn place(c: &Context, point: Option<PointId>, raw: &RawPlace, faults: &mut Faults) -> Option<Place> {
+fn place(c: &Context, point: Option<PointId>, raw: &RawPlace, faults: &mut Faults) -> Option<PointPlace> {
     match raw {
-        RawPlace::At(xy) => c.values.two_lengths(xy, faults).map(Place::At),
+        RawPlace::At(xy) => c.values.two_lengths(xy, faults).map(PointPlace::At),
         RawPlace::InLink { base, xy } => {
             let base = self_or_base(c, point, base, faults);
             let xy = c.values.two_lengths(xy, faults);
-            Some(Place::InLink { base: base?, xy: xy? })
+            Some(PointPlace::InLink { base: base?, xy: xy? })
         }
         RawPlace::Polar { base, length, angle } => {
             let base = self_or_base(c, point, base, faults);
             let length = c.values.positive_length(length, both!("the length", "长度"), faults);
             let angle = c.values.angle(angle, faults);
-            Some(Place::Polar { base: base?, length: length?, angle: angle? })
+            Some(PointPlace::Polar { base: base?, length: length?, angle: angle? })
         }
     }
 }
@@ -64,7 +64,7 @@ fn self_or_base(c: &Context, point: Option<PointId>, word: &Word, faults: &mut F
 }
 
 /// Reports places with circular bases: D by the base AC and C by the base AD.
-fn circular(c: &Context, places: &mut [Place], faults: &mut Faults) {
+fn circular(c: &Context, places: &mut [PointPlace], faults: &mut Faults) {
     // 0: not seen, 1: on the path, 2: done.
     let mut state = vec![0u8; places.len()];
     for start in 0..places.len() {
@@ -88,13 +88,13 @@ fn circular(c: &Context, places: &mut [Place], faults: &mut Faults) {
                         .help(both!("take a base of points that are known without it", "请以不依赖它的已知点为基准")),
                 );
                 // Each circle is reported once; without this place it is open.
-                places[p] = Place::Unknown;
+                places[p] = PointPlace::Unknown;
                 state[p] = 2;
                 continue;
             }
             state[p] = 1;
             stack.push((p, true));
-            if let Place::InLink { base, .. } | Place::Polar { base, .. } = &places[p] {
+            if let PointPlace::InLink { base, .. } | PointPlace::Polar { base, .. } = &places[p] {
                 stack.push((base.0.0, false));
                 stack.push((base.1.0, false));
             }
@@ -105,23 +105,23 @@ fn circular(c: &Context, places: &mut [Place], faults: &mut Faults) {
 /// Places ground pivots without coordinates: two with a length between them on the x axis, the
 /// first at the origin; a single one at the origin. If any point has coordinates, they already
 /// define the coordinate system.
-pub(super) fn pivots(c: &Context, ground: LinkId, lengths: &[Length], places: &mut [Place]) {
-    if places.iter().any(|p| matches!(p, Place::At(_))) {
+pub(super) fn pivots(c: &Context, ground: LinkId, lengths: &[Length], places: &mut [PointPlace]) {
+    if places.iter().any(|p| matches!(p, PointPlace::At(_))) {
         return;
     }
     let pivots = &c.names.links[ground.0].points;
     let span = c.raw.ground.as_ref().map_or(c.names.links[ground.0].span, |w| w.span);
     if let [only] = pivots.as_slice() {
-        places[only.0] = Place::At([zero(span), zero(span)]);
+        places[only.0] = PointPlace::At([zero(span), zero(span)]);
         return;
     }
     for (i, &first) in pivots.iter().enumerate() {
         for &second in &pivots[i + 1..] {
             let between = lengths.iter().find(|l| (l.a, l.b) == (first, second) || (l.b, l.a) == (first, second));
-            let free = [first, second].iter().all(|p| matches!(places[p.0], Place::Unknown));
+            let free = [first, second].iter().all(|p| matches!(places[p.0], PointPlace::Unknown));
             if let (Some(length), true) = (between, free) {
-                places[first.0] = Place::At([zero(length.value.span), zero(length.value.span)]);
-                places[second.0] = Place::At([length.value.clone(), zero(length.value.span)]);
+                places[first.0] = PointPlace::At([zero(length.value.span), zero(length.value.span)]);
+                places[second.0] = PointPlace::At([length.value.clone(), zero(length.value.span)]);
                 return;
             }
         }
@@ -129,14 +129,14 @@ pub(super) fn pivots(c: &Context, ground: LinkId, lengths: &[Length], places: &m
 }
 
 /// Reports lengths that contradict the places of their ends.
-fn contradictions(c: &Context, lengths: &[Length], places: &[Place], faults: &mut Faults) {
+fn contradictions(c: &Context, lengths: &[Length], places: &[PointPlace], faults: &mut Faults) {
     for length in lengths {
         let distance = match (&places[length.a.0], &places[length.b.0]) {
-            (Place::At(p), Place::At(q)) => libm::hypot(q[0].value - p[0].value, q[1].value - p[1].value),
-            (Place::InLink { base, xy }, _) if base.0 == length.b => libm::hypot(xy[0].value, xy[1].value),
-            (_, Place::InLink { base, xy }) if base.0 == length.a => libm::hypot(xy[0].value, xy[1].value),
-            (Place::Polar { base, length: l, .. }, _) if base.0 == length.b => l.value,
-            (_, Place::Polar { base, length: l, .. }) if base.0 == length.a => l.value,
+            (PointPlace::At(p), PointPlace::At(q)) => libm::hypot(q[0].value - p[0].value, q[1].value - p[1].value),
+            (PointPlace::InLink { base, xy }, _) if base.0 == length.b => libm::hypot(xy[0].value, xy[1].value),
+            (_, PointPlace::InLink { base, xy }) if base.0 == length.a => libm::hypot(xy[0].value, xy[1].value),
+            (PointPlace::Polar { base, length: l, .. }, _) if base.0 == length.b => l.value,
+            (_, PointPlace::Polar { base, length: l, .. }) if base.0 == length.a => l.value,
             _ => continue,
         };
         if !same(distance, length.value.value) {
@@ -166,7 +166,7 @@ pub(super) fn sketch(c: &Context, faults: &mut Faults) -> Vec<Option<[f64; 2]>> 
     for (word, xy) in &c.raw.sketch {
         let point = note(c.names.point(word), faults);
         // A sketch is rough: its bare numbers need no unit.
-        let rough = |q: &RawQuantity| match (q.bare, c.values.has_unit(Wanted::Length)) {
+        let rough = |q: &RawQuantity| match (q.bare, c.values.has_unit(RequiredQuantity::Length)) {
             (true, false) => {
                 RawQuantity { text: format!("{} {}", q.text, super::lengths::unit_shown(c).map_or("m", |u| u.name)), ..q.clone() }
             }

@@ -19,13 +19,13 @@ pub(super) struct Resolved {
 
 /// One side of a pair.
 #[derive(Clone, Copy)]
-struct Side {
+struct PairSide {
     link: LinkId,
     centre: Option<PointId>,
 }
 
 /// Resolves the rolling pairs; `first_guide` is the index of the next guide.
-pub(super) fn rolling(c: &Context, places: &[Place], lengths: &[Length], first_guide: usize, faults: &mut Faults) -> Resolved {
+pub(super) fn rolling(c: &Context, places: &[PointPlace], lengths: &[Length], first_guide: usize, faults: &mut Faults) -> Resolved {
     let mut out = Resolved::default();
     for (raw, at) in c.raw.rolling.iter().zip(c.contacts) {
         let mut found = Faults::default();
@@ -48,12 +48,12 @@ fn pair(
     c: &Context,
     raw: &RawRolling,
     at: [PointId; 2],
-    (places, lengths): (&[Place], &[Length]),
+    (places, lengths): (&[PointPlace], &[Length]),
     first_guide: usize,
     out: &mut Resolved,
     faults: &mut Faults,
 ) -> Option<Rolling> {
-    let sides: Vec<Option<Side>> = raw.sides.iter().map(|s| side(c, s, faults)).collect();
+    let sides: Vec<Option<PairSide>> = raw.sides.iter().map(|s| side(c, s, faults)).collect();
     // Whole turns of the phase count.
     let phase = raw.phase.as_ref().map(|q| c.values.angle_in_full(q, faults));
     let [Some(a), Some(b)] = sides[..] else { return None };
@@ -62,8 +62,9 @@ fn pair(
         faults.push(Diagnostic::error("rolling", message).at(raw.span).help(both!("name two links", "请写两个构件")));
         return None;
     }
-    let elsewhere =
-        |at: &PointId| !places.get(at.0).is_none_or(|p| matches!(p, Place::Unknown)) || c.names.links.iter().any(|l| l.points.contains(at));
+    let elsewhere = |at: &PointId| {
+        !places.get(at.0).is_none_or(|p| matches!(p, PointPlace::Unknown)) || c.names.links.iter().any(|l| l.points.contains(at))
+    };
     if let Some(&at) = at.iter().find(|at| elsewhere(at)) {
         let message = both!(
             "`{}` is the point of contact: it is found from the centres, and no link carries it",
@@ -83,7 +84,7 @@ fn pair(
         belts::taut(c, raw, (a.link, b.centre?), faults)?;
     }
     if let Some(q) = &raw.phase
-        && [a, b].iter().all(|side| stands(c, side.link, places))
+        && [a, b].iter().all(|side| angle_is_fixed(c, side.link, places))
     {
         let message = both!(
             "`phase` is given, but coordinates or a driver say how both wheels stand",
@@ -126,8 +127,8 @@ fn pair(
 
 /// Returns true if data other than the phase fix the angle of a link: it is the ground, two of its
 /// points have coordinates, or a driver gives its angle.
-fn stands(c: &Context, link: LinkId, places: &[Place]) -> bool {
-    let placed = c.names.links[link.0].points.iter().filter(|p| matches!(places[p.0], Place::At(_))).count();
+fn angle_is_fixed(c: &Context, link: LinkId, places: &[PointPlace]) -> bool {
+    let placed = c.names.links[link.0].points.iter().filter(|p| matches!(places[p.0], PointPlace::At(_))).count();
     let turned = c.raw.drivers.iter().any(|d| match &d.kind {
         RawDriverKind::Turn { link: word, angle, .. } => word.text == c.link_name(link) && angle.is_some(),
         RawDriverKind::Slide { .. } | RawDriverKind::Cylinder { .. } => false,
@@ -135,7 +136,7 @@ fn stands(c: &Context, link: LinkId, places: &[Place]) -> bool {
     link == c.ground || placed >= 2 || turned
 }
 
-fn side(c: &Context, raw: &RawRollingSide, faults: &mut Faults) -> Option<Side> {
+fn side(c: &Context, raw: &RawRollingSide, faults: &mut Faults) -> Option<PairSide> {
     let link = match &raw.link {
         Some(word) => note(c.names.link(word), faults)?,
         None => c.ground,
@@ -144,7 +145,7 @@ fn side(c: &Context, raw: &RawRollingSide, faults: &mut Faults) -> Option<Side> 
         None => None,
         Some(word) => Some(c.centre_on(word, link, both!("which carries the circle", "而圆在该构件上"), faults)?),
     };
-    Some(Side { link, centre })
+    Some(PairSide { link, centre })
 }
 
 /// Resolves a wheel on a straight track: its centre moves along the track.
@@ -152,7 +153,7 @@ fn straight(
     c: &Context,
     raw: &RawRolling,
     on: LinkId,
-    (wheel, places, guide): (PointId, &[Place], GuideId),
+    (wheel, places, guide): (PointId, &[PointPlace], GuideId),
     faults: &mut Faults,
 ) -> Option<(Contours, GuidePath)> {
     let ends = raw.line.as_ref().map(|word| note(c.line_on(word, on), faults));
@@ -170,7 +171,7 @@ fn straight(
             ([z], Some(module)) => {
                 let (z, module) = (whole(c, z, faults)?, c.values.positive_length(module, both!("the module", "模数"), faults)?);
                 let text = format!("({})*{z}/2", module.text);
-                Some(Given {
+                Some(GivenQuantity {
                     value: module.value * f64::from(z) / 2.0,
                     radius: module.radius * f64::from(z) + 1e-15 * module.value * f64::from(z),
                     text,
@@ -200,9 +201,9 @@ fn straight(
     }
     let (ends, angle, radius) = (transpose(ends)?, transpose(angle)?, radius?);
     let direction = match (ends, angle) {
-        (Some((a, b)), turned) => Direction::Along(a, b, turned),
-        (None, Some(angle)) => Direction::Instant(angle),
-        (None, None) if c.raw.extent.is_of_pairs() => Direction::Instant(sliding_angle(c, on, raw.span)),
+        (Some((a, b)), turned) => GuideDirection::Along(a, b, turned),
+        (None, Some(angle)) => GuideDirection::Instant(angle),
+        (None, None) if c.raw.extent.is_of_pairs() => GuideDirection::Instant(sliding_angle(c, on, raw.span)),
         (None, None) => {
             let d = Diagnostic::error(
                 "no-direction",
@@ -224,8 +225,10 @@ fn straight(
         // A wheel with coordinates fixes the position of its track; else the track is the line
         // itself.
         None => match &direction {
-            Direction::Along(from, _, None) if matches!(places[wheel.0], Place::Unknown) => (Through::Point(*from), Some(radius.clone())),
-            Direction::Along(..) | Direction::Instant(_) | Direction::Own | Direction::Slid(_) => (Through::Pin, None),
+            GuideDirection::Along(from, _, None) if matches!(places[wheel.0], PointPlace::Unknown) => {
+                (Through::Point(*from), Some(radius.clone()))
+            }
+            GuideDirection::Along(..) | GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => (Through::Pin, None),
         },
     };
     Some((Contours::Track { centre: wheel, radius, guide }, GuidePath::Line { through, direction, offset }))
@@ -233,10 +236,10 @@ fn straight(
 
 /// Returns the direction of a track without one, for a mobility count: that of the guide in
 /// which its link slides.
-fn sliding_angle(c: &Context, on: LinkId, span: Span) -> Given<Angle> {
+fn sliding_angle(c: &Context, on: LinkId, span: Span) -> GivenQuantity<Angle> {
     let mine = |g: &&RawGuide| g.slider.as_ref().is_some_and(|w| w.text == c.link_name(on));
     let told = c.raw.guides.iter().find(mine).and_then(|g| g.angle.as_ref()).and_then(|q| c.values.angle(q, &mut Faults::default()));
-    told.unwrap_or(Given { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span })
+    told.unwrap_or(GivenQuantity { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span })
 }
 
 /// Resolves two circles, and the radius about the first centre of the path of the second, if it
@@ -247,7 +250,7 @@ fn round(
     centres: [PointId; 2],
     guide: Option<GuideId>,
     faults: &mut Faults,
-) -> Option<(Contours, Option<Given>)> {
+) -> Option<(Contours, Option<GivenQuantity>)> {
     let through = raw.through.as_ref().map(|t| match t {
         RawThrough::At(_, span) => *span,
         RawThrough::Point(word) => word.span,
@@ -295,9 +298,9 @@ fn round(
                 Some(module) => {
                     c.values.positive_length(module, both!("the module", "模数"), faults)?;
                     let radius = |z: u32, q: &RawQuantity| {
-                        let m = c.values.si(module, Wanted::Length, &mut Faults::default())?;
+                        let m = c.values.si(module, RequiredQuantity::Length, &mut Faults::default())?;
                         let text = RawQuantity { text: format!("({})*{z}/2", m.text), span: q.span, bare: false };
-                        c.values.si(&text, Wanted::Length, &mut Faults::default())
+                        c.values.si(&text, RequiredQuantity::Length, &mut Faults::default())
                     };
                     let (ra, rb) = (radius(za, a)?, radius(zb, b)?);
                     let distance = sum(c, &ra, &rb, hollow);
@@ -325,26 +328,26 @@ fn larger(c: &Context, raw: &RawRolling, hollow: Option<usize>, sizes: [f64; 2],
 }
 
 /// Returns the distance of the centres from the radii.
-fn sum(c: &Context, a: &Given, b: &Given, hollow: Option<usize>) -> Option<Given> {
+fn sum(c: &Context, a: &GivenQuantity, b: &GivenQuantity, hollow: Option<usize>) -> Option<GivenQuantity> {
     let text = match hollow {
         None => format!("({})+({})", a.text, b.text),
         Some(0) => format!("({})-({})", a.text, b.text),
         Some(_) => format!("({})-({})", b.text, a.text),
     };
-    c.values.si(&RawQuantity { text, span: a.span, bare: false }, Wanted::Length, &mut Faults::default())
+    c.values.si(&RawQuantity { text, span: a.span, bare: false }, RequiredQuantity::Length, &mut Faults::default())
 }
 
 /// Returns the distance of two centres on one link, if neither coordinates nor a length give it.
 fn distance(
     c: &Context,
     [p, q]: [PointId; 2],
-    [a, b]: [&Given; 2],
+    [a, b]: [&GivenQuantity; 2],
     hollow: Option<usize>,
-    (places, lengths): (&[Place], &[Length]),
+    (places, lengths): (&[PointPlace], &[Length]),
 ) -> Option<Length> {
     let given = lengths.iter().any(|l| (l.a, l.b) == (p, q) || (l.a, l.b) == (q, p));
-    let placed = [p, q].iter().all(|p| matches!(places[p.0], Place::At(_)))
-        || [p, q].iter().any(|p| matches!(places[p.0], Place::InLink { .. } | Place::Polar { .. }));
+    let placed = [p, q].iter().all(|p| matches!(places[p.0], PointPlace::At(_)))
+        || [p, q].iter().any(|p| matches!(places[p.0], PointPlace::InLink { .. } | PointPlace::Polar { .. }));
     if given || placed {
         return None;
     }
@@ -388,7 +391,7 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
     let number = |q: &RawQuantity| {
         // Plain numbers are not in the table of units, so the number is read in metres.
         let text = RawQuantity { text: format!("({})*(1 m)", q.text), span: q.span, bare: false };
-        c.values.si(&text, Wanted::Length, &mut Faults::default()).map(|g| g.value).filter(|x| x.is_finite())
+        c.values.si(&text, RequiredQuantity::Length, &mut Faults::default()).map(|g| g.value).filter(|x| x.is_finite())
     };
     let mut part = |q: &Option<RawQuantity>, usual: f64, least: f64| match q {
         None => Some(usual),
@@ -425,7 +428,7 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
     }
     // Faults of the numbers of teeth are reported where the sizes are read.
     let teeth: Vec<u32> = teeth.iter().filter_map(|z| whole(c, z, &mut Faults::default())).collect();
-    let module = module.as_ref().and_then(|q| c.values.si(q, Wanted::Length, &mut Faults::default())).map(|g| g.value);
+    let module = module.as_ref().and_then(|q| c.values.si(q, RequiredQuantity::Length, &mut Faults::default())).map(|g| g.value);
     let shifts = shifts.into_iter().collect::<Option<Vec<f64>>>()?;
     let teeth = match teeth[..] {
         // A straight contour comes first.

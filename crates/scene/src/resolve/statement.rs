@@ -8,18 +8,18 @@ use super::*;
 use crate::book::Book;
 use crate::expr::is_name;
 use crate::statement::{Run, Statement};
-use crate::written::{Told, as_written};
+use crate::written::{QuantityText, as_written};
 use hodograph_base::kind::Kind;
 
 pub(super) fn statement(
     raw: &RawScene,
-    parameters: &[(String, Given)],
+    parameters: &[(String, GivenQuantity)],
     values: &Values,
     source: &str,
     faults: &mut Faults,
 ) -> Option<Statement> {
     let raw = raw.statement.as_ref()?;
-    let mut read = |word: &Word| Reader { parameters, values, word, source, faults }.text();
+    let mut read = |word: &Word| StatementReader { parameters, values, word, source, faults }.text();
     match (&raw.en, &raw.zh) {
         (Some(en), Some(zh)) if en.span == zh.span => Some(read(en)).map(|both| Statement { en: both.clone(), zh: both }),
         (Some(en), Some(zh)) => Some(Statement { en: read(en), zh: read(zh) }),
@@ -32,15 +32,15 @@ pub(super) fn statement(
 const DEEPEST: usize = 24;
 
 /// Reader of one text.
-struct Reader<'a, 'f> {
-    parameters: &'a [(String, Given)],
+struct StatementReader<'a, 'f> {
+    parameters: &'a [(String, GivenQuantity)],
     values: &'a Values<'a>,
     word: &'a Word,
     source: &'a str,
     faults: &'f mut Faults,
 }
 
-impl<'a> Reader<'a, '_> {
+impl<'a> StatementReader<'a, '_> {
     /// Returns its paragraphs, one per line.
     fn text(&mut self) -> Vec<Vec<Run>> {
         let text = &self.word.text;
@@ -150,9 +150,9 @@ impl<'a> Reader<'a, '_> {
         let dim = self.values.dim(name)?;
         let text = given.text.trim();
         let number = |value: f64| hodograph_base::digits::inked(&hodograph_base::digits::shortest(value));
-        let Some(kind) = Kind::ALL.into_iter().find(|kind| dim == Wanted::of(*kind).dim()) else {
+        let Some(kind) = Kind::ALL.into_iter().find(|kind| dim == RequiredQuantity::of(*kind).dim()) else {
             let bare = text.parse::<f64>().is_ok();
-            return Some(match (bare, dim == Wanted::ScaleOfLengths.dim()) {
+            return Some(match (bare, dim == RequiredQuantity::ScaleOfLengths.dim()) {
                 (true, _) => hodograph_base::digits::inked(text),
                 (false, true) => number(given.value),
                 (false, false) => format!("\\text{{{}}}", text.replace(['{', '}'], "")),
@@ -160,9 +160,9 @@ impl<'a> Reader<'a, '_> {
         };
         // As written, independent of the units of the answers.
         Some(match as_written(self.parameters, kind, text, given.value) {
-            Told::AsWritten(digits, unit) => unit.label(&hodograph_base::digits::inked(&digits.replace('E', "e"))),
-            Told::Computed(value, unit) => unit.label(&number(value)),
-            Told::Usual => {
+            QuantityText::AsWritten(digits, unit) => unit.label(&hodograph_base::digits::inked(&digits.replace('E', "e"))),
+            QuantityText::Computed(value, unit) => unit.label(&number(value)),
+            QuantityText::Usual => {
                 let book = Book::default();
                 book.label(kind, &number(book.value(kind, given.value)))
             }

@@ -146,7 +146,7 @@ fn free_centres_are_told() {
       "parameters": {"z": 20}, "driver": {"link": "4", "omega": "1 rad/s"}, "find": ["omega_2"]}"#;
     let scene = read(train).unwrap();
     let place = |name: &str| match &scene.value.points.iter().find(|p| p.name == name).unwrap().place {
-        Place::At([x, y]) => [x.value, y.value],
+        PointPlace::At([x, y]) => [x.value, y.value],
         other => panic!("{other:?}"),
     };
     // (20 + 21)/2 times 1 mm.
@@ -166,7 +166,7 @@ fn free_centres_are_told() {
         .replace("\"driver\": {\"link\": \"4\"", "\"driver\": {\"link\": \"2\", \"angle\": \"50 deg\"")
         .replace("omega_2\"]", "omega_4\"]");
     let scene = read(&arm).unwrap().value;
-    assert!(scene.points.iter().filter(|p| matches!(p.place, Place::At(_))).count() == 1);
+    assert!(scene.points.iter().filter(|p| matches!(p.place, PointPlace::At(_))).count() == 1);
     assert!((scene.lengths[0].value.value - 0.0205).abs() < 1e-15);
 }
 

@@ -2,15 +2,15 @@
 //! [`hodograph_mechanism::answer::evaluate`]. Questions without a [`Meaning`] have no kernel; the
 //! loop equations answer them.
 
-use super::{Compiler, NoKernel, Spot};
+use super::{Compiler, MovingPoint, NoKernel};
 use crate::carry::{Arm, Twist};
-use crate::extreme::Output;
-use crate::kernel::{Pair, Reg};
-use crate::reading::{Coriolis, Direction, Dot, Length, Part, Ratio, Sum};
+use crate::extreme::DrivenOutput;
+use crate::kernel::{Reg, RegPair};
+use crate::reading::{ComponentAlong, Coriolis, Dot, RateRatio, VectorDirection, VectorLength, WeightedSum};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
-use hodograph_mechanism::mechanism::{Joined, Level, joined};
-use hodograph_scene::quantity::{Meaning, Place, Split};
+use hodograph_mechanism::mechanism::{Level, PointJoint, joined};
+use hodograph_scene::quantity::{Meaning, Place, RelativeComponent};
 use hodograph_scene::{Asked, Axis, Driver, Find, GuideId, LinkId, OnLink, PointId};
 
 const P: Level = Level::Position;
@@ -22,7 +22,7 @@ impl Compiler<'_> {
     /// length.
     pub(super) fn answer(&mut self, find: &Find) -> Result<(), NoKernel> {
         let one = |c: &mut Self, reg: Reg| c.columns.push(reg);
-        let vector = |c: &mut Self, level: Level, v: Pair| c.vector_columns(level, v);
+        let vector = |c: &mut Self, level: Level, v: RegPair| c.vector_columns(level, v);
         let level = find.what.level();
         if let Asked::Force(force) = &find.what
             && let Some(what) = force.by_motion()
@@ -36,12 +36,12 @@ impl Compiler<'_> {
             }
             Meaning::Place(Place::LinkAngle(l)) => {
                 let v = self.line_of(l)?;
-                let angle = self.emit(P, Direction { v }, 1);
+                let angle = self.emit(P, VectorDirection { v }, 1);
                 one(self, angle)
             }
             Meaning::Place(Place::Distance(a, b)) => {
                 let v = self.line(a, b)?;
-                let length = self.emit(P, Length { v }, 1);
+                let length = self.emit(P, VectorLength { v }, 1);
                 one(self, length)
             }
             Meaning::Place(Place::Along(guide, ..)) => {
@@ -52,39 +52,39 @@ impl Compiler<'_> {
                 let v = self.vector(&p, level)?;
                 vector(self, level, v)
             }
-            Meaning::Relative(Split::Whole, a, b) => {
+            Meaning::Relative(RelativeComponent::Whole, a, b) => {
                 let v = self.relative(&a, &b, level)?;
                 vector(self, level, v)
             }
-            Meaning::Relative(Split::Sliding, a, b) if level == V => {
+            Meaning::Relative(RelativeComponent::Sliding, a, b) if level == V => {
                 self.no_cylinder(&a, &b, find)?;
                 let v = self.relative(&a, &b, V)?;
                 vector(self, V, v)
             }
-            Meaning::Relative(Split::Sliding, a, b) => {
+            Meaning::Relative(RelativeComponent::Sliding, a, b) => {
                 let (from, to) = (self.coriolis(&a, &b, find)?, self.relative(&a, &b, A)?);
                 let v = self.emit_pair(A, Arm { from, to });
                 vector(self, A, v)
             }
-            Meaning::Relative(Split::Along, a, b) => {
+            Meaning::Relative(RelativeComponent::Along, a, b) => {
                 self.no_cylinder(&a, &b, find)?;
                 let (u, v) = (self.line(b.point, a.point)?, self.relative(&a, &b, A)?);
-                let part = self.emit_pair(A, Part { u, v });
+                let part = self.emit_pair(A, ComponentAlong { u, v });
                 vector(self, A, part)
             }
-            Meaning::Relative(Split::Across, a, b) => {
+            Meaning::Relative(RelativeComponent::Across, a, b) => {
                 self.no_cylinder(&a, &b, find)?;
                 let (d, v) = (self.line(b.point, a.point)?, self.relative(&a, &b, A)?);
                 let u = self.emit_pair(P, Twist { d, k: [0.0, 1.0] });
-                let part = self.emit_pair(A, Part { u, v });
+                let part = self.emit_pair(A, ComponentAlong { u, v });
                 vector(self, A, part)
             }
-            Meaning::Relative(Split::Coriolis, a, b) => {
+            Meaning::Relative(RelativeComponent::Coriolis, a, b) => {
                 let v = self.coriolis(&a, &b, find)?;
                 vector(self, V, v)
             }
             // These have no kernel: the loop equations answer them.
-            Meaning::Relative(Split::SlidingNormal | Split::SlidingTangential, ..) | Meaning::Seen(..) => {
+            Meaning::Relative(RelativeComponent::SlidingNormal | RelativeComponent::SlidingTangential, ..) | Meaning::Seen(..) => {
                 return Err(no_kernel(find));
             }
             Meaning::Ratio(links, arm) => {
@@ -95,7 +95,7 @@ impl Compiler<'_> {
                 let size = self.at.extent();
                 let rate = |d: &Driver| d.rate.value.abs() / if d.kind.turns() { 1.0 } else { size };
                 let driven = self.scene.drivers.iter().map(rate).filter(|w| w.is_finite()).fold(0.0, f64::max);
-                let ratio = self.emit(V, Ratio { a, b, driven }, 1);
+                let ratio = self.emit(V, RateRatio { a, b, driven }, 1);
                 one(self, ratio)
             }
             Meaning::Turning(l, None) => {
@@ -111,19 +111,19 @@ impl Compiler<'_> {
     }
 
     /// Adds a vector's two components and its length.
-    pub(super) fn vector_columns(&mut self, level: Level, v: Pair) {
-        let length = self.emit(level, Length { v }, 1);
+    pub(super) fn vector_columns(&mut self, level: Level, v: RegPair) {
+        let length = self.emit(level, VectorLength { v }, 1);
         self.columns.extend([v.x, v.y, length]);
     }
 
     /// Adds position, rate and acceleration of an output.
-    pub(super) fn output(&mut self, output: Output) -> Result<(), NoKernel> {
+    pub(super) fn output(&mut self, output: DrivenOutput) -> Result<(), NoKernel> {
         let regs = match output {
-            Output::Turning(l) => {
+            DrivenOutput::Turning(l) => {
                 let v = self.line_of(l)?;
-                [self.emit(P, Direction { v }, 1), self.turning(l, V)?, self.turning(l, A)?]
+                [self.emit(P, VectorDirection { v }, 1), self.turning(l, V)?, self.turning(l, A)?]
             }
-            Output::Sliding(g) => {
+            DrivenOutput::Sliding(g) => {
                 let (way, u, runner) = self.along(g)?;
                 let (v, a) = (self.spot(runner, V)?, self.spot(runner, A)?);
                 [way, self.emit(V, Dot { u, v }, 1), self.emit(A, Dot { u, v: a }, 1)]
@@ -134,11 +134,11 @@ impl Compiler<'_> {
     }
 
     /// The coordinate of the runner along a straight guide, the guide's direction, and the runner.
-    fn along(&mut self, g: GuideId) -> Result<(Reg, Pair, Spot), NoKernel> {
+    fn along(&mut self, g: GuideId) -> Result<(Reg, RegPair, MovingPoint), NoKernel> {
         let guide = &self.scene.guides[g.0];
         let (slot, runner) = match (self.slot(g)?, guide.pin, guide.slider) {
-            (Some(slot), Some(p), _) => (slot, Spot::Pin(p)),
-            (Some(slot), None, Some(l)) => (slot, Spot::Own(l)),
+            (Some(slot), Some(p), _) => (slot, MovingPoint::Pin(p)),
+            (Some(slot), None, Some(l)) => (slot, MovingPoint::Own(l)),
             _ => return Err(self.lost(guide.on)),
         };
         let (from, to, u) = (slot.through, self.spot(runner, P)?, slot.direction);
@@ -146,31 +146,31 @@ impl Compiler<'_> {
         Ok((self.emit(P, Dot { u, v: way }, 1), u, runner))
     }
 
-    pub(super) fn vector(&mut self, p: &OnLink, level: Level) -> Result<Pair, NoKernel> {
+    pub(super) fn vector(&mut self, p: &OnLink, level: Level) -> Result<RegPair, NoKernel> {
         match p.link {
             None => self.point(p.point, level),
             Some(l) => self.carried(p.point, l, level),
         }
     }
 
-    fn relative(&mut self, a: &OnLink, b: &OnLink, level: Level) -> Result<Pair, NoKernel> {
+    fn relative(&mut self, a: &OnLink, b: &OnLink, level: Level) -> Result<RegPair, NoKernel> {
         let (to, from) = (self.vector(a, level)?, self.vector(b, level)?);
         Ok(self.emit_pair(level, Arm { from, to }))
     }
 
     fn relative_turning(&mut self, a: LinkId, b: LinkId, level: Level) -> Result<Reg, NoKernel> {
         let (a, b) = (self.turning(a, level)?, self.turning(b, level)?);
-        Ok(self.emit(level, Sum { a, b, k: -1.0 }, 1))
+        Ok(self.emit(level, WeightedSum { a, b, k: -1.0 }, 1))
     }
 
-    fn line(&mut self, from: PointId, to: PointId) -> Result<Pair, NoKernel> {
+    fn line(&mut self, from: PointId, to: PointId) -> Result<RegPair, NoKernel> {
         let (from, to) = (self.point(from, P)?, self.point(to, P)?);
         Ok(self.emit_pair(P, Arm { from, to }))
     }
 
     /// The line that defines a link's angle: from its first point to its second, else that of its
     /// guide, else its frame's axis.
-    fn line_of(&mut self, l: LinkId) -> Result<Pair, NoKernel> {
+    fn line_of(&mut self, l: LinkId) -> Result<RegPair, NoKernel> {
         if let [a, b, ..] = self.scene.links[l.0].points[..] {
             return self.line(a, b);
         }
@@ -185,7 +185,7 @@ impl Compiler<'_> {
             let guide = &self.scene.guides[g.0];
             return match (self.at.shapes.guides[g.0], guide.pin) {
                 (Some(hodograph_mechanism::position::Path::Arc { centre, .. }), Some(pin)) => {
-                    let (from, to) = (self.spot(Spot::Fixed(guide.on, centre), P)?, self.point(pin, P)?);
+                    let (from, to) = (self.spot(MovingPoint::Fixed(guide.on, centre), P)?, self.point(pin, P)?);
                     let d = self.emit_pair(P, Arm { from, to });
                     Ok(self.emit_pair(P, Twist { d, k: [0.0, 1.0] }))
                 }
@@ -216,9 +216,9 @@ impl Compiler<'_> {
 
     /// The acceleration 2 ω × v_r, with ω of the link that carries the guide between the two
     /// points.
-    fn coriolis(&mut self, a: &OnLink, b: &OnLink, find: &Find) -> Result<Pair, NoKernel> {
+    fn coriolis(&mut self, a: &OnLink, b: &OnLink, find: &Find) -> Result<RegPair, NoKernel> {
         let v = self.relative(a, b, V)?;
-        let Some(Joined::Guide(g)) = joined(self.scene, a, b) else { return Err(no_kernel(find)) };
+        let Some(PointJoint::Guide(g)) = joined(self.scene, a, b) else { return Err(no_kernel(find)) };
         let omega = self.turning(self.scene.guides[g.0].on, V)?;
         Ok(self.emit_pair(V, Coriolis { v, omega }))
     }
@@ -227,8 +227,8 @@ impl Compiler<'_> {
     /// answer them.
     fn no_cylinder(&self, a: &OnLink, b: &OnLink, find: &Find) -> Result<(), NoKernel> {
         match joined(self.scene, a, b) {
-            Some(Joined::Cylinder(_)) => Err(no_kernel(find)),
-            Some(Joined::Link(_) | Joined::Guide(_)) | None => Ok(()),
+            Some(PointJoint::Cylinder(_)) => Err(no_kernel(find)),
+            Some(PointJoint::Link(_) | PointJoint::Guide(_)) | None => Ok(()),
         }
     }
 }

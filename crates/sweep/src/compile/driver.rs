@@ -6,21 +6,21 @@
 //! driver's sense counts. A sweep that needs a quantity without an operation solves each position
 //! by itself.
 
-use super::rate::Row;
-use super::{Compiler, NoKernel, Spot};
-use crate::carry::{Along, Image, Product, Twist};
-use crate::kernel::{Kernel, Pair, Reg};
-use crate::led::{ByAngle, Faced, Higher, Lift, LiftRate, Parabola, Phase, Rock, RockRate, Stretch, Wave};
+use super::rate::LegCondition;
+use super::{Compiler, MovingPoint, NoKernel};
+use crate::carry::{Image, PointAlong, Product, Twist};
+use crate::kernel::{Kernel, Reg, RegPair};
+use crate::led::{ByAngle, CamPhase, Faced, Higher, Lift, LiftRate, Parabola, Rock, RockRate, Stretch, Wave};
 use crate::program::{COS, SIN, VALUE};
-use crate::reading::Sum;
+use crate::reading::WeightedSum;
 use crate::station::position_now;
-use crate::turns::{Quarters, Turned};
-use hodograph_base::cam::{Disc, Follower, Motion, Program as Law, Segment, Touch, Way};
+use crate::turns::{CosineSine, Quarters};
+use hodograph_base::cam::{CamMotion, Disc, Follower, FollowerTip, ProfileSegment, StageMotion, StageProgram as Law};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Path;
-use hodograph_scene::cams::Turning;
+use hodograph_scene::cams::TurningCam;
 use hodograph_scene::{GuideId, LinkId, PointId};
 
 const P: Level = Level::Position;
@@ -54,18 +54,18 @@ impl Rates {
 
 /// A follower led by a cam, in registers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Led {
-    place: Place,
+pub(super) struct LedFollower {
+    place: FollowerPlace,
     rates: [Reg; 2],
 }
 
 /// The position of a led follower.
 #[derive(Clone, Copy, Debug)]
-enum Place {
+enum FollowerPlace {
     /// Its coordinate along its guide.
     Way(Reg),
     /// The direction of its arm.
-    Direction(Pair),
+    Direction(RegPair),
 }
 
 impl Compiler<'_> {
@@ -76,19 +76,19 @@ impl Compiler<'_> {
             return Ok(VALUE);
         }
         match self.led(d)? {
-            Some(Led { place: Place::Way(reg), .. }) => Ok(reg),
+            Some(LedFollower { place: FollowerPlace::Way(reg), .. }) => Ok(reg),
             Some(_) => Err(self.not_led(d)),
             None => Ok(self.constant(self.values[d])),
         }
     }
 
     /// Cosine and sine of a driver's angle; with `arc`, of its travel along an arc of this radius.
-    pub(super) fn driver_turn(&mut self, d: usize, arc: Option<f64>) -> Result<Pair, NoKernel> {
+    pub(super) fn driver_turn(&mut self, d: usize, arc: Option<f64>) -> Result<RegPair, NoKernel> {
         if self.driver == Some(d) {
-            return Ok(Pair { x: COS, y: SIN });
+            return Ok(RegPair { x: COS, y: SIN });
         }
         match self.led(d)? {
-            Some(Led { place: Place::Direction(pair), .. }) => return Ok(pair),
+            Some(LedFollower { place: FollowerPlace::Direction(pair), .. }) => return Ok(pair),
             Some(_) => return Err(self.not_led(d)),
             None => {}
         }
@@ -124,7 +124,7 @@ impl Compiler<'_> {
     }
 
     /// The swept driver's angle in quarter turns, and its value at the instant.
-    pub(super) fn quarters(&mut self, driver: usize) -> (Pair, [f64; 2]) {
+    pub(super) fn quarters(&mut self, driver: usize) -> (RegPair, [f64; 2]) {
         if let Some(known) = self.trains.quarters {
             return known;
         }
@@ -137,24 +137,24 @@ impl Compiler<'_> {
     }
 
     /// A spot that a driver pushes along a guide of a known link.
-    pub(super) fn driven_along(&mut self, g: usize, p: Spot, guide: GuideId, driver: usize) -> Result<Pair, NoKernel> {
+    pub(super) fn driven_along(&mut self, g: usize, p: MovingPoint, guide: GuideId, driver: usize) -> Result<RegPair, NoKernel> {
         let on = self.scene.guides[guide.0].on;
         let rates = self.driver_rates(driver)?;
         if let Some(slot) = self.slot(guide)? {
             let s = self.driver_value(driver)?;
-            self.rows[g].push(Row::Guided { p, on, n: slot.normal, rates: Rates::NONE });
-            self.rows[g].push(Row::Guided { p, on, n: slot.direction, rates });
-            return Ok(self.emit_pair(P, Along { q: slot.through, t: slot.direction, s }));
+            self.rows[g].push(LegCondition::Guided { p, on, n: slot.normal, rates: Rates::NONE });
+            self.rows[g].push(LegCondition::Guided { p, on, n: slot.direction, rates });
+            return Ok(self.emit_pair(P, PointAlong { q: slot.through, t: slot.direction, s }));
         }
         let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else { return Err(self.without_kernel(g)) };
         let turn = self.driver_turn(driver, Some(radius))?;
         let axis = self.direction_on(on, Vec2::new(radius, 0.0))?;
         let arm = self.emit_pair(P, Product { a: turn, b: axis });
-        let o = self.spot(Spot::Fixed(on, centre), P)?;
+        let o = self.spot(MovingPoint::Fixed(on, centre), P)?;
         let tangent = self.emit_pair(P, Twist { d: arm, k: [0.0, 1.0 / radius] });
         let l = self.constant(radius);
-        self.rows[g].push(Row::Distance { p, far: Spot::Fixed(on, centre), l, rates: Rates::NONE, bar: false });
-        self.rows[g].push(Row::Guided { p, on, n: tangent, rates });
+        self.rows[g].push(LegCondition::Distance { p, far: MovingPoint::Fixed(on, centre), l, rates: Rates::NONE, bar: false });
+        self.rows[g].push(LegCondition::Guided { p, on, n: tangent, rates });
         Ok(self.emit_pair(P, Image { o, d: arm, k: [1.0, 0.0] }))
     }
 
@@ -168,7 +168,7 @@ impl Compiler<'_> {
         far: PointId,
         guide: GuideId,
         driver: usize,
-    ) -> Result<(Pair, Reg, Rates), NoKernel> {
+    ) -> Result<(RegPair, Reg, Rates), NoKernel> {
         let (Some(Path::Line { through, direction }), Some(pivot)) = (self.at.shapes.guides[guide.0], self.at.shapes.local(link, far))
         else {
             return Err(self.without_kernel(g));
@@ -176,9 +176,9 @@ impl Compiler<'_> {
         let start = (through - pivot).divide_by(direction);
         let s = self.driver_value(driver)?;
         let from = self.constant(start.x);
-        let way = self.emit(P, Sum { a: from, b: s, k: 1.0 }, 1);
+        let way = self.emit(P, WeightedSum { a: from, b: s, k: 1.0 }, 1);
         let side = self.constant(start.y);
-        let straight = Pair { x: way, y: side };
+        let straight = RegPair { x: way, y: side };
         let q = self.emit_pair(P, Twist { d: straight, k: [direction.x, direction.y] });
         Ok((q, way, Rates::Even(self.even_rates(driver)?)))
     }
@@ -190,20 +190,20 @@ impl Compiler<'_> {
     }
 
     /// A driver that is led by a cam on the swept one.
-    fn led(&mut self, d: usize) -> Result<Option<Led>, NoKernel> {
+    fn led(&mut self, d: usize) -> Result<Option<LedFollower>, NoKernel> {
         let scene = self.scene;
         if scene.is_on_a_course(d) {
             return Err(self.not_led(d));
         }
-        let led_by = |t: &&Turning| t.by_law == Some(d) && Some(t.driver) == self.driver;
+        let led_by = |t: &&TurningCam| t.by_law == Some(d) && Some(t.driver) == self.driver;
         let Some(turning) = scene.cams.iter().filter_map(|c| c.disc.as_ref()).find(led_by) else { return Ok(None) };
         if let Some((_, known)) = self.leds.iter().find(|(k, _)| *k == d) {
             return Ok(Some(*known));
         }
         let led = match &turning.disc.motion {
-            Motion::Law { base, program } => self.led_by_law(turning, turning.disc.rest(*base), program),
-            Motion::Profile(segments) if turning.start == 0.0 => self.led_by_pieces(turning, segments),
-            Motion::Profile(_) => return Err(self.not_led(d)),
+            CamMotion::Law { base, program } => self.led_by_law(turning, turning.disc.rest(*base), program),
+            CamMotion::Profile(segments) if turning.start == 0.0 => self.led_by_pieces(turning, segments),
+            CamMotion::Profile(_) => return Err(self.not_led(d)),
         };
         self.leds.push((d, led));
         Ok(Some(led))
@@ -211,13 +211,13 @@ impl Compiler<'_> {
 
     /// The angle of a cam from the beginning of its first stretch, shifted ahead to the side of
     /// junctions in the driver's sense, and the shift.
-    fn phase(&mut self, t: &Turning, first: f64, ahead: f64) -> (Reg, f64) {
+    fn phase(&mut self, t: &TurningCam, first: f64, ahead: f64) -> (Reg, f64) {
         let sense = t.disc.sense * t.way;
         let backward = self.given_rates(t.driver)[0] * sense < 0.0;
         let ahead = if backward { -ahead } else { ahead };
         let (quarters, _) = self.quarters(t.driver);
         let start = t.disc.sense * (t.start - t.from) + first - ahead;
-        (self.emit(P, Phase { quarters, sense, start }, 1), ahead)
+        (self.emit(P, CamPhase { quarters, sense, start }, 1), ahead)
     }
 
     /// Four numbers of the stretch at the cam's angle; `stretches` gives each with the angle at
@@ -237,7 +237,7 @@ impl Compiler<'_> {
     }
 
     /// A follower led by a profile of arcs and lines.
-    fn led_by_pieces(&mut self, t: &Turning, segments: &[Segment]) -> Led {
+    fn led_by_pieces(&mut self, t: &TurningCam, segments: &[ProfileSegment]) -> LedFollower {
         let stretches = t.disc.stretches();
         let first = stretches[0].0;
         let numbers = |piece: Option<usize>| piece.map_or([f64::NAN; 4], |i| numbers(&t.disc, &segments[i]));
@@ -245,40 +245,40 @@ impl Compiler<'_> {
         let at = if table.len() > 1 { self.phase(t, first, AHEAD[0]).0 } else { VALUE };
         let piece = self.of_stretch(at, &table);
         let (turn, way) = if t.is_drivers_own() {
-            (Pair { x: COS, y: SIN }, t.way)
+            (RegPair { x: COS, y: SIN }, t.way)
         } else {
             let (quarters, _) = self.quarters(t.driver);
-            let angle = self.emit(P, Phase { quarters, sense: t.way, start: -t.from }, 1);
-            (self.emit_pair(P, Turned { angle }), 1.0)
+            let angle = self.emit(P, CamPhase { quarters, sense: t.way, start: -t.from }, 1);
+            (self.emit_pair(P, CosineSine { angle }), 1.0)
         };
         let rates = self.given_rates(t.driver).map(|rate| t.way * rate);
         let two = |first: Reg| [first, Reg(first.0 + 1)];
         match (t.disc.follower, t.disc.touch) {
-            (Follower::Translating { direction, offset }, Touch::Point { .. }) => {
+            (Follower::Translating { direction, offset }, FollowerTip::Point { .. }) => {
                 let out = self.emit(P, Lift { piece, turn, way, direction, offset, origin: t.origin, out: t.outward }, 5);
                 let lift = std::array::from_fn(|i| Reg(out.0 + 1 + i as u32));
                 let rate = self.emit(V, LiftRate { lift, a: piece[0], direction, offset, rates, out: t.outward }, 2);
-                Led { place: Place::Way(out), rates: two(rate) }
+                LedFollower { place: FollowerPlace::Way(out), rates: two(rate) }
             }
-            (Follower::Translating { direction, .. }, Touch::Flat { .. }) => {
+            (Follower::Translating { direction, .. }, FollowerTip::Flat { .. }) => {
                 let out = self.emit(P, Faced { piece, turn, way, direction, origin: t.origin, rates, out: t.outward }, 3);
-                Led { place: Place::Way(out), rates: two(Reg(out.0 + 1)) }
+                LedFollower { place: FollowerPlace::Way(out), rates: two(Reg(out.0 + 1)) }
             }
             (Follower::Oscillating { pivot, arm, sense }, touch) => {
                 let (m, pivot, sign) = match touch {
-                    Touch::Point { .. } => (pivot * (2.0 * arm), pivot * (-1.0 / arm), -sense),
-                    Touch::Flat { .. } => (pivot.perp() * sense, Vec2::ZERO, sense),
+                    FollowerTip::Point { .. } => (pivot * (2.0 * arm), pivot * (-1.0 / arm), -sense),
+                    FollowerTip::Flat { .. } => (pivot.perp() * sense, Vec2::ZERO, sense),
                 };
                 let out = self.emit(P, Rock { piece, turn, way, m, pivot, sign }, 5);
                 let rock = std::array::from_fn(|i| Reg(out.0 + i as u32));
                 let rate = self.emit(V, RockRate { rock, h: piece[3], pivot, rates }, 2);
-                Led { place: Place::Direction(Pair { x: rock[0], y: rock[1] }), rates: two(rate) }
+                LedFollower { place: FollowerPlace::Direction(RegPair { x: rock[0], y: rock[1] }), rates: two(rate) }
             }
         }
     }
 
     /// A follower led by a law, from its place on the base circle.
-    fn led_by_law(&mut self, t: &Turning, rest: f64, law: &Law) -> Led {
+    fn led_by_law(&mut self, t: &TurningCam, rest: f64, law: &Law) -> LedFollower {
         let (at, ahead) = self.phase(t, 0.0, AHEAD[1]);
         let table = Terms::of(law, t.origin + t.outward * rest, t.outward);
         let group = |k: usize| -> Vec<(f64, [f64; 4])> { table.iter().map(|s| (s.from, s.groups[k])).collect() };
@@ -296,33 +296,35 @@ impl Compiler<'_> {
         let rates = self.given_rates(t.driver).map(|rate| sense * rate);
         let rate = self.emit(V, ByAngle { low, rates }, 2);
         let place = match t.disc.follower {
-            Follower::Translating { .. } => Place::Way(low),
-            Follower::Oscillating { .. } => Place::Direction(self.emit_pair(P, Turned { angle: low })),
+            Follower::Translating { .. } => FollowerPlace::Way(low),
+            Follower::Oscillating { .. } => FollowerPlace::Direction(self.emit_pair(P, CosineSine { angle: low })),
         };
-        Led { place, rates: [rate, Reg(rate.0 + 1)] }
+        LedFollower { place, rates: [rate, Reg(rate.0 + 1)] }
     }
 }
 
 /// The numbers of a piece that the operation for this kind of follower reads.
-fn numbers(disc: &Disc, segment: &Segment) -> [f64; 4] {
+fn numbers(disc: &Disc, segment: &ProfileSegment) -> [f64; 4] {
     let [a, x, y, h] = match (*segment, disc.touch) {
-        (Segment::Arc { centre, radius, .. }, Touch::Point { radius: r }) => {
+        (ProfileSegment::Arc { centre, radius, .. }, FollowerTip::Point { radius: r }) => {
             let l = radius + r;
             let (g, far) = (centre * (1.0 / l), centre.norm());
             [0.5 / l, g.x, g.y, (far - l) * (far + l) * (0.5 / l)]
         }
-        (Segment::Line { normal, distance, .. }, Touch::Point { radius: r }) => {
+        (ProfileSegment::Line { normal, distance, .. }, FollowerTip::Point { radius: r }) => {
             let n = Vec2::from_angle(normal);
             [0.0, -n.x, -n.y, -(distance + r)]
         }
-        (Segment::Arc { centre, radius, .. }, Touch::Flat { .. }) if radius >= 0.0 => [1.0, centre.x, centre.y, radius],
+        (ProfileSegment::Arc { centre, radius, .. }, FollowerTip::Flat { .. }) if radius >= 0.0 => [1.0, centre.x, centre.y, radius],
         // A face touches neither concave flanks nor lines.
-        (Segment::Arc { .. } | Segment::Line { .. }, Touch::Flat { .. }) => [f64::NAN; 4],
+        (ProfileSegment::Arc { .. } | ProfileSegment::Line { .. }, FollowerTip::Flat { .. }) => [f64::NAN; 4],
     };
     match (disc.follower, disc.touch) {
         (Follower::Translating { .. }, _) => [a, x, y, h],
-        (Follower::Oscillating { pivot, arm, .. }, Touch::Point { .. }) => [a, -arm * x, -arm * y, -h - a * (pivot.norm2() + arm * arm)],
-        (Follower::Oscillating { sense, .. }, Touch::Flat { lever }) => [a, sense * y, -sense * x, lever - h],
+        (Follower::Oscillating { pivot, arm, .. }, FollowerTip::Point { .. }) => {
+            [a, -arm * x, -arm * y, -h - a * (pivot.norm2() + arm * arm)]
+        }
+        (Follower::Oscillating { sense, .. }, FollowerTip::Flat { lever }) => [a, sense * y, -sense * x, lever - h],
     }
 }
 
@@ -344,8 +346,8 @@ impl Terms {
             let still = base + outward * lift;
             let gain = outward * stage.gain();
             match stage.way {
-                Way::Dwell => out.push(Terms { from: start, groups: [[start, still, 0.0, 0.0], [0.0; 4], [0.0; 4]] }),
-                Way::Rise(_, kind) | Way::Return(_, kind) => {
+                StageMotion::Dwell => out.push(Terms { from: start, groups: [[start, still, 0.0, 0.0], [0.0; 4], [0.0; 4]] }),
+                StageMotion::Rise(_, kind) | StageMotion::Return(_, kind) => {
                     let mut from = start;
                     for piece in kind.pieces() {
                         let mut c = [0.0; 8];

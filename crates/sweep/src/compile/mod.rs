@@ -23,19 +23,19 @@ mod turn;
 mod work;
 
 use super::carry::{Image, Twist};
-use super::extreme::Output;
-use super::follow::triad::Track;
-use super::kernel::{Pair, Reg};
-use super::program::{Joint, Op, Program, SIN, Step};
+use super::extreme::DrivenOutput;
+use super::follow::triad::LinkTrack;
+use super::kernel::{Reg, RegPair};
+use super::program::{Joint, Op, ProgramStep, SIN, SweepProgram};
 use super::station::driver_positions;
-use super::train::Train;
+use super::train::AngleTrain;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::mechanism::{Level, Mechanism};
 use hodograph_mechanism::position::kernel::power_of_two_scale;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::{Find, GuideId, LinkId, PointId, RollingId, Scene};
-use rate::Row;
+use rate::LegCondition;
 use rolling::Trains;
 
 /// The reason why a scene is not compiled: the group that has no kernel.
@@ -46,7 +46,7 @@ pub type NoKernel = Diagnostic;
 ///
 /// # Errors
 /// The group that has no kernel.
-pub fn compile(scene: &Scene, m: &Mechanism, at: &Configuration, driver: Option<usize>, find: &[Find]) -> Result<Program, NoKernel> {
+pub fn compile(scene: &Scene, m: &Mechanism, at: &Configuration, driver: Option<usize>, find: &[Find]) -> Result<SweepProgram, NoKernel> {
     let mut c = Compiler::new(scene, m, at, driver);
     find.iter().try_for_each(|f| c.answer(f))?;
     Ok(c.finish())
@@ -57,7 +57,13 @@ pub fn compile(scene: &Scene, m: &Mechanism, at: &Configuration, driver: Option<
 ///
 /// # Errors
 /// The group that has no kernel.
-pub fn outputs(scene: &Scene, m: &Mechanism, at: &Configuration, driver: usize, outputs: &[Output]) -> Result<Program, NoKernel> {
+pub fn outputs(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    driver: usize,
+    outputs: &[DrivenOutput],
+) -> Result<SweepProgram, NoKernel> {
     let mut c = Compiler::new(scene, m, at, Some(driver));
     for g in 0..m.groups.len() {
         c.group(g, Level::Position)?;
@@ -80,14 +86,14 @@ pub fn places(
     driver: usize,
     points: &[PointId],
     links: &[LinkId],
-) -> Result<Program, NoKernel> {
+) -> Result<SweepProgram, NoKernel> {
     let mut c = Compiler::new(scene, m, at, Some(driver));
     let mut pairs = Vec::new();
     for p in points {
         pairs.push(c.point(*p, Level::Position)?);
     }
     for l in links {
-        pairs.push(c.spot(Spot::Fixed(*l, Point::ORIGIN), Level::Position)?);
+        pairs.push(c.spot(MovingPoint::Fixed(*l, Point::ORIGIN), Level::Position)?);
         pairs.push(c.direction_on(*l, Vec2::new(1.0, 0.0))?);
     }
     c.columns.extend(pairs.into_iter().flat_map(|v| [v.x, v.y]));
@@ -96,7 +102,7 @@ pub fn places(
 
 /// A moving point: a pin, a link's own point, or another point fixed in a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Spot {
+pub(super) enum MovingPoint {
     /// A pin.
     Pin(PointId),
     /// The reference point of a link.
@@ -107,9 +113,9 @@ pub(super) enum Spot {
 
 /// The reference of a link: its own point and its arm.
 #[derive(Clone, Debug)]
-struct Body {
+struct LinkReference {
     /// The point whose motion describes the link.
-    origin: Spot,
+    origin: MovingPoint,
     /// The own point in the link's frame.
     at: Point,
     /// The arm in the link's frame.
@@ -117,9 +123,9 @@ struct Body {
     /// The two pins between which the arm extends; `None` if the angular velocity is known instead.
     between: Option<(PointId, PointId)>,
     /// Own point, its velocity and acceleration, if it is not a pin.
-    own: [Option<Pair>; 3],
+    own: [Option<RegPair>; 3],
     /// The arm and its rates.
-    arm: [Option<Pair>; 3],
+    arm: [Option<RegPair>; 3],
     /// The angular velocity and acceleration (index 0 and 1).
     turning: [Option<Reg>; 2],
 }
@@ -127,9 +133,9 @@ struct Body {
 /// A guide in the plane.
 #[derive(Clone, Copy)]
 struct Slot {
-    through: Pair,
-    direction: Pair,
-    normal: Pair,
+    through: RegPair,
+    direction: RegPair,
+    normal: RegPair,
 }
 
 pub(super) struct Compiler<'a> {
@@ -142,21 +148,21 @@ pub(super) struct Compiler<'a> {
     /// A power of two near the size of the mechanism: arms without a length of their own get this
     /// one.
     unit: f64,
-    steps: [Vec<Step>; 3],
+    steps: [Vec<ProgramStep>; 3],
     constants: Vec<(Reg, f64)>,
     registers: u32,
     columns: Vec<Reg>,
     joints: Vec<Joint>,
-    tracks: Vec<Track>,
-    points: Vec<[Option<Pair>; 3]>,
-    bodies: Vec<Option<Body>>,
+    tracks: Vec<LinkTrack>,
+    points: Vec<[Option<RegPair>; 3]>,
+    bodies: Vec<Option<LinkReference>>,
     slots: Vec<Option<Slot>>,
     /// The level up to which each group is compiled.
     done: Vec<Option<Level>>,
-    rows: Vec<Vec<Row>>,
+    rows: Vec<Vec<LegCondition>>,
     trains: Trains,
     /// Followers led by cams.
-    leds: Vec<(usize, driver::Led)>,
+    leds: Vec<(usize, driver::LedFollower)>,
 }
 
 impl<'a> Compiler<'a> {
@@ -180,14 +186,14 @@ impl<'a> Compiler<'a> {
             slots: vec![None; scene.guides.len()],
             done: vec![None; m.groups.len()],
             rows: vec![Vec::new(); m.groups.len()],
-            trains: Trains::new(Train::of(scene, m, at)),
+            trains: Trains::new(AngleTrain::of(scene, m, at)),
             leds: Vec::new(),
         };
         let zero = c.zero();
-        let still = Pair { x: zero, y: zero };
-        let x = Pair { x: c.constant(1.0), y: zero };
-        c.bodies[scene.ground.0] = Some(Body {
-            origin: Spot::Own(scene.ground),
+        let still = RegPair { x: zero, y: zero };
+        let x = RegPair { x: c.constant(1.0), y: zero };
+        c.bodies[scene.ground.0] = Some(LinkReference {
+            origin: MovingPoint::Own(scene.ground),
             at: Point::ORIGIN,
             d: Vec2::new(1.0, 0.0),
             between: None,
@@ -201,10 +207,10 @@ impl<'a> Compiler<'a> {
         c
     }
 
-    fn finish(self) -> Program {
+    fn finish(self) -> SweepProgram {
         let own = self.bodies.iter().flatten().map(|b| b.own);
         let motions = self.points.iter().copied().chain(own).filter(|m| m[0].is_some()).collect();
-        Program {
+        SweepProgram {
             motions,
             runs: Default::default(),
             steps: self.steps,
@@ -257,23 +263,23 @@ impl<'a> Compiler<'a> {
         self.constant(0.0)
     }
 
-    fn fixed(&mut self, v: Vec2) -> Pair {
-        Pair { x: self.constant(v.x), y: self.constant(v.y) }
+    fn fixed(&mut self, v: Vec2) -> RegPair {
+        RegPair { x: self.constant(v.x), y: self.constant(v.y) }
     }
 
     /// Adds an operation that fills `n` registers.
     fn emit(&mut self, level: Level, op: impl Into<Op>, n: u32) -> Reg {
         let out = self.take(n);
-        self.steps[level as usize].push(Step { op: op.into(), out });
+        self.steps[level as usize].push(ProgramStep { op: op.into(), out });
         out
     }
 
-    fn emit_pair(&mut self, level: Level, op: impl Into<Op>) -> Pair {
+    fn emit_pair(&mut self, level: Level, op: impl Into<Op>) -> RegPair {
         let out = self.emit(level, op, 2);
-        Pair { x: out, y: Reg(out.0 + 1) }
+        RegPair { x: out, y: Reg(out.0 + 1) }
     }
 
-    fn body(&mut self, l: LinkId) -> Result<&Body, NoKernel> {
+    fn body(&mut self, l: LinkId) -> Result<&LinkReference, NoKernel> {
         if self.bodies[l.0].is_none()
             && let Some(g) = self.m.group_of_link[l.0]
         {
@@ -296,7 +302,7 @@ impl<'a> Compiler<'a> {
     }
 
     /// A point of the scene: position, velocity or acceleration.
-    pub(super) fn point(&mut self, p: PointId, level: Level) -> Result<Pair, NoKernel> {
+    pub(super) fn point(&mut self, p: PointId, level: Level) -> Result<RegPair, NoKernel> {
         if let Some(pair) = self.points[p.0][level as usize] {
             return Ok(pair);
         }
@@ -316,16 +322,16 @@ impl<'a> Compiler<'a> {
             let message = both!("point {} has no compiled form", "点 {} 不能预编译，逐位置求解（较慢）", self.scene.point_name(p));
             return Err(Diagnostic::note("no-kernel", message));
         };
-        let pair = self.spot(Spot::Fixed(l, local), level)?;
+        let pair = self.spot(MovingPoint::Fixed(l, local), level)?;
         self.points[p.0][level as usize] = Some(pair);
         Ok(pair)
     }
 
     /// The position, velocity or acceleration of any spot.
-    pub(super) fn spot(&mut self, spot: Spot, level: Level) -> Result<Pair, NoKernel> {
+    pub(super) fn spot(&mut self, spot: MovingPoint, level: Level) -> Result<RegPair, NoKernel> {
         match spot {
-            Spot::Pin(p) => self.point(p, level),
-            Spot::Own(l) => {
+            MovingPoint::Pin(p) => self.point(p, level),
+            MovingPoint::Own(l) => {
                 let origin = self.body(l)?.origin;
                 if origin != spot {
                     return self.spot(origin, level);
@@ -334,7 +340,7 @@ impl<'a> Compiler<'a> {
                 let own = self.bodies[l.0].as_ref().and_then(|b| b.own[level as usize]);
                 own.ok_or_else(|| self.lost(l))
             }
-            Spot::Fixed(l, local) => {
+            MovingPoint::Fixed(l, local) => {
                 if l == self.scene.ground {
                     return Ok(match level {
                         Level::Position => self.fixed(local.to_vec2()),
@@ -344,28 +350,28 @@ impl<'a> Compiler<'a> {
                 let body = self.body(l)?;
                 let k = (local - body.at).divide_by(body.d);
                 if k == Vec2::ZERO {
-                    return self.spot(Spot::Own(l), level);
+                    return self.spot(MovingPoint::Own(l), level);
                 }
                 if let (true, Some((_, near))) = (k == Vec2::new(1.0, 0.0), body.between) {
                     return self.point(near, level);
                 }
-                let (o, d) = (self.spot(Spot::Own(l), level)?, self.arm(l, level)?);
+                let (o, d) = (self.spot(MovingPoint::Own(l), level)?, self.arm(l, level)?);
                 Ok(self.emit_pair(level, Image { o, d, k: [k.x, k.y] }))
             }
         }
     }
 
     /// The position of a spot at the instant.
-    fn now(&self, spot: Spot) -> Point {
+    fn now(&self, spot: MovingPoint) -> Point {
         let nowhere = Point::new(f64::NAN, f64::NAN);
         match spot {
-            Spot::Pin(p) => self.at.points[p.0].unwrap_or(nowhere),
-            Spot::Own(l) => match &self.bodies[l.0] {
-                Some(b) if b.origin == spot => self.now(Spot::Fixed(l, b.at)),
+            MovingPoint::Pin(p) => self.at.points[p.0].unwrap_or(nowhere),
+            MovingPoint::Own(l) => match &self.bodies[l.0] {
+                Some(b) if b.origin == spot => self.now(MovingPoint::Fixed(l, b.at)),
                 Some(b) => self.now(b.origin),
                 None => nowhere,
             },
-            Spot::Fixed(l, local) => self.at.poses[l.0].map_or(nowhere, |pose| pose.to_world(local)),
+            MovingPoint::Fixed(l, local) => self.at.poses[l.0].map_or(nowhere, |pose| pose.to_world(local)),
         }
     }
 
@@ -378,7 +384,7 @@ impl<'a> Compiler<'a> {
     }
 
     /// A direction fixed in a link, in the plane.
-    fn direction_on(&mut self, l: LinkId, local: Vec2) -> Result<Pair, NoKernel> {
+    fn direction_on(&mut self, l: LinkId, local: Vec2) -> Result<RegPair, NoKernel> {
         if l == self.scene.ground {
             return Ok(self.fixed(local));
         }
@@ -394,7 +400,7 @@ impl<'a> Compiler<'a> {
         {
             let on = self.scene.guides[g.0].on;
             let slot = Slot {
-                through: self.spot(Spot::Fixed(on, through), Level::Position)?,
+                through: self.spot(MovingPoint::Fixed(on, through), Level::Position)?,
                 direction: self.direction_on(on, direction)?,
                 normal: self.direction_on(on, direction.perp())?,
             };

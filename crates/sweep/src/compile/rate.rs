@@ -2,11 +2,11 @@
 //! the rows.
 
 use super::driver::Rates;
-use super::{Compiler, NoKernel, Spot};
-use crate::carry::{Along, Arm, Turning};
-use crate::kernel::{Pair, Reg};
+use super::{Compiler, MovingPoint, NoKernel};
+use crate::carry::{Arm, ArmTurning, PointAlong};
+use crate::kernel::{Reg, RegPair};
 use crate::program::Op;
-use crate::reading::{Dot, Sum};
+use crate::reading::{Dot, WeightedSum};
 use crate::rows::{Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::{Core, Level};
@@ -15,20 +15,20 @@ use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
 /// The condition of a leg on the motion of a group's core. Rates are those of a driver, or zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Row {
+pub(super) enum LegCondition {
     /// A pin on a known link.
-    Carried { at: Spot },
+    Carried { at: MovingPoint },
     /// `p` keeps the distance `l` from `far`; two rows with `bar` make the RRR dyad.
-    Distance { p: Spot, far: Spot, l: Reg, rates: Rates, bar: bool },
+    Distance { p: MovingPoint, far: MovingPoint, l: Reg, rates: Rates, bar: bool },
     /// `p` moves at a rate along `n`, fixed in a known link.
-    Guided { p: Spot, on: LinkId, n: Pair, rates: Rates },
+    Guided { p: MovingPoint, on: LinkId, n: RegPair, rates: Rates },
     /// A slot of the core link, square to `n`, runs over a known point.
-    Slot { link: LinkId, over: Spot, n: Pair },
+    Slot { link: LinkId, over: MovingPoint, n: RegPair },
     /// The core link turns relative to a known one at a rate.
     Turning { of: LinkId, rates: Rates },
     /// The core link rolls on a known one: at the contact both have one velocity along `n`, and
     /// equal components of their accelerations along it.
-    Rolled { pair: RollingId, other: LinkId, n: Pair },
+    Rolled { pair: RollingId, other: LinkId, n: RegPair },
     /// A link pinned at `far`, along whose guide a driver pushes the core pin: it follows.
     Ram { link: LinkId, far: PointId, pin: PointId, guide: GuideId, driver: usize },
 }
@@ -66,10 +66,10 @@ impl Compiler<'_> {
     fn pin_at(&mut self, g: usize, pin: PointId, level: Level) -> Result<(), NoKernel> {
         // The rows are put back below: nothing else needs the rows of a group while it is solved.
         let rows = std::mem::take(&mut self.rows[g]);
-        let mut solved = rows.iter().filter(|r| !matches!(r, Row::Ram { .. }));
+        let mut solved = rows.iter().filter(|r| !matches!(r, LegCondition::Ram { .. }));
         let pair = match (solved.next(), solved.next(), solved.next()) {
-            (Some(Row::Carried { at }), None, _) => self.spot(*at, level)?,
-            (Some(Row::Distance { far: a, bar: true, .. }), Some(Row::Distance { far: b, bar: true, .. }), None) => {
+            (Some(LegCondition::Carried { at }), None, _) => self.spot(*at, level)?,
+            (Some(LegCondition::Distance { far: a, bar: true, .. }), Some(LegCondition::Distance { far: b, bar: true, .. }), None) => {
                 self.two_bars(g, pin, *a, *b, level)?
             }
             (Some(first), Some(second), None) => match self.led_on_ground(first, second, level) {
@@ -84,7 +84,7 @@ impl Compiler<'_> {
         };
         self.points[pin.0][level as usize] = Some(pair);
         for row in &rows {
-            if let Row::Ram { link, far, pin, guide, driver } = *row {
+            if let LegCondition::Ram { link, far, pin, guide, driver } = *row {
                 let turning = self.turning_of_ram(link, far, pin, guide, driver, level)?;
                 if let Some(body) = &mut self.bodies[link.0] {
                     body.turning[level as usize - 1] = Some(turning);
@@ -96,14 +96,14 @@ impl Compiler<'_> {
     }
 
     /// The RRR dyad, in one operation for each effect.
-    fn two_bars(&mut self, g: usize, pin: PointId, a: Spot, b: Spot, level: Level) -> Result<Pair, NoKernel> {
+    fn two_bars(&mut self, g: usize, pin: PointId, a: MovingPoint, b: MovingPoint, level: Level) -> Result<RegPair, NoKernel> {
         let joint = self.joints.iter().find(|j| j.group == g).ok_or_else(|| self.without_kernel(g))?;
         let det = Reg(self.steps[P as usize][joint.step].out.0 + 2);
         let bars =
             Bars { c: self.point(pin, P)?, a: self.spot(a, P)?, b: self.spot(b, P)?, va: self.spot(a, V)?, vb: self.spot(b, V)?, det };
         if level == V {
             let out = self.emit(V, bars, 3);
-            return Ok(Pair { x: out, y: Reg(out.0 + 1) });
+            return Ok(RegPair { x: out, y: Reg(out.0 + 1) });
         }
         let vc = self.point(pin, V)?;
         let (aa, ab) = (self.spot(a, A)?, self.spot(b, A)?);
@@ -114,8 +114,8 @@ impl Compiler<'_> {
     /// acceleration.
     fn link_at(&mut self, g: usize, link: LinkId, level: Level) -> Result<(), NoKernel> {
         let rows = self.rows[g].clone();
-        let turned = rows.iter().find_map(|r| if let Row::Turning { of, rates } = r { Some((*of, *rates)) } else { None });
-        let held: Vec<Row> = rows.into_iter().filter(|r| !matches!(r, Row::Turning { .. })).collect();
+        let turned = rows.iter().find_map(|r| if let LegCondition::Turning { of, rates } = r { Some((*of, *rates)) } else { None });
+        let held: Vec<LegCondition> = rows.into_iter().filter(|r| !matches!(r, LegCondition::Turning { .. })).collect();
         let slot = level as usize - 1;
         if let Some((of, rates)) = turned {
             let turning = self.turned(of, rates, level)?;
@@ -135,7 +135,7 @@ impl Compiler<'_> {
             let (n, r, c) = self.row(&only, Some(link), level)?;
             let r = r.ok_or_else(|| self.without_kernel(g))?;
             let c = self.without_centripetal(link, n, r, c, level)?;
-            let v = self.spot(Spot::Own(link), level)?;
+            let v = self.spot(MovingPoint::Own(link), level)?;
             let turning = self.emit(level, TurnOf { n, r, c, v }, 1);
             self.set_turning(link, slot, turning);
         } else if let [first, second, third] = held[..] {
@@ -147,14 +147,14 @@ impl Compiler<'_> {
             }
             let rows = [three[0], three[1], three[2]];
             let out = self.emit(level, Three { rows }, 3);
-            self.set_own(link, level, Pair { x: out, y: Reg(out.0 + 1) });
+            self.set_own(link, level, RegPair { x: out, y: Reg(out.0 + 1) });
             self.set_turning(link, slot, Reg(out.0 + 2));
         } else {
             return Err(self.without_kernel(g));
         }
         for &p in &self.m.groups[g].pins.clone() {
             let local = self.at.shapes.local(link, p).ok_or_else(|| self.without_kernel(g))?;
-            self.points[p.0][level as usize] = Some(self.spot(Spot::Fixed(link, local), level)?);
+            self.points[p.0][level as usize] = Some(self.spot(MovingPoint::Fixed(link, local), level)?);
         }
         Ok(())
     }
@@ -165,7 +165,7 @@ impl Compiler<'_> {
         }
     }
 
-    fn set_own(&mut self, link: LinkId, level: Level, own: Pair) {
+    fn set_own(&mut self, link: LinkId, level: Level, own: RegPair) {
         if let Some(body) = &mut self.bodies[link.0] {
             body.own[level as usize] = Some(own);
         }
@@ -179,28 +179,30 @@ impl Compiler<'_> {
         }
         let base = self.turning(of, level)?;
         match led {
-            Some(led) => Ok(self.emit(level, Sum { a: base, b: led, k: 1.0 }, 1)),
+            Some(led) => Ok(self.emit(level, WeightedSum { a: base, b: led, k: 1.0 }, 1)),
             None if rate == 0.0 => Ok(base),
             None => {
                 let one = self.constant(1.0);
-                Ok(self.emit(level, Sum { a: base, b: one, k: rate }, 1))
+                Ok(self.emit(level, WeightedSum { a: base, b: one, k: rate }, 1))
             }
         }
     }
 
     /// The velocity or acceleration of a point led by a cam along a guide of the ground: the rate
     /// times the direction of the guide.
-    fn led_on_ground(&mut self, first: &Row, second: &Row, level: Level) -> Option<Pair> {
-        let (Row::Guided { on: a, rates: Rates::Even([0.0, 0.0]), .. }, Row::Guided { on: b, n, rates, .. }) = (first, second) else {
+    fn led_on_ground(&mut self, first: &LegCondition, second: &LegCondition, level: Level) -> Option<RegPair> {
+        let (LegCondition::Guided { on: a, rates: Rates::Even([0.0, 0.0]), .. }, LegCondition::Guided { on: b, n, rates, .. }) =
+            (first, second)
+        else {
             return None;
         };
         let s = rates.parts(level).1.filter(|_| *a == self.scene.ground && a == b)?;
         let q = self.fixed(Vec2::ZERO);
-        Some(self.emit_pair(level, Along { q, t: *n, s }))
+        Some(self.emit_pair(level, PointAlong { q, t: *n, s }))
     }
 
     /// Adds, for accelerations, the centripetal part to the row of a link's point: c + ω² n·r.
-    fn without_centripetal(&mut self, link: LinkId, n: Pair, r: Pair, c: Reg, level: Level) -> Result<Reg, NoKernel> {
+    fn without_centripetal(&mut self, link: LinkId, n: RegPair, r: RegPair, c: Reg, level: Level) -> Result<Reg, NoKernel> {
         if level == V {
             return Ok(c);
         }
@@ -209,7 +211,7 @@ impl Compiler<'_> {
     }
 
     /// The row of a link's own point for a known angular velocity.
-    fn reduced(&mut self, row: &Row, link: LinkId, level: Level) -> Result<(Pair, Reg), NoKernel> {
+    fn reduced(&mut self, row: &LegCondition, link: LinkId, level: Level) -> Result<(RegPair, Reg), NoKernel> {
         let (n, r, c) = self.row(row, Some(link), level)?;
         let Some(r) = r else { return Ok((n, c)) };
         let omega = self.turning(link, V)?;
@@ -225,9 +227,9 @@ impl Compiler<'_> {
 
     /// The normal n, the arm from the core link's own point to the point that the leg holds (with a
     /// core link), and c.
-    fn row(&mut self, row: &Row, core: Option<LinkId>, level: Level) -> Result<(Pair, Option<Pair>, Reg), NoKernel> {
+    fn row(&mut self, row: &LegCondition, core: Option<LinkId>, level: Level) -> Result<(RegPair, Option<RegPair>, Reg), NoKernel> {
         match *row {
-            Row::Distance { p, far, l, rates, .. } => {
+            LegCondition::Distance { p, far, l, rates, .. } => {
                 let Rates::Even([rate, acceleration]) = rates else { unreachable!("no cam leads a cylinder") };
                 let n = self.between(far, p)?;
                 let r = self.arm_to(core, p)?;
@@ -241,30 +243,30 @@ impl Compiler<'_> {
                 };
                 Ok((n, r, c))
             }
-            Row::Guided { p, on, n, rates } => {
+            LegCondition::Guided { p, on, n, rates } => {
                 let (rate, led) = rates.parts(level);
                 let reach = self.arm_to(core, p)?;
                 // A guide on ground does not move; the start of its arm does not enter.
                 let (r, vo, omega) = match on == self.scene.ground {
                     true => (self.fixed(Vec2::ZERO), self.fixed(Vec2::ZERO), self.zero()),
-                    false => (self.between(Spot::Own(on), p)?, self.spot(Spot::Own(on), V)?, self.turning(on, V)?),
+                    false => (self.between(MovingPoint::Own(on), p)?, self.spot(MovingPoint::Own(on), V)?, self.turning(on, V)?),
                 };
                 let c = match level {
                     A => {
-                        let (vp, ao, alpha) = (self.spot(p, V)?, self.spot(Spot::Own(on), A)?, self.turning(on, A)?);
+                        let (vp, ao, alpha) = (self.spot(p, V)?, self.spot(MovingPoint::Own(on), A)?, self.turning(on, A)?);
                         self.emit(A, GuidedRate { n, r, vp, vo, ao, omega, alpha, acceleration: rate }, 1)
                     }
                     P | V => self.emit(V, Guided { n, r, vo, omega, rate }, 1),
                 };
-                let c = led.map_or(c, |led| self.emit(level, Sum { a: c, b: led, k: 1.0 }, 1));
+                let c = led.map_or(c, |led| self.emit(level, WeightedSum { a: c, b: led, k: 1.0 }, 1));
                 Ok((n, reach, c))
             }
-            Row::Slot { link, over, n } => {
-                let r = self.between(Spot::Own(link), over)?;
+            LegCondition::Slot { link, over, n } => {
+                let r = self.between(MovingPoint::Own(link), over)?;
                 let vb = self.spot(over, V)?;
                 let c = match level {
                     A => {
-                        let (ab, vo, omega) = (self.spot(over, A)?, self.spot(Spot::Own(link), V)?, self.turning(link, V)?);
+                        let (ab, vo, omega) = (self.spot(over, A)?, self.spot(MovingPoint::Own(link), V)?, self.turning(link, V)?);
                         self.emit(A, SlotRate { n, r, vb, ab, vo, omega }, 1)
                     }
                     P | V => {
@@ -274,36 +276,38 @@ impl Compiler<'_> {
                 };
                 Ok((n, Some(r), c))
             }
-            Row::Rolled { pair, other, n } => {
+            LegCondition::Rolled { pair, other, n } => {
                 let place = self.contact(pair, self.scene.rolling[pair.0].at[0])?;
                 let v = self.of_link_at(other, place, level)?;
                 let c = self.emit(level, Dot { u: n, v }, 1);
                 let r = match core {
                     Some(l) => {
-                        let from = self.spot(Spot::Own(l), P)?;
+                        let from = self.spot(MovingPoint::Own(l), P)?;
                         Some(self.emit_pair(P, Arm { from, to: place }))
                     }
                     None => None,
                 };
                 Ok((n, r, c))
             }
-            Row::Carried { .. } | Row::Turning { .. } | Row::Ram { .. } => unreachable!("these are no rows of a place"),
+            LegCondition::Carried { .. } | LegCondition::Turning { .. } | LegCondition::Ram { .. } => {
+                unreachable!("these are no rows of a place")
+            }
         }
     }
 
     /// The arm from one spot to another, emitted once.
-    pub(super) fn between(&mut self, from: Spot, to: Spot) -> Result<Pair, NoKernel> {
+    pub(super) fn between(&mut self, from: MovingPoint, to: MovingPoint) -> Result<RegPair, NoKernel> {
         let (from, to) = (self.spot(from, P)?, self.spot(to, P)?);
         let arm = Arm { from, to };
         if let Some(step) = self.steps[P as usize].iter().find(|s| s.op == Op::Arm(arm)) {
-            return Ok(Pair { x: step.out, y: Reg(step.out.0 + 1) });
+            return Ok(RegPair { x: step.out, y: Reg(step.out.0 + 1) });
         }
         Ok(self.emit_pair(P, arm))
     }
 
-    fn arm_to(&mut self, core: Option<LinkId>, p: Spot) -> Result<Option<Pair>, NoKernel> {
+    fn arm_to(&mut self, core: Option<LinkId>, p: MovingPoint) -> Result<Option<RegPair>, NoKernel> {
         match core {
-            Some(l) if p != Spot::Own(l) => Ok(Some(self.between(Spot::Own(l), p)?)),
+            Some(l) if p != MovingPoint::Own(l) => Ok(Some(self.between(MovingPoint::Own(l), p)?)),
             _ => Ok(None),
         }
     }
@@ -322,19 +326,19 @@ impl Compiler<'_> {
     ) -> Result<Reg, NoKernel> {
         let Some(Path::Line { direction, .. }) = self.at.shapes.guides[guide.0] else { return Err(self.lost(link)) };
         let [rate, acceleration] = self.even_rates(driver)?;
-        let d = self.between(Spot::Pin(far), Spot::Pin(pin))?;
+        let d = self.between(MovingPoint::Pin(far), MovingPoint::Pin(pin))?;
         let t = self.direction_on(link, direction)?;
         let (from, to) = (self.point(far, level)?, self.point(pin, level)?);
         let relative = self.emit_pair(level, Arm { from, to });
         let s = self.constant(if level == V { -rate } else { -acceleration });
-        let mut v = self.emit_pair(level, Along { q: relative, t, s });
+        let mut v = self.emit_pair(level, PointAlong { q: relative, t, s });
         if level == A {
             let normal = self.direction_on(link, direction.perp())?;
             let omega = self.turning(link, V)?;
             let none = self.zero();
-            let twice = self.emit(A, Sum { a: none, b: omega, k: -2.0 * rate }, 1);
-            v = self.emit_pair(A, Along { q: v, t: normal, s: twice });
+            let twice = self.emit(A, WeightedSum { a: none, b: omega, k: -2.0 * rate }, 1);
+            v = self.emit_pair(A, PointAlong { q: v, t: normal, s: twice });
         }
-        Ok(self.emit(level, Turning { d, v }, 1))
+        Ok(self.emit(level, ArmTurning { d, v }, 1))
     }
 }

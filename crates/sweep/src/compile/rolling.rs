@@ -1,21 +1,21 @@
 //! Operations for rolling pairs: the angles of trains, wheels and racks on straight tracks, points
 //! of contact.
 //!
-//! The links of a [`Train`] turn by a sum of angles: the driver's times a whole ratio ([`Geared`]),
+//! The links of a [`AngleTrain`] turn by a sum of angles: the driver's times a whole ratio ([`Geared`]),
 //! and those of lines that no train determines. Such a line turns by whole turns with the driver,
 //! found once by following it, and by less than half a turn besides ([`Against`]).
 
-use super::{Compiler, NoKernel, Spot};
-use crate::carry::{Along, Arm, Image, Product, Swing, SwingRate, Twist};
-use crate::kernel::{Pair, Reg};
-use crate::program::{Program, VALUE};
-use crate::reading::{Dot, Sum};
+use super::{Compiler, MovingPoint, NoKernel};
+use crate::carry::{Arm, ArmSwing, Image, PointAlong, Product, SwingRate, Twist};
+use crate::kernel::{Reg, RegPair};
+use crate::program::{SweepProgram, VALUE};
+use crate::reading::{Dot, WeightedSum};
 use crate::station::{angle_per_value, position_now};
-use crate::train::{Combination, Ratio, Source, Train, add, together};
-use crate::turns::{Against, Geared, Turned, WayAcceleration, WayRate};
+use crate::train::{AngleRatio, AngleSource, AngleTrain, Combination, add, together};
+use crate::turns::{Against, CosineSine, Geared, WayAcceleration, WayRate};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
-use hodograph_mechanism::mechanism::{Form, Level};
+use hodograph_mechanism::mechanism::{Level, PairForm};
 use hodograph_mechanism::position::{Path, Pose};
 use hodograph_scene::{LinkId, Normal, PointId, Relation, RollingId, Touch};
 use std::f64::consts::{PI, TAU};
@@ -26,16 +26,16 @@ const A: Level = Level::Acceleration;
 
 /// The state of the compiler for trains.
 pub(super) struct Trains {
-    pub train: Train,
+    pub train: AngleTrain,
     /// Groups placed by their angles.
     placed: Vec<usize>,
     /// The driver's angle in quarter turns, and its value at the instant.
-    pub(super) quarters: Option<(Pair, [f64; 2])>,
-    rotors: Vec<([f64; 2], Pair)>,
-    wound: Vec<(Source, Wound)>,
-    /// The turns after which the pose recurs; see [`Program::turns`].
+    pub(super) quarters: Option<(RegPair, [f64; 2])>,
+    rotors: Vec<([f64; 2], RegPair)>,
+    wound: Vec<(AngleSource, Wound)>,
+    /// The turns after which the pose recurs; see [`SweepProgram::turns`].
     pub turns: u64,
-    /// The greatest ratio of a wheel; see [`Program::fastest`].
+    /// The greatest ratio of a wheel; see [`SweepProgram::fastest`].
     pub fastest: f64,
 }
 
@@ -43,7 +43,7 @@ pub(super) struct Trains {
 /// track: m).
 #[derive(Clone, Copy)]
 struct Wound {
-    turns: Ratio,
+    turns: AngleRatio,
     rest: Reg,
 }
 
@@ -61,7 +61,7 @@ const QUICK: f64 = 1.0;
 const ASIDE: f64 = 0.5;
 
 impl Trains {
-    pub fn new(train: Train) -> Trains {
+    pub fn new(train: AngleTrain) -> Trains {
         Trains { train, placed: Vec::new(), quarters: None, rotors: Vec::new(), wound: Vec::new(), turns: 1, fastest: 1.0 }
     }
 
@@ -80,7 +80,7 @@ impl Compiler<'_> {
             let rotor = self.rotor(&turned)?;
             let axis = self.at.poses[link.0].ok_or_else(|| self.lost(link))?.axis * self.unit;
             let arm = self.emit_pair(P, Twist { d: rotor, k: [axis.x, axis.y] });
-            self.known_by_turning(link, Spot::Pin(pin), pin, Vec2::new(self.unit, 0.0), arm)?;
+            self.known_by_turning(link, MovingPoint::Pin(pin), pin, Vec2::new(self.unit, 0.0), arm)?;
             self.pins_of(g, link, P)?;
         }
         self.trains.placed.push(g);
@@ -93,8 +93,8 @@ impl Compiler<'_> {
         let group = &self.m.groups[g];
         let forms = || group.constraints.iter().map(|&c| self.m.constraints[c].form());
         let pinned: Vec<(PointId, LinkId)> = forms().filter_map(|f| f.meets()).collect();
-        let others = forms().all(|f| matches!(f, Form::Meet { .. } | Form::Angles { .. } | Form::Related { .. }));
-        let rolls = forms().any(|f| matches!(f, Form::Related { .. }));
+        let others = forms().all(|f| matches!(f, PairForm::Meet { .. } | PairForm::Angles { .. } | PairForm::Related { .. }));
+        let rolls = forms().any(|f| matches!(f, PairForm::Related { .. }));
         let told = group.links.iter().all(|l| self.trains.train.of_link(*l).is_some());
         if !others || !rolls || !told || pinned.len() != group.links.len() + group.pins.len() {
             return None;
@@ -115,7 +115,7 @@ impl Compiler<'_> {
             if self.points[p.0][level as usize].is_none()
                 && let Some(local) = self.at.shapes.local(link, p)
             {
-                self.points[p.0][level as usize] = Some(self.spot(Spot::Fixed(link, local), level)?);
+                self.points[p.0][level as usize] = Some(self.spot(MovingPoint::Fixed(link, local), level)?);
             }
         }
         Ok(())
@@ -133,10 +133,10 @@ impl Compiler<'_> {
     }
 
     /// Cosine and sine of the rotation of a combination since the instant.
-    fn rotor(&mut self, turned: &Combination) -> Result<Pair, NoKernel> {
+    fn rotor(&mut self, turned: &Combination) -> Result<RegPair, NoKernel> {
         let (with, beside) = self.parts(turned)?;
         let geared = (!with.is_zero()).then(|| self.geared(with)).flatten();
-        let turned = beside.map(|angle| self.emit_pair(P, Turned { angle }));
+        let turned = beside.map(|angle| self.emit_pair(P, CosineSine { angle }));
         Ok(match (geared, turned) {
             (Some(a), Some(b)) => self.emit_pair(P, Product { a, b }),
             (Some(one), None) | (None, Some(one)) => one,
@@ -145,16 +145,16 @@ impl Compiler<'_> {
     }
 
     /// The part of a combination that turns with the driver's angle, and the sum of the rest.
-    fn parts(&mut self, turned: &Combination) -> Result<(Ratio, Option<Reg>), NoKernel> {
-        let (mut with, mut beside) = (Ratio::of(0, 1), None);
+    fn parts(&mut self, turned: &Combination) -> Result<(AngleRatio, Option<Reg>), NoKernel> {
+        let (mut with, mut beside) = (AngleRatio::of(0, 1), None);
         for &(source, ratio) in turned {
             match source {
-                Source::Driver(d) if self.driver == Some(d) => with = with.plus(ratio),
+                AngleSource::Driver(d) if self.driver == Some(d) => with = with.plus(ratio),
                 // The other drivers are at rest, unless cams lead them; without a swept driver
                 // everything is.
-                Source::Driver(d) => drop(self.even_rates(d)?),
+                AngleSource::Driver(d) => drop(self.even_rates(d)?),
                 _ if self.driver.is_none() => {}
-                Source::Link(_) | Source::Line(..) | Source::Way(_) => {
+                AngleSource::Link(_) | AngleSource::Line(..) | AngleSource::Way(_) => {
                     let wound = self.wound(source)?;
                     with = with.plus(ratio.times(wound.turns));
                     beside = Some(self.plus(P, beside, wound.rest, ratio.value));
@@ -167,11 +167,11 @@ impl Compiler<'_> {
     /// A sum plus k times another number.
     fn plus(&mut self, level: Level, sum: Option<Reg>, b: Reg, k: f64) -> Reg {
         let a = sum.unwrap_or_else(|| self.zero());
-        if sum.is_none() && k == 1.0 { b } else { self.emit(level, Sum { a, b, k }, 1) }
+        if sum.is_none() && k == 1.0 { b } else { self.emit(level, WeightedSum { a, b, k }, 1) }
     }
 
     /// Cosine and sine of a ratio of the driver's travel; `None` without a driver.
-    fn geared(&mut self, ratio: Ratio) -> Option<Pair> {
+    fn geared(&mut self, ratio: AngleRatio) -> Option<RegPair> {
         let driver = self.driver?;
         let (quarters, start) = self.quarters(driver);
         let [p, q] = match ratio.exact {
@@ -189,22 +189,22 @@ impl Compiler<'_> {
     }
 
     /// The rotation, or travel, of a source that no train determines.
-    fn wound(&mut self, source: Source) -> Result<Wound, NoKernel> {
+    fn wound(&mut self, source: AngleSource) -> Result<Wound, NoKernel> {
         if let Some((_, known)) = self.trains.wound.iter().find(|(s, _)| *s == source) {
             return Ok(*known);
         }
         let wound = match source {
-            Source::Way(r) => {
+            AngleSource::Way(r) => {
                 let (way, _) = self.way(r)?;
                 let now = self.way_now(r)?;
                 let one = self.constant(1.0);
-                Wound { turns: Ratio::of(0, 1), rest: self.emit(P, Sum { a: way, b: one, k: -now }, 1) }
+                Wound { turns: AngleRatio::of(0, 1), rest: self.emit(P, WeightedSum { a: way, b: one, k: -now }, 1) }
             }
-            Source::Link(_) | Source::Line(..) | Source::Driver(_) => {
+            AngleSource::Link(_) | AngleSource::Line(..) | AngleSource::Driver(_) => {
                 let d = match source {
-                    Source::Line(a, b) => self.between(Spot::Pin(a), Spot::Pin(b))?,
-                    Source::Link(l) => self.arm(l, P)?,
-                    Source::Driver(_) | Source::Way(_) => unreachable!("these turn with the driver, or do not turn"),
+                    AngleSource::Line(a, b) => self.between(MovingPoint::Pin(a), MovingPoint::Pin(b))?,
+                    AngleSource::Link(l) => self.arm(l, P)?,
+                    AngleSource::Driver(_) | AngleSource::Way(_) => unreachable!("these turn with the driver, or do not turn"),
                 };
                 let Some((turns, start, centre)) = self.winding(d) else { return Err(self.not_followed(source)) };
                 let turn = match turns.is_zero() {
@@ -218,30 +218,30 @@ impl Compiler<'_> {
         Ok(wound)
     }
 
-    fn not_followed(&self, source: Source) -> NoKernel {
+    fn not_followed(&self, source: AngleSource) -> NoKernel {
         match source {
-            Source::Link(l) => self.lost(l),
-            Source::Way(r) => self.lost(self.scene.rolling[r.0].links[1]),
-            Source::Line(a, b) => {
+            AngleSource::Link(l) => self.lost(l),
+            AngleSource::Way(r) => self.lost(self.scene.rolling[r.0].links[1]),
+            AngleSource::Line(a, b) => {
                 let (a, b) = (self.scene.point_name(a), self.scene.point_name(b));
                 Diagnostic::note(
                     "no-kernel",
                     both!("the turns of line {a}{b} cannot be counted beforehand", "直线 {a}{b} 的转数无法预先确定"),
                 )
             }
-            Source::Driver(d) => Diagnostic::note("no-kernel", both!("{} does not turn", "{} 不转动", self.scene.driver_name(d).0)),
+            AngleSource::Driver(d) => Diagnostic::note("no-kernel", both!("{} does not turn", "{} 不转动", self.scene.driver_name(d).0)),
         }
     }
 
     /// The turns of a line for each turn of the driver, its direction at the instant turned by the
     /// middle of the remaining angle, and this middle; `None` if it strays by half a turn, or
     /// cannot be followed.
-    fn winding(&self, d: Pair) -> Option<(Ratio, Vec2, f64)> {
+    fn winding(&self, d: RegPair) -> Option<(AngleRatio, Vec2, f64)> {
         let driver = self.driver?;
         if !self.tracks.is_empty() || self.trains.turns == 0 || self.trains.turns > MOST_TURNS {
             return None;
         }
-        let program = Program {
+        let program = SweepProgram {
             steps: [self.steps[0].clone(), Vec::new(), Vec::new()],
             constants: self.constants.clone(),
             registers: self.registers as usize,
@@ -280,14 +280,14 @@ impl Compiler<'_> {
             Some((angles, true))
         };
         let (mut angles, full) = follow(reach)?;
-        let mut turns = Ratio::of(0, 1);
+        let mut turns = AngleRatio::of(0, 1);
         if full && turning {
             let all = angles[angles.len() - 1] / TAU;
             let whole = libm::round(all);
             if (all - whole).abs() > 1e-6 {
                 return None;
             }
-            turns = Ratio::of(whole as i64, self.trains.turns as i64);
+            turns = AngleRatio::of(whole as i64, self.trains.turns as i64);
             for (i, angle) in angles.iter_mut().enumerate() {
                 *angle -= turns.value * reach * (i as f64 / parts);
             }
@@ -305,10 +305,10 @@ impl Compiler<'_> {
         let mut rates = Vec::new();
         for &(source, ratio) in turned {
             match source {
-                Source::Driver(d) => driven += ratio.value * self.even_rates(d)?[level as usize - 1],
-                Source::Link(l) => rates.push((self.turning(l, level)?, ratio.value)),
-                Source::Line(a, b) => rates.push((self.turning_of_line([a, b], level)?, ratio.value)),
-                Source::Way(r) => rates.push((self.rate_of_way(r, level)?, ratio.value)),
+                AngleSource::Driver(d) => driven += ratio.value * self.even_rates(d)?[level as usize - 1],
+                AngleSource::Link(l) => rates.push((self.turning(l, level)?, ratio.value)),
+                AngleSource::Line(a, b) => rates.push((self.turning_of_line([a, b], level)?, ratio.value)),
+                AngleSource::Way(r) => rates.push((self.rate_of_way(r, level)?, ratio.value)),
             }
         }
         let mut sum = (driven != 0.0 || rates.is_empty()).then(|| self.constant(driven));
@@ -319,28 +319,28 @@ impl Compiler<'_> {
     }
 
     fn turning_of_line(&mut self, [a, b]: [PointId; 2], level: Level) -> Result<Reg, NoKernel> {
-        let arm = |c: &mut Self, level| -> Result<Pair, NoKernel> {
+        let arm = |c: &mut Self, level| -> Result<RegPair, NoKernel> {
             let (from, to) = (c.point(a, level)?, c.point(b, level)?);
             Ok(c.emit_pair(level, Arm { from, to }))
         };
-        let (d, v) = (self.between(Spot::Pin(a), Spot::Pin(b))?, arm(self, V)?);
+        let (d, v) = (self.between(MovingPoint::Pin(a), MovingPoint::Pin(b))?, arm(self, V)?);
         self.turning_of_arm(d, v, level, |c| arm(c, A), |c| c.turning_of_line([a, b], V))
     }
 
     /// The wheel's centre, the link with the track, the beginning of the track, and its direction.
-    fn on_track(&mut self, r: RollingId) -> Result<(PointId, LinkId, Spot, Pair), NoKernel> {
+    fn on_track(&mut self, r: RollingId) -> Result<(PointId, LinkId, MovingPoint, RegPair), NoKernel> {
         let pair = &self.scene.rolling[r.0];
         let Relation::Slide { centre, guide } = pair.relation() else { return Err(self.lost(pair.links[1])) };
         let Some(Path::Line { through, direction }) = self.at.shapes.guides[guide.0] else { return Err(self.lost(pair.links[0])) };
         let u = self.direction_on(pair.links[0], direction)?;
-        Ok((centre, pair.links[0], Spot::Fixed(pair.links[0], through), u))
+        Ok((centre, pair.links[0], MovingPoint::Fixed(pair.links[0], through), u))
     }
 
     /// The coordinate of a wheel's centre along its track (m), and the vector from the beginning to
     /// the centre.
-    fn way(&mut self, r: RollingId) -> Result<(Reg, Pair), NoKernel> {
+    fn way(&mut self, r: RollingId) -> Result<(Reg, RegPair), NoKernel> {
         let (centre, _, from, u) = self.on_track(r)?;
-        let arm = self.between(from, Spot::Pin(centre))?;
+        let arm = self.between(from, MovingPoint::Pin(centre))?;
         Ok((self.emit(P, Dot { u, v: arm }, 1), arm))
     }
 
@@ -351,14 +351,14 @@ impl Compiler<'_> {
             return Err(self.lost(track));
         };
         let pose = if track == self.scene.ground { Pose::GROUND } else { self.at.poses[track.0].unwrap_or(Pose::GROUND) };
-        Ok(pose.turn(direction).dot(self.now(Spot::Pin(centre)) - self.now(from)))
+        Ok(pose.turn(direction).dot(self.now(MovingPoint::Pin(centre)) - self.now(from)))
     }
 
     /// The first or second derivative of the coordinate along the track.
     fn rate_of_way(&mut self, r: RollingId, level: Level) -> Result<Reg, NoKernel> {
         let (centre, track, from, u) = self.on_track(r)?;
-        let arm = self.between(from, Spot::Pin(centre))?;
-        let between = |c: &mut Self, level| -> Result<Pair, NoKernel> {
+        let arm = self.between(from, MovingPoint::Pin(centre))?;
+        let between = |c: &mut Self, level| -> Result<RegPair, NoKernel> {
             let (from, to) = (c.spot(from, level)?, c.point(centre, level)?);
             Ok(c.emit_pair(level, Arm { from, to }))
         };
@@ -373,13 +373,13 @@ impl Compiler<'_> {
     /// The line, square to the track, that contains the held point of a link with a known angle
     /// that rolls along a straight track or carries it: the point of the link, a point of the line
     /// and its direction.
-    pub(super) fn along_track(&mut self, link: LinkId, r: RollingId) -> Result<(Spot, Pair, Pair), NoKernel> {
+    pub(super) fn along_track(&mut self, link: LinkId, r: RollingId) -> Result<(MovingPoint, RegPair, RegPair), NoKernel> {
         let pair = &self.scene.rolling[r.0];
         let [track, wheel] = pair.links;
         let rho = self.at.shapes.rolling[r.0][1];
         let now = self.way_now(r)?;
         let mut turned = self.trains.train.turned(wheel);
-        add(&mut turned, &self.trains.train.turned(track), Ratio::of(-1, 1));
+        add(&mut turned, &self.trains.train.turned(track), AngleRatio::of(-1, 1));
         // The relation is s = s₀ − ρ (Δφ₂ − Δφ₁).
         let (with, beside) = self.parts(&turned)?;
         let mut s = self.constant(now);
@@ -388,35 +388,35 @@ impl Compiler<'_> {
             self.trains.turns = 0;
             let start = position_now(self.scene, self.at, driver);
             s = self.constant(now + rho * with.value * start);
-            s = self.emit(P, Sum { a: s, b: VALUE, k: -rho * with.value }, 1);
+            s = self.emit(P, WeightedSum { a: s, b: VALUE, k: -rho * with.value }, 1);
         }
         if let Some(beside) = beside {
-            s = self.emit(P, Sum { a: s, b: beside, k: -rho }, 1);
+            s = self.emit(P, WeightedSum { a: s, b: beside, k: -rho }, 1);
         }
         let (centre, _, begin, u) = self.on_track(r)?;
         let normal = self.emit_pair(P, Twist { d: u, k: [0.0, 1.0] });
         if link == track {
             let back = self.emit_pair(P, Twist { d: u, k: [-1.0, 0.0] });
             let q = self.point(centre, P)?;
-            return Ok((begin, self.emit_pair(P, Along { q, t: back, s }), normal));
+            return Ok((begin, self.emit_pair(P, PointAlong { q, t: back, s }), normal));
         }
         let local = self.at.shapes.local(wheel, centre).ok_or_else(|| self.lost(wheel))?;
         let q = self.spot(begin, P)?;
-        Ok((Spot::Fixed(wheel, local), self.emit_pair(P, Along { q, t: u, s }), normal))
+        Ok((MovingPoint::Fixed(wheel, local), self.emit_pair(P, PointAlong { q, t: u, s }), normal))
     }
 
     /// The direction along which the two links of a pair on a straight track have one velocity at
     /// the contact.
-    pub(super) fn tangent(&mut self, r: RollingId) -> Result<Pair, NoKernel> {
+    pub(super) fn tangent(&mut self, r: RollingId) -> Result<RegPair, NoKernel> {
         Ok(self.on_track(r)?.3)
     }
 
     /// One of the points of contact of a pair.
-    pub(super) fn contact(&mut self, r: RollingId, at: PointId) -> Result<Pair, NoKernel> {
+    pub(super) fn contact(&mut self, r: RollingId, at: PointId) -> Result<RegPair, NoKernel> {
         let [r1, r2] = self.at.shapes.rolling[r.0];
         match self.scene.rolling[r.0].touch() {
             Touch::Point(Normal::Centres([a, b])) => {
-                let d = self.between(Spot::Pin(a), Spot::Pin(b))?;
+                let d = self.between(MovingPoint::Pin(a), MovingPoint::Pin(b))?;
                 let o = self.point(a, P)?;
                 Ok(self.emit_pair(P, Image { o, d, k: [r1 / (r1 + r2), 0.0] }))
             }
@@ -430,19 +430,19 @@ impl Compiler<'_> {
     }
 
     /// The velocity, or acceleration, of a link at a point.
-    pub(super) fn of_link_at(&mut self, link: LinkId, place: Pair, level: Level) -> Result<Pair, NoKernel> {
+    pub(super) fn of_link_at(&mut self, link: LinkId, place: RegPair, level: Level) -> Result<RegPair, NoKernel> {
         if link == self.scene.ground {
             return Ok(self.fixed(Vec2::ZERO));
         }
-        let from = self.spot(Spot::Own(link), P)?;
+        let from = self.spot(MovingPoint::Own(link), P)?;
         let r = self.emit_pair(P, Arm { from, to: place });
-        let (v, omega) = (self.spot(Spot::Own(link), level)?, self.turning(link, V)?);
+        let (v, omega) = (self.spot(MovingPoint::Own(link), level)?, self.turning(link, V)?);
         Ok(match level {
             A => {
                 let alpha = self.turning(link, A)?;
                 self.emit_pair(A, SwingRate { a: v, r, omega, alpha })
             }
-            P | V => self.emit_pair(V, Swing { v, r, omega }),
+            P | V => self.emit_pair(V, ArmSwing { v, r, omega }),
         })
     }
 }

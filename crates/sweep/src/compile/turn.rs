@@ -1,8 +1,8 @@
 //! The rotation of links: their arms, ω and α, and the points that they carry.
 
-use super::super::carry::{Arm, Swing, SwingRate, Turning, TurningRate};
-use super::super::kernel::{Pair, Reg};
-use super::{Compiler, NoKernel, Spot};
+use super::super::carry::{Arm, ArmSwing, ArmTurning, SwingRate, TurningRate};
+use super::super::kernel::{Reg, RegPair};
+use super::{Compiler, MovingPoint, NoKernel};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::{Level, Passive};
 use hodograph_mechanism::position::Path;
@@ -10,7 +10,7 @@ use hodograph_scene::{LinkId, PointId};
 
 impl Compiler<'_> {
     /// A link's arm or its rates.
-    pub(super) fn arm(&mut self, l: LinkId, level: Level) -> Result<Pair, NoKernel> {
+    pub(super) fn arm(&mut self, l: LinkId, level: Level) -> Result<RegPair, NoKernel> {
         let body = self.body(l)?;
         if let Some(pair) = body.arm[level as usize] {
             return Ok(pair);
@@ -26,7 +26,7 @@ impl Compiler<'_> {
                 let still = self.fixed(Vec2::ZERO);
                 match level {
                     Level::Position => return Err(self.lost(l)),
-                    Level::Velocity => self.emit_pair(level, Swing { v: still, r, omega }),
+                    Level::Velocity => self.emit_pair(level, ArmSwing { v: still, r, omega }),
                     Level::Acceleration => {
                         let alpha = self.turning(l, Level::Acceleration)?;
                         self.emit_pair(level, SwingRate { a: still, r, omega, alpha })
@@ -66,10 +66,10 @@ impl Compiler<'_> {
     /// The angular velocity or acceleration of a line with known arm and rates.
     pub(super) fn turning_of_arm(
         &mut self,
-        d: Pair,
-        v: Pair,
+        d: RegPair,
+        v: RegPair,
         level: Level,
-        a: impl FnOnce(&mut Self) -> Result<Pair, NoKernel>,
+        a: impl FnOnce(&mut Self) -> Result<RegPair, NoKernel>,
         omega: impl FnOnce(&mut Self) -> Result<Reg, NoKernel>,
     ) -> Result<Reg, NoKernel> {
         Ok(match level {
@@ -77,7 +77,7 @@ impl Compiler<'_> {
                 let (a, omega) = (a(self)?, omega(self)?);
                 self.emit(level, TurningRate { d, v, a, omega }, 1)
             }
-            Level::Position | Level::Velocity => self.emit(level, Turning { d, v }, 1),
+            Level::Position | Level::Velocity => self.emit(level, ArmTurning { d, v }, 1),
         })
     }
 
@@ -88,16 +88,16 @@ impl Compiler<'_> {
             Passive::Block(g) => {
                 let guide = &self.scene.guides[g.0];
                 match (self.at.shapes.guides[g.0], guide.pin) {
-                    (Some(Path::Arc { centre, .. }), Some(pin)) => (Spot::Fixed(guide.on, centre), Spot::Pin(pin)),
+                    (Some(Path::Arc { centre, .. }), Some(pin)) => (MovingPoint::Fixed(guide.on, centre), MovingPoint::Pin(pin)),
                     _ => return self.turning(guide.on, level),
                 }
             }
             Passive::Cylinder(_) | Passive::Held(..) => {
                 let (a, b) = self.m.line_of(self.scene, l).ok_or_else(|| self.lost(l))?;
-                (Spot::Pin(a), Spot::Pin(b))
+                (MovingPoint::Pin(a), MovingPoint::Pin(b))
             }
         };
-        let arm = |c: &mut Self, level| -> Result<Pair, NoKernel> {
+        let arm = |c: &mut Self, level| -> Result<RegPair, NoKernel> {
             let (from, to) = (c.spot(from, level)?, c.spot(to, level)?);
             Ok(c.emit_pair(level, Arm { from, to }))
         };
@@ -106,21 +106,21 @@ impl Compiler<'_> {
     }
 
     /// The velocity or acceleration of the point of a link that coincides with a point.
-    pub(super) fn carried(&mut self, p: PointId, l: LinkId, level: Level) -> Result<Pair, NoKernel> {
+    pub(super) fn carried(&mut self, p: PointId, l: LinkId, level: Level) -> Result<RegPair, NoKernel> {
         if self.scene.links[l.0].points.contains(&p) || level == Level::Position {
             return self.point(p, level);
         }
         let base = match self.m.passive[l.0] {
             Some(Passive::Block(g)) => match self.scene.guides[g.0].pin {
                 Some(pin) if pin == p => return self.point(p, level),
-                Some(pin) => Spot::Pin(pin),
+                Some(pin) => MovingPoint::Pin(pin),
                 None => return Err(self.lost(l)),
             },
             Some(Passive::Cylinder(_) | Passive::Held(..)) => {
                 let (a, _) = self.m.line_of(self.scene, l).ok_or_else(|| self.lost(l))?;
-                Spot::Pin(a)
+                MovingPoint::Pin(a)
             }
-            None => Spot::Own(l),
+            None => MovingPoint::Own(l),
         };
         let (from, to) = (self.spot(base, Level::Position)?, self.point(p, Level::Position)?);
         let r = self.emit_pair(Level::Position, Arm { from, to });
@@ -131,7 +131,7 @@ impl Compiler<'_> {
                 let alpha = self.turning(l, Level::Acceleration)?;
                 self.emit_pair(level, SwingRate { a: v, r, omega, alpha })
             }
-            Level::Position | Level::Velocity => self.emit_pair(level, Swing { v, r, omega }),
+            Level::Position | Level::Velocity => self.emit_pair(level, ArmSwing { v, r, omega }),
         })
     }
 }

@@ -4,15 +4,15 @@
 use super::ask::no_kernel;
 use super::{Compiler, NoKernel};
 use crate::carry::{Arm, Twist};
-use crate::kernel::{Pair, Reg};
-use crate::reading::{Dot, Length, Sum};
-use crate::work::{Forward, Massive, Ramp, Repeated, Spring, Times};
+use crate::kernel::{Reg, RegPair};
+use crate::reading::{Dot, VectorLength, WeightedSum};
+use crate::work::{Forward, Massive, ProductSum, Ramp, Repeated, SpringPower};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::force::{NEAR, ends, fastest};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Path;
 use hodograph_scene::quantity::{ByMotion, ROUNDING};
-use hodograph_scene::{Abscissa, Along, Applied, Course, Find, LinkId, OnLink, Size};
+use hodograph_scene::{Abscissa, Applied, Find, LinkId, LoadCourse, LoadSize, LoadTravel, OnLink};
 
 const P: Level = Level::Position;
 const V: Level = Level::Velocity;
@@ -56,8 +56,8 @@ impl Compiler<'_> {
                     self.scene.loads.masses.iter().filter(|m| m.m.is_some() && m.at.is_some()).map(|m| m.link).collect();
                 for l in links {
                     let force = self.inertia(l, find)?;
-                    let add = |c: &mut Self, a, b| c.emit(A, Sum { a, b, k: 1.0 }, 1);
-                    sum = Pair { x: add(self, sum.x, force.x), y: add(self, sum.y, force.y) };
+                    let add = |c: &mut Self, a, b| c.emit(A, WeightedSum { a, b, k: 1.0 }, 1);
+                    sum = RegPair { x: add(self, sum.x, force.x), y: add(self, sum.y, force.y) };
                 }
                 self.vector_columns(A, sum);
             }
@@ -66,17 +66,17 @@ impl Compiler<'_> {
     }
 
     /// The inertia force −m a_S.
-    fn inertia(&mut self, l: LinkId, find: &Find) -> Result<Pair, NoKernel> {
+    fn inertia(&mut self, l: LinkId, find: &Find) -> Result<RegPair, NoKernel> {
         let mass = self.scene.loads.mass_of(l).filter(|_| self.scene.has_inertia());
         let Some((m, s)) = mass.and_then(|mass| Some((mass.m.as_ref()?.value, mass.at?))) else { return Err(no_kernel(find)) };
         let a = self.point(s, A)?;
-        Ok(Pair { x: self.negative(a.x, m), y: self.negative(a.y, m) })
+        Ok(RegPair { x: self.negative(a.x, m), y: self.negative(a.y, m) })
     }
 
     /// The product −k a.
     fn negative(&mut self, a: Reg, k: f64) -> Reg {
         let zero = self.zero();
-        self.emit(A, Sum { a: zero, b: a, k: -k }, 1)
+        self.emit(A, WeightedSum { a: zero, b: a, k: -k }, 1)
     }
 
     /// The power of all loads, for a scene with one driver that moves.
@@ -88,7 +88,7 @@ impl Compiler<'_> {
             return Err(no_kernel(find));
         }
         let zero = self.zero();
-        let still = Pair { x: zero, y: zero };
+        let still = RegPair { x: zero, y: zero };
         let mut power = zero;
         for mass in &loads.masses {
             let (m, j) = (mass.m.as_ref().filter(|_| mass.at.is_some()), mass.j.as_ref());
@@ -115,7 +115,7 @@ impl Compiler<'_> {
             let d = self.emit_pair(P, Arm { from, to });
             let (from, to) = (self.vector(&at(p, a), V)?, self.vector(&at(q, b), V)?);
             let v = self.emit_pair(V, Arm { from, to });
-            power = self.emit(V, Spring { d, v, before: power, stiffness: spring.stiffness.value, free: spring.free.value }, 1);
+            power = self.emit(V, SpringPower { d, v, before: power, stiffness: spring.stiffness.value, free: spring.free.value }, 1);
         }
         Ok(power)
     }
@@ -128,12 +128,12 @@ impl Compiler<'_> {
         };
         // The power of a load of 1 N or 1 N·m, and its amount; for components the whole power.
         let (unit, amount) = match &applied.size {
-            Size::Components([x, y]) => {
+            LoadSize::Components([x, y]) => {
                 let v = velocity(self)?;
                 let u = self.fixed(Vec2::new(x.value, y.value));
                 (self.emit(V, Dot { u, v }, 1), 1.0)
             }
-            Size::Directed { force, line, angle } => {
+            LoadSize::Directed { force, line, angle } => {
                 let v = velocity(self)?;
                 let turned = angle.as_ref().map_or(Vec2::unit_x(), |a| Vec2::from_angle(a.value.radians()));
                 let u = match line {
@@ -151,31 +151,31 @@ impl Compiler<'_> {
                 };
                 (self.emit(V, Dot { u, v }, 1), force.value)
             }
-            Size::AgainstMotion(force) => {
+            LoadSize::AgainstMotion(force) => {
                 let v = velocity(self)?;
-                let speed = self.emit(V, Length { v }, 1);
+                let speed = self.emit(V, VectorLength { v }, 1);
                 (self.negative(speed, 1.0), force.value)
             }
-            Size::Couple(couple) => (self.turning(applied.link, V)?, couple.value),
-            Size::AgainstTurning(couple) => {
-                let v = Pair { x: self.turning(applied.link, V)?, y: self.zero() };
-                let speed = self.emit(V, Length { v }, 1);
+            LoadSize::Couple(couple) => (self.turning(applied.link, V)?, couple.value),
+            LoadSize::AgainstTurning(couple) => {
+                let v = RegPair { x: self.turning(applied.link, V)?, y: self.zero() };
+                let speed = self.emit(V, VectorLength { v }, 1);
                 (self.negative(speed, 1.0), couple.value)
             }
         };
         match &applied.course {
-            None => Ok(self.emit(A, Sum { a: before, b: unit, k: amount }, 1)),
+            None => Ok(self.emit(A, WeightedSum { a: before, b: unit, k: amount }, 1)),
             Some(course) => {
                 let now = self.along_course(course, amount, find)?;
-                Ok(self.emit(A, Times { a: unit, b: now, before }, 1))
+                Ok(self.emit(A, ProductSum { a: unit, b: now, before }, 1))
             }
         }
     }
 
     /// The amount of a load along its course; without a diagram `constant` within the course.
-    fn along_course(&mut self, course: &Course, constant: f64, find: &Find) -> Result<Reg, NoKernel> {
+    fn along_course(&mut self, course: &LoadCourse, constant: f64, find: &Find) -> Result<Reg, NoKernel> {
         let (at, near, onward) = match &course.along {
-            Along::Stroke { point, guide, .. } => {
+            LoadTravel::Stroke { point, guide, .. } => {
                 let (Some(Ok([start, end])), Some(Path::Line { through, direction })) =
                     (ends(self.scene, course).as_ref(), self.at.guides[guide.0])
                 else {
@@ -191,9 +191,9 @@ impl Compiler<'_> {
                 let origin = self.constant(-begin * scale);
                 let v = self.point(*point, V)?;
                 let speed = self.emit(V, Dot { u, v }, 1);
-                (self.emit(P, Sum { a: origin, b: gone, k: scale }, 1), near, Some(speed))
+                (self.emit(P, WeightedSum { a: origin, b: gone, k: scale }, 1), near, Some(speed))
             }
-            Along::Turn { driver, period } => {
+            LoadTravel::Turn { driver, period } => {
                 if self.driver != Some(*driver) {
                     return Err(no_kernel(find));
                 }

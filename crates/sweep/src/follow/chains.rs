@@ -62,14 +62,14 @@ pub(crate) struct Chains<F: Follow> {
 }
 
 /// The value at each position.
-pub(crate) type Values<'a> = &'a dyn Fn(usize) -> f64;
+pub(crate) type ValueFunction<'a> = &'a dyn Fn(usize) -> f64;
 
 /// The receiver of each position's state, or of the reason why there is none.
 type Visit<'a, S> = &'a mut dyn FnMut(usize, Result<&S, &Faults>);
 
 impl<F: Follow> Chains<F> {
     /// Prepares a course through `count` positions from the driver's value `start`.
-    pub fn new(follow: F, start: f64, count: usize, values: Values) -> Chains<F> {
+    pub fn new(follow: F, start: f64, count: usize, values: ValueFunction) -> Chains<F> {
         let first = follow.start();
         let chains = first.as_ref().map_or_else(Vec::new, |first| outward(first, start, 0..count, 0.0, values));
         Chains { follow, start, first, chains }
@@ -82,7 +82,7 @@ impl<F: Follow> Chains<F> {
 
     /// Shows the state at each of some positions, in any order, or the reason why there is none.
     /// Stops early and returns `false` if `stop` asks for it.
-    pub fn states(&mut self, part: Range<usize>, values: Values, stop: &dyn Fn() -> bool, visit: Visit<F::State>) -> bool {
+    pub fn states(&mut self, part: Range<usize>, values: ValueFunction, stop: &dyn Fn() -> bool, visit: Visit<F::State>) -> bool {
         let Some(first) = &self.first else {
             let why = self.follow.stopped(None, self.start);
             part.for_each(|p| visit(p, Err(&why)));
@@ -121,7 +121,7 @@ impl<F: Follow> Chains<F> {
 }
 
 /// The chains upward and downward from the start, through positions with ascending values.
-fn outward<S: Clone>(first: &S, start: f64, positions: Range<usize>, shift: f64, values: Values) -> Vec<Chain<S>> {
+fn outward<S: Clone>(first: &S, start: f64, positions: Range<usize>, shift: f64, values: ValueFunction) -> Vec<Chain<S>> {
     // The first position that is not below the start.
     let (mut low, mut high) = (positions.start, positions.end);
     while low < high {
@@ -164,7 +164,7 @@ impl<S: Clone> Chain<S> {
         &mut self,
         follow: &F,
         part: &Range<usize>,
-        values: Values,
+        values: ValueFunction,
         stop: &dyn Fn() -> bool,
         visit: Visit<S>,
     ) -> bool {

@@ -7,9 +7,9 @@
 use crate::station::position_now;
 use crate::vary::Variation;
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::eval::Value;
+use hodograph_scene::eval::DimensionedValue;
 use hodograph_scene::front::TIME;
-use hodograph_scene::{Given, Scene, Swept, driver_position, with_driver_at};
+use hodograph_scene::{GivenQuantity, Scene, Swept, driver_position, with_driver_at};
 use std::f64::consts::TAU;
 
 /// The greatest number of turns of the fastest driver that are shown.
@@ -27,7 +27,7 @@ pub struct Clock {
     /// The position of each driver at the instant (rad or m).
     positions: Vec<f64>,
     /// The quantities that depend on t, and the value of one second; `None` without laws of time.
-    laws: Option<(Variation, Value)>,
+    laws: Option<(Variation, DimensionedValue)>,
 }
 
 /// The motion of a driver some time after the instant, in SI units.
@@ -59,7 +59,7 @@ impl Clock {
         let mut there = None;
         if let Some((laws, second)) = &self.laws {
             let mut scene = self.scene.clone();
-            laws.set(&mut scene, &[Value { number: self.scene.instant() + t, ..*second }]).ok()?;
+            laws.set(&mut scene, &[DimensionedValue { number: self.scene.instant() + t, ..*second }]).ok()?;
             there = Some(scene);
         }
         let of = |d: usize| {
@@ -86,7 +86,7 @@ impl Clock {
             let (turns, span) = (driver.kind.turns(), driver.rate.span);
             let given = |value: f64, units: [&str; 2]| {
                 let text = format!("({value:?}) {}", units[usize::from(!turns)]);
-                Given { value, radius: value.abs() * f64::EPSILON, text, span }
+                GivenQuantity { value, radius: value.abs() * f64::EPSILON, text, span }
             };
             driver.rate = given(g.rate, ["rad/s", "m/s"]);
             driver.acceleration = (g.acceleration != 0.0).then(|| given(g.acceleration, ["rad/s^2", "m/s^2"]));
@@ -143,16 +143,16 @@ impl Clock {
 }
 
 /// The moving quantity: a driver, or the time with the drivers' motion.
-pub(super) enum Course {
+pub(super) enum SweptVariable {
     Driver(usize),
     Time(Box<Clock>),
 }
 
-impl Course {
-    pub fn of(scene: &Scene, at: &Configuration, swept: Swept) -> Course {
+impl SweptVariable {
+    pub fn of(scene: &Scene, at: &Configuration, swept: Swept) -> SweptVariable {
         match swept {
-            Swept::Driver(d) => Course::Driver(d),
-            Swept::Time => Course::Time(Box::new(Clock::of(scene, at))),
+            Swept::Driver(d) => SweptVariable::Driver(d),
+            Swept::Time => SweptVariable::Time(Box::new(Clock::of(scene, at))),
         }
     }
 }
@@ -160,13 +160,13 @@ impl Course {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Placed;
+    use crate::PlacedScene;
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{read, templates};
 
     fn clock(scene: &Scene) -> Clock {
         let m = Mechanism::new(scene).unwrap().value;
-        Clock::of(scene, &Placed::new(scene, &m).unwrap().at)
+        Clock::of(scene, &PlacedScene::new(scene, &m).unwrap().at)
     }
 
     /// At any time the clock gives the same drivers as the scene with that instant.

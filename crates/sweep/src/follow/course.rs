@@ -8,19 +8,19 @@
 //! it, with its rates by the loop equations: the swept scene has a driver there instead of the
 //! contact, as it has for a cam and a follower carried by one link.
 
-use super::step::{Pose, STRAY, foretold, stray};
+use super::step::{STRAY, TravelPose, foretold, stray};
 use crate::station::position_now;
 use hodograph_analytic as analytic;
 use hodograph_base::cam::in_half_turns;
 use hodograph_base::geom::Vec2;
 use hodograph_base::number::{Ball, Real};
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::motion;
 use hodograph_mechanism::position::newton::{self, DriverValues};
 use hodograph_mechanism::position::{self, Configuration, Path, pieces};
-use hodograph_scene::cams::{Course, HangsOn, Leads, Led};
-use hodograph_scene::{Cam, Given, GuideId, GuidePath, LinkId, Pieces, PointId, Scene, with_driver_at};
+use hodograph_scene::cams::{FollowerCourse, FollowerSolver, FollowerState, HangsOn};
+use hodograph_scene::{Cam, GivenQuantity, GuideId, GuidePath, LinkId, Pieces, PointId, Scene, with_driver_at};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -50,7 +50,7 @@ pub fn over_a_turn(scene: &Scene) -> Scene {
         && let Some((handed, hangs)) = Handed::of(scene, cam)
     {
         let positions = handed.positions.clone();
-        out.lead(cam, hangs, Course(Arc::new(handed)), &positions);
+        out.lead(cam, hangs, FollowerCourse(Arc::new(handed)), &positions);
     }
     out
 }
@@ -74,7 +74,7 @@ impl Variant {
 
 /// A configuration with the contact on one piece.
 #[derive(Clone)]
-struct Standing {
+struct ContactState {
     piece: usize,
     at: Configuration,
     /// The drivers' values, as Newton's method counts them.
@@ -126,7 +126,7 @@ impl Hangs {
         }
     }
 
-    fn rates<N: Real>(self, scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<[N; 2]> {
+    fn rates<N: Real>(self, scene: &Scene, at: &Configuration<N>, motion: &impl MotionSource<N>) -> Option<[N; 2]> {
         let turning = |level, l| if l == scene.ground { Some(N::from_f64(0.0)) } else { motion.turning(level, l) };
         match self {
             Hangs::Slides { guide, on, pin } => {
@@ -166,16 +166,16 @@ struct Handed {
     /// The mechanism for each piece of the profile that can be touched, with the pair that carries
     /// the follower there.
     variants: Vec<Option<(Variant, Hangs)>>,
-    start: Standing,
+    start: ContactState,
     /// The positions of the drivers at the start, in the scene's count; `steps` are the lengths of
     /// their steps.
     positions: Vec<f64>,
     steps: Vec<f64>,
     /// Positions a number of steps of one driver from the start; `None` where the way ends before.
-    known: Mutex<BTreeMap<(usize, i64), Option<Standing>>>,
+    known: Mutex<BTreeMap<(usize, i64), Option<ContactState>>>,
     /// Positions found before, by the bits of the drivers' travels: each output and each rate of a
     /// sweep needs the same ones.
-    asked: Mutex<BTreeMap<Vec<u64>, Option<Standing>>>,
+    asked: Mutex<BTreeMap<Vec<u64>, Option<ContactState>>>,
 }
 
 /// The greatest number of kept positions.
@@ -199,13 +199,13 @@ impl Handed {
         let positions = (0..scene.drivers.len()).map(|d| position_now(scene, &at, d)).collect();
         let step = |d: &hodograph_scene::Driver| if d.kind.turns() { STEP } else { PART * at.extent() };
         let steps = scene.drivers.iter().map(step).collect();
-        let start = Standing { piece: pieces.touched, coordinate: hangs.coordinate(scene, &at)?, at, drivers };
+        let start = ContactState { piece: pieces.touched, coordinate: hangs.coordinate(scene, &at)?, at, drivers };
         Some((Handed { cam, variants, start, positions, steps, known: Mutex::default(), asked: Mutex::default() }, hangs.held()))
     }
 
     /// The position a number of steps of a driver from the start, each reached from the one before
     /// it: it does not depend on the order of requests.
-    fn grid(&self, driver: usize, steps: i64) -> Option<Standing> {
+    fn grid(&self, driver: usize, steps: i64) -> Option<ContactState> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let way = steps.signum();
         let mut last = Some(self.start.clone());
@@ -226,7 +226,7 @@ impl Handed {
     }
 
     /// The configuration when the drivers have travelled by `gone` from the start.
-    fn standing(&self, gone: &[f64]) -> Option<Standing> {
+    fn standing(&self, gone: &[f64]) -> Option<ContactState> {
         let to: Vec<f64> = self.start.drivers.iter().zip(gone).map(|(from, by)| from + by).collect();
         let mut moving = gone.iter().enumerate().filter(|(_, by)| **by != 0.0);
         let from = match (moving.next(), moving.next()) {
@@ -237,7 +237,7 @@ impl Handed {
     }
 
     /// Returns [`Handed::standing`], reached in either sense, and keeps it.
-    fn stands(&self, gone: &[f64]) -> Option<Standing> {
+    fn stands(&self, gone: &[f64]) -> Option<ContactState> {
         let key: Vec<u64> = gone.iter().map(|x| x.to_bits()).collect();
         let kept = self.asked.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
         if let Some(kept) = kept {
@@ -267,7 +267,7 @@ impl Handed {
     }
 
     /// Follows a straight way of the drivers, from piece to piece.
-    fn advance(&self, mut state: Standing, to: &[f64]) -> Option<Standing> {
+    fn advance(&self, mut state: ContactState, to: &[f64]) -> Option<ContactState> {
         let extent = self.start.at.extent();
         for _ in 0..MOST_STEPS {
             let from = state.drivers.clone();
@@ -283,18 +283,18 @@ impl Handed {
 
     /// Follows the way on one piece, as far as it leads on it; `most` is the greatest step, as a
     /// part of the way.
-    fn along(&self, state: Standing, from: &[f64], to: &[f64], most: f64, extent: f64) -> Option<Standing> {
+    fn along(&self, state: ContactState, from: &[f64], to: &[f64], most: f64, extent: f64) -> Option<ContactState> {
         let (variant, hangs) = self.variants[state.piece].as_ref()?;
         let at = |part: f64| -> Vec<f64> {
             if part == 1.0 { to.to_vec() } else { from.iter().zip(to).map(|(a, b)| a + (b - a) * part).collect() }
         };
         let closed = |part: f64, guess: &Configuration| newton::moved(&variant.scene, &variant.mechanism, guess, &DriverValues(at(part)));
-        let on = |now: &Pose, coordinate: f64| -> Option<Standing> {
+        let on = |now: &TravelPose, coordinate: f64| -> Option<ContactState> {
             let q = hangs.coordinate(&variant.scene, &now.configuration)?;
             let q = if matches!(hangs, Hangs::Turns { .. }) { coordinate + in_half_turns(q - coordinate) } else { q };
-            Some(Standing { piece: state.piece, at: now.configuration.clone(), drivers: at(now.travel), coordinate: q })
+            Some(ContactState { piece: state.piece, at: now.configuration.clone(), drivers: at(now.travel), coordinate: q })
         };
-        let (mut before, mut now): (Option<Pose>, _) = (None, Pose { travel: 0.0, configuration: state.at.clone() });
+        let (mut before, mut now): (Option<TravelPose>, _) = (None, TravelPose { travel: 0.0, configuration: state.at.clone() });
         let (mut step, mut coordinate) = (most, state.coordinate);
         while now.travel < 1.0 {
             let next = (now.travel + step).min(1.0);
@@ -306,7 +306,7 @@ impl Handed {
                 }
                 continue;
             };
-            let there = Pose { travel: next, configuration: there };
+            let there = TravelPose { travel: next, configuration: there };
             if self.left(state.piece, &there.configuration)?.is_some() {
                 let (last, side) = self.joint(state.piece, now, there, &closed)?;
                 return self.handed_over(on(&last, coordinate)?, side);
@@ -330,10 +330,10 @@ impl Handed {
     fn joint(
         &self,
         piece: usize,
-        mut inside: Pose,
-        mut outside: Pose,
+        mut inside: TravelPose,
+        mut outside: TravelPose,
         closed: &dyn Fn(f64, &Configuration) -> Option<Configuration>,
-    ) -> Option<(Pose, i64)> {
+    ) -> Option<(TravelPose, i64)> {
         let mut side = self.left(piece, &outside.configuration)??;
         loop {
             let middle = 0.5 * (inside.travel + outside.travel);
@@ -341,7 +341,7 @@ impl Handed {
             if middle <= inside.travel || middle >= outside.travel {
                 return Some((inside, side));
             }
-            let pose = Pose { travel: middle, configuration: closed(middle, &foretold(Some(&inside), &outside, middle))? };
+            let pose = TravelPose { travel: middle, configuration: closed(middle, &foretold(Some(&inside), &outside, middle))? };
             match self.left(piece, &pose.configuration)? {
                 Some(beyond) => (outside, side) = (pose, beyond),
                 None => inside = pose,
@@ -350,14 +350,14 @@ impl Handed {
     }
 
     /// The pose of a state, solved with the contact on the next piece.
-    fn handed_over(&self, state: Standing, side: i64) -> Option<Standing> {
+    fn handed_over(&self, state: ContactState, side: i64) -> Option<ContactState> {
         let count = self.variants.len();
         let next = if side > 0 { (state.piece + 1) % count } else { (state.piece + count - 1) % count };
         let (from, _) = self.variants[state.piece].as_ref()?;
         let (to, _) = self.variants[next].as_ref()?;
         let rough = self.on_another(from, to, &state.at, [state.piece, next])?;
         let at = newton::moved(&to.scene, &to.mechanism, &rough, &DriverValues(state.drivers.clone()))?;
-        Some(Standing { piece: next, at, ..state })
+        Some(ContactState { piece: next, at, ..state })
     }
 
     /// Converts a pose of one variant into one of another.
@@ -388,7 +388,7 @@ impl Handed {
 /// A led follower: the configuration, the scene of the piece in contact with its drivers at their
 /// rates, and the follower's rates.
 struct Following<'a> {
-    standing: Standing,
+    standing: ContactState,
     variant: &'a Variant,
     hangs: Hangs,
     scene: Scene,
@@ -407,7 +407,7 @@ impl Handed {
         for (driver, [_, rate, acceleration]) in scene.drivers.iter_mut().zip(drivers) {
             driver.rate.value = *rate;
             let span = driver.rate.span;
-            driver.acceleration = Some(Given { value: *acceleration, radius: 0.0, text: String::new(), span });
+            driver.acceleration = Some(GivenQuantity { value: *acceleration, radius: 0.0, text: String::new(), span });
         }
         let motion = analytic::solve(&scene, &variant.mechanism, &standing.at, &all_of(&variant.mechanism)).ok()?;
         let rates = hangs.rates(&scene, &standing.at, &motion)?;
@@ -415,10 +415,10 @@ impl Handed {
     }
 }
 
-impl Leads for Handed {
-    fn led(&self, drivers: &[[f64; 3]]) -> Option<Led> {
+impl FollowerSolver for Handed {
+    fn led(&self, drivers: &[[f64; 3]]) -> Option<FollowerState> {
         let Following { standing, rates: [rate, acceleration], .. } = self.following(drivers)?;
-        Some(Led { place: [standing.coordinate, rate, acceleration], piece: standing.piece })
+        Some(FollowerState { place: [standing.coordinate, rate, acceleration], piece: standing.piece })
     }
 
     fn off(&self, drivers: &[[f64; 3]]) -> Option<[f64; 3]> {

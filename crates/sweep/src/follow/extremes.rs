@@ -4,13 +4,13 @@
 //! It gives [`crate::extreme`] the same results as a program: the range of the driver, and
 //! position, rate and acceleration of every output at samples of the range and between them.
 
-use super::poses::{Follower, Sweep};
-use super::whole::{Whole, event};
-use crate::Placed;
-use crate::extreme::Output;
-use crate::limit::Range;
+use super::poses::{PoseFollower, PoseSweep};
+use super::whole::{DrivenMechanism, event};
+use crate::PlacedScene;
+use crate::extreme::DrivenOutput;
+use crate::limit::DriverRange;
 use hodograph_analytic as analytic;
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::{Demand, Level};
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::{PointId, Scene};
@@ -21,42 +21,42 @@ use std::borrow::Cow;
 const SAMPLES: usize = 360;
 
 /// A mechanism followed through the whole travel of a driver.
-pub(crate) struct Walk<'a> {
-    placed: &'a Placed<'a>,
+pub(crate) struct TravelWalk<'a> {
+    placed: &'a PlacedScene<'a>,
     driver: usize,
-    follower: &'a Follower<'a>,
-    sweep: Sweep,
+    follower: &'a PoseFollower<'a>,
+    sweep: PoseSweep,
     now: f64,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> TravelWalk<'a> {
     /// Follows the mechanism. The scene's driver runs at unit speed, the others are at rest.
-    pub fn new(placed: &'a Placed<'a>, driver: usize, follower: &'a Follower<'a>, now: f64) -> Walk<'a> {
-        Walk { placed, driver, follower, sweep: follower.sweep(SAMPLES), now }
+    pub fn new(placed: &'a PlacedScene<'a>, driver: usize, follower: &'a PoseFollower<'a>, now: f64) -> TravelWalk<'a> {
+        TravelWalk { placed, driver, follower, sweep: follower.sweep(SAMPLES), now }
     }
 
     /// Returns the range of the driver. Where a joint leaves the paper the search ends, and this is
     /// no limit.
-    pub fn range(&self) -> Range {
+    pub fn range(&self) -> DriverRange {
         let (scene, poses) = (self.placed.scene, &self.sweep.poses);
         let reach = if scene.drivers[self.driver].kind.turns() { self.sweep.period() } else { 2.0 * self.placed.at.extent() };
         let mut ends = [None, None];
         for (end, (limit, pose)) in ends.iter_mut().zip(self.sweep.limits.iter().zip([poses.first(), poses.last()])) {
             let (Some(travel), Some(pose)) = (limit, pose) else { continue };
             if !self.sweep.far(pose) {
-                let (moved, value) = (Whole::new(self.placed, self.driver), self.now + travel);
+                let (moved, value) = (DrivenMechanism::new(self.placed, self.driver), self.now + travel);
                 // Halving comes as near to the fold as the root of the rounding.
                 let located = moved.limit(value, &pose.configuration);
                 *end = Some(located.unwrap_or_else(|| event(self.placed.mechanism, value, &pose.configuration)));
             }
         }
-        Range { now: self.now, ends, changes: Vec::new(), reach }
+        DriverRange { now: self.now, ends, changes: Vec::new(), reach }
     }
 
     /// Returns the first and last position of the driver that was reached.
     pub fn span(&self) -> [f64; 2] {
         let poses = &self.sweep.poses;
-        let travel = |pose: Option<&super::Pose>| self.now + pose.map_or(0.0, |p| p.travel);
+        let travel = |pose: Option<&super::TravelPose>| self.now + pose.map_or(0.0, |p| p.travel);
         if self.sweep.full { [self.now, self.now + self.sweep.period()] } else { [travel(poses.first()), travel(poses.last())] }
     }
 
@@ -77,7 +77,7 @@ impl<'a> Walk<'a> {
 
     /// Returns position, rate and acceleration of an output at a position of the driver; `None`
     /// where it has none.
-    pub fn at(&self, value: f64, output: Output) -> Option<[f64; 3]> {
+    pub fn at(&self, value: f64, output: DrivenOutput) -> Option<[f64; 3]> {
         let travel = value - self.now;
         let poses = &self.sweep.poses;
         if let Some(pose) = poses.iter().find(|p| p.travel == travel) {
@@ -97,7 +97,7 @@ impl<'a> Walk<'a> {
         if self.sweep.full { (d % period).min(period - d % period) } else { d }
     }
 
-    fn moving(&self, at: &Configuration, travel: f64, output: Output) -> Option<[f64; 3]> {
+    fn moving(&self, at: &Configuration, travel: f64, output: DrivenOutput) -> Option<[f64; 3]> {
         let mechanism = self.placed.mechanism;
         let there = if self.placed.scene.has_laws(self.driver) {
             Cow::Owned(self.follower.scene_at(self.placed.scene, travel))
@@ -109,11 +109,11 @@ impl<'a> Walk<'a> {
             Demand { groups: vec![Some(Level::Acceleration); mechanism.groups.len()], level: Level::Acceleration, needs: Vec::new() };
         let solution = analytic::solve(scene, mechanism, at, &demand).ok()?;
         let all = match output {
-            Output::Turning(l) => {
+            DrivenOutput::Turning(l) => {
                 let angle = at.direction(scene, l)?.angle();
                 [angle, solution.turning(Level::Velocity, l)?, solution.turning(Level::Acceleration, l)?]
             }
-            Output::Sliding(g) => {
+            DrivenOutput::Sliding(g) => {
                 let guide = &scene.guides[g.0];
                 let Some(Path::Line { through, direction }) = at.guides[g.0] else { return None };
                 let runner = guide.pin.or_else(|| runner(scene, g.0))?;
@@ -132,7 +132,7 @@ fn runner(scene: &Scene, guide: usize) -> Option<PointId> {
 
 #[cfg(test)]
 mod tests {
-    use crate::extreme::{Limits, limits, limits_walked};
+    use crate::extreme::{MotionLimits, limits, limits_walked};
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{read, templates};
 
@@ -146,7 +146,7 @@ mod tests {
         for name in ["crank-rocker", "slider-crank", "shaper", "class-iii-six-bar", "five-bar"] {
             let scene = read(templates::get(name).unwrap()).unwrap().value;
             let m = Mechanism::new(&scene).unwrap().value;
-            let [compiled, walked]: [Limits; 2] = [limits(&scene, &m, 0).unwrap(), limits_walked(&scene, &m, 0).unwrap()];
+            let [compiled, walked]: [MotionLimits; 2] = [limits(&scene, &m, 0).unwrap(), limits_walked(&scene, &m, 0).unwrap()];
             for (a, b) in compiled.range.ends.iter().zip(&walked.range.ends) {
                 match (a, b) {
                     (None, None) => {}

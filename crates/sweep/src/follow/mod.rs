@@ -21,5 +21,5 @@ mod step;
 pub mod triad;
 pub(super) mod whole;
 
-pub use poses::{Follower, Sweep, between};
-pub use step::Pose;
+pub use poses::{PoseFollower, PoseSweep, between};
+pub use step::TravelPose;

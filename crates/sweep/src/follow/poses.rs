@@ -4,8 +4,8 @@
 //! This module decides where the poses are and which of them are limits. It does not decide what is
 //! drawn in them.
 
-use super::clock::Course;
-use super::step::{Pose, STRAY, foretold, stray};
+use super::clock::SweptVariable;
+use super::step::{STRAY, TravelPose, foretold, stray};
 use hodograph_base::budget::here;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -14,20 +14,20 @@ use hodograph_base::diag::Faults;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::{self, Configuration, newton};
 use hodograph_mechanism::stated::{self, Moment};
-use hodograph_scene::{Given, LinkId, Scene, Swept};
+use hodograph_scene::{GivenQuantity, LinkId, Scene, Swept};
 use hodograph_scene::{driver_position, with_driver_at};
 
 use crate::extreme::turns_seen;
 use crate::station::position_now;
-use crate::train::Train;
+use crate::train::AngleTrain;
 
 /// The poses of a driver's travel, or of a time.
 #[derive(Clone, Debug)]
-pub struct Sweep {
+pub struct PoseSweep {
     /// The poses in the order of growing travel; the scene's own pose has the travel 0.
-    pub poses: Vec<Pose>,
+    pub poses: Vec<TravelPose>,
     /// True if the mechanism returns to its first pose after a full turn, or after
-    /// [`Sweep::turns`].
+    /// [`PoseSweep::turns`].
     pub full: bool,
     /// The travel at which the mechanism can go no farther back, and no farther on; the pose there
     /// is the first or the last one.
@@ -37,7 +37,7 @@ pub struct Sweep {
     pub turns: u64,
 }
 
-impl Sweep {
+impl PoseSweep {
     /// Returns the travel after which a full motion recurs (rad).
     pub fn period(&self) -> f64 {
         TAU * self.turns as f64
@@ -60,7 +60,7 @@ impl Sweep {
     }
 
     /// Returns true if a pose is an end because a joint leaves the paper there.
-    pub fn far(&self, pose: &Pose) -> bool {
+    pub fn far(&self, pose: &TravelPose) -> bool {
         let Some(base) = self.poses.iter().find(|p| p.travel == 0.0) else { return false };
         stray(&pose.configuration, &base.configuration) > FAR * 0.999 * base.configuration.extent()
     }
@@ -78,18 +78,18 @@ const PARTS: usize = 20;
 const STEPS_LEAST: usize = 48;
 
 /// Follows a mechanism along one driver's travel, with the other drivers held, or through time.
-pub struct Follower<'a> {
+pub struct PoseFollower<'a> {
     /// The scene with rates such that the drivers reach a pose after unit time: one driver moves,
     /// or all do.
     scene: Scene,
     mechanism: &'a Mechanism,
     demand: &'a Demand,
     base: &'a Configuration,
-    course: Course,
+    course: SweptVariable,
     back: bool,
 }
 
-impl<'a> Follower<'a> {
+impl<'a> PoseFollower<'a> {
     /// Returns true if the driver moves toward smaller positions in the scene.
     pub fn goes_back(&self) -> bool {
         self.back
@@ -102,16 +102,16 @@ impl<'a> Follower<'a> {
         demand: &'a Demand,
         base: &'a Configuration,
         swept: impl Into<Swept>,
-    ) -> Follower<'a> {
+    ) -> PoseFollower<'a> {
         let swept = swept.into();
-        let course = Course::of(scene, base, swept);
+        let course = SweptVariable::of(scene, base, swept);
         let back = matches!(swept, Swept::Driver(d) if scene.drivers[d].rate.value < 0.0);
         let mut scene = scene.clone();
         // Only the driver moves, at unit rate, so that the time is its travel.
         for d in 0..scene.drivers.len() {
             set_rate(&mut scene, d, if swept == Swept::Driver(d) { 1.0 } else { 0.0 });
         }
-        Follower { scene, mechanism, demand, base, course, back }
+        PoseFollower { scene, mechanism, demand, base, course, back }
     }
 
     /// The position of a driver in the scene's own pose (rad or m).
@@ -123,14 +123,14 @@ impl<'a> Follower<'a> {
     /// With one driver in motion all rates are unchanged; through time they are those of the time.
     pub fn scene_at(&self, scene: &Scene, travel: f64) -> Scene {
         match &self.course {
-            Course::Driver(d) => with_driver_at(scene, *d, self.start(*d) + travel),
-            Course::Time(clock) => clock.scene_at(scene, travel),
+            SweptVariable::Driver(d) => with_driver_at(scene, *d, self.start(*d) + travel),
+            SweptVariable::Time(clock) => clock.scene_at(scene, travel),
         }
     }
 
     /// True if a turning driver moves.
     fn turns(&self) -> bool {
-        matches!(self.course, Course::Driver(d) if self.scene.drivers[d].kind.turns())
+        matches!(self.course, SweptVariable::Driver(d) if self.scene.drivers[d].kind.turns())
     }
 
     /// Returns the range of the motion shown before and after the scene's pose (rad, m or s): the
@@ -139,49 +139,49 @@ impl<'a> Follower<'a> {
     pub fn reach(&self) -> [f64; 2] {
         let extent = self.base.extent();
         match &self.course {
-            Course::Driver(_) if self.turns() => [TAU * turns_seen(self.returns()) as f64; 2],
-            Course::Driver(_) => [2.0 * extent; 2],
-            Course::Time(clock) => clock.reach(extent),
+            SweptVariable::Driver(_) if self.turns() => [TAU * turns_seen(self.returns()) as f64; 2],
+            SweptVariable::Driver(_) => [2.0 * extent; 2],
+            SweptVariable::Time(clock) => clock.reach(extent),
         }
     }
 
     /// Returns the least number of steps through time in which no driver turns by much.
     pub fn steps(&self, reach: [f64; 2]) -> usize {
         match &self.course {
-            Course::Driver(_) => 1,
-            Course::Time(clock) => clock.steps(reach),
+            SweptVariable::Driver(_) => 1,
+            SweptVariable::Time(clock) => clock.steps(reach),
         }
     }
 
     /// Returns all poses, in at least `count` steps of a turn or of the whole range.
-    pub fn sweep(&self, count: usize) -> Sweep {
+    pub fn sweep(&self, count: usize) -> PoseSweep {
         self.through(self.reach(), count)
     }
 
     /// Returns all poses of a given range before and after the scene's pose.
-    pub fn through(&self, [before, after]: [f64; 2], count: usize) -> Sweep {
+    pub fn through(&self, [before, after]: [f64; 2], count: usize) -> PoseSweep {
         let turns = self.turns();
         let returns = if turns { self.returns() } else { 1 };
         let seen = turns_seen(returns);
         let step = match &self.course {
-            Course::Driver(_) => after / (seen as f64 * count as f64),
-            Course::Time(_) => (before + after) / count.max(self.steps([before, after])) as f64,
+            SweptVariable::Driver(_) => after / (seen as f64 * count as f64),
+            SweptVariable::Time(_) => (before + after) / count.max(self.steps([before, after])) as f64,
         };
-        let start = Pose { travel: 0.0, configuration: self.base.clone() };
+        let start = TravelPose { travel: 0.0, configuration: self.base.clone() };
         if step == 0.0 {
-            return Sweep { poses: vec![start], full: false, limits: [None, None], turns: 1 };
+            return PoseSweep { poses: vec![start], full: false, limits: [None, None], turns: 1 };
         }
         let (mut up, high) = self.walk(step, after, None);
-        let back = |p: &Pose| self.stray(&p.configuration, self.base) < 1e-6 && self.rolled_back(&p.configuration);
+        let back = |p: &TravelPose| self.stray(&p.configuration, self.base) < 1e-6 && self.rolled_back(&p.configuration);
         if turns && high.is_none() && up.last().is_some_and(back) {
             up.pop();
             up.insert(0, start);
-            return Sweep { poses: up, full: true, limits: [None, None], turns: seen };
+            return PoseSweep { poses: up, full: true, limits: [None, None], turns: seen };
         }
         if high.is_none() && returns != seen {
             // One turn of many.
             up.insert(0, start);
-            return Sweep { poses: up, full: false, limits: [None, None], turns: seen };
+            return PoseSweep { poses: up, full: false, limits: [None, None], turns: seen };
         }
         let (mut down, low) = self.walk(-step, before, None);
         let range = up.last().map_or(0.0, |p| p.travel) - down.last().map_or(0.0, |p| p.travel);
@@ -194,10 +194,10 @@ impl<'a> Follower<'a> {
             let walk = |step: f64, from, end| here.enter(|| self.walk(step, from, end).0);
             (up, down) = rayon::join(|| walk(fine, after, top), || walk(-fine, before, bottom));
         }
-        let mut poses: Vec<Pose> = down.into_iter().rev().collect();
+        let mut poses: Vec<TravelPose> = down.into_iter().rev().collect();
         poses.push(start);
         poses.extend(up);
-        Sweep { poses, full: false, limits: [low, high], turns: seen }
+        PoseSweep { poses, full: false, limits: [low, high], turns: seen }
     }
 
     /// Checks that positions of this motion satisfy the statements of the scene.
@@ -210,7 +210,7 @@ impl<'a> Follower<'a> {
 
     /// Returns the number of turns of the driver after which the pose recurs; 0 if it never does.
     pub fn returns(&self) -> u64 {
-        Train::of(&self.scene, self.mechanism, self.base).turns()
+        AngleTrain::of(&self.scene, self.mechanism, self.base).turns()
     }
 
     /// True if all rolling links have the directions of the instant.
@@ -222,10 +222,10 @@ impl<'a> Follower<'a> {
 
     /// Poses from the scene's own on, in steps, as far as `reach`. If the motion ends before, the
     /// last pose is its end, which may be known.
-    fn walk(&self, step: f64, reach: f64, known: Option<Pose>) -> (Vec<Pose>, Option<f64>) {
+    fn walk(&self, step: f64, reach: f64, known: Option<TravelPose>) -> (Vec<TravelPose>, Option<f64>) {
         let reach = known.as_ref().map_or(reach, |end| end.travel.abs());
         let count = (((reach / step.abs()) * (1.0 - 1e-9)).ceil() as usize).max(usize::from(known.is_some()));
-        let start = Pose { travel: 0.0, configuration: self.base.clone() };
+        let start = TravelPose { travel: 0.0, configuration: self.base.clone() };
         let (mut before, mut now) = (None, start);
         let mut poses = Vec::new();
         let mut left = PARTS * count;
@@ -253,7 +253,7 @@ impl<'a> Follower<'a> {
     }
 
     /// The next pose on the way to a travel: there, or at a part of the way where the motion bends.
-    fn next(&self, before: Option<&Pose>, now: &Pose, target: f64) -> Option<Pose> {
+    fn next(&self, before: Option<&TravelPose>, now: &TravelPose, target: f64) -> Option<TravelPose> {
         let half = |travel: f64| now.travel + (travel - now.travel) / 2.0;
         let mut travel = target;
         let mut halvings = 0;
@@ -267,7 +267,7 @@ impl<'a> Follower<'a> {
             if let Some(configuration) = self.at(&guess, travel)
                 && self.stray(&configuration, &guess) < STRAY
             {
-                return Some(Pose { travel, configuration });
+                return Some(TravelPose { travel, configuration });
             }
             (travel, halvings) = (half(travel), halvings + 1);
         }
@@ -275,7 +275,7 @@ impl<'a> Follower<'a> {
     }
 
     /// The last pose before the motion ends, found by halving.
-    fn end(&self, now: &Pose, target: f64) -> Pose {
+    fn end(&self, now: &TravelPose, target: f64) -> TravelPose {
         let (mut inside, mut outside) = (now.clone(), target);
         loop {
             let middle = 0.5 * (inside.travel + outside);
@@ -286,7 +286,7 @@ impl<'a> Follower<'a> {
             // Close to its limit a mechanism moves as the root of the distance: the pose is not
             // extrapolated, and nearness is judged broadly.
             match self.at(&inside.configuration, middle).filter(|c| self.stray(c, &inside.configuration) < 10.0 * STRAY) {
-                Some(configuration) => inside = Pose { travel: middle, configuration },
+                Some(configuration) => inside = TravelPose { travel: middle, configuration },
                 None => outside = middle,
             }
         }
@@ -331,8 +331,8 @@ impl<'a> Follower<'a> {
     /// value.
     fn gone(&self, travel: f64) -> Option<Vec<f64>> {
         match &self.course {
-            Course::Driver(d) => Some((0..self.scene.drivers.len()).map(|k| if k == *d { travel } else { 0.0 }).collect()),
-            Course::Time(clock) => Some(clock.gone(travel)?.iter().map(|g| g.by).collect()),
+            SweptVariable::Driver(d) => Some((0..self.scene.drivers.len()).map(|k| if k == *d { travel } else { 0.0 }).collect()),
+            SweptVariable::Time(clock) => Some(clock.gone(travel)?.iter().map(|g| g.by).collect()),
         }
     }
 
@@ -340,7 +340,7 @@ impl<'a> Follower<'a> {
     /// `gone`. The followers of its cams have their positions of that time, and are at rest.
     fn later(&self, gone: &[f64], travel: f64) -> (Cow<'_, Scene>, f64) {
         let mut scene = self.with_followers(gone);
-        if let Course::Driver(_) = self.course {
+        if let SweptVariable::Driver(_) = self.course {
             return (scene, travel);
         }
         let owned = scene.to_mut();
@@ -390,13 +390,13 @@ impl<'a> Follower<'a> {
 }
 
 /// Returns the approximate configuration of a pose between two others.
-pub fn between(one: &Pose, other: &Pose, travel: f64) -> Configuration {
+pub fn between(one: &TravelPose, other: &TravelPose, travel: f64) -> Configuration {
     foretold(Some(one), other, travel)
 }
 
 /// Gives a driver a constant rate (SI).
 fn set_rate(scene: &mut Scene, driver: usize, rate: f64) {
     let of = &mut scene.drivers[driver];
-    of.rate = Given { value: rate, radius: 0.0, text: format!("{rate:?}"), span: of.rate.span };
+    of.rate = GivenQuantity { value: rate, radius: 0.0, text: format!("{rate:?}"), span: of.rate.span };
     of.acceleration = None;
 }

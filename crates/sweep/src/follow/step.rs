@@ -11,7 +11,7 @@ use hodograph_mechanism::position::{Configuration, Pose as Frame};
 
 /// One pose.
 #[derive(Clone, Debug)]
-pub struct Pose {
+pub struct TravelPose {
     /// The driver's travel from the scene's position (rad or m), or the time (s).
     pub travel: f64,
     /// The configuration.
@@ -30,7 +30,7 @@ pub(super) fn stray(a: &Configuration, b: &Configuration) -> f64 {
 
 /// The predicted pose: the secant through the last two poses, extrapolated in the ratio of the
 /// travels.
-pub(super) fn foretold(before: Option<&Pose>, now: &Pose, travel: f64) -> Configuration {
+pub(super) fn foretold(before: Option<&TravelPose>, now: &TravelPose, travel: f64) -> Configuration {
     let mut guess = now.configuration.clone();
     let Some(before) = before else { return guess };
     let ratio = (travel - now.travel) / (now.travel - before.travel);

@@ -11,9 +11,9 @@
 //! # Source
 //! E. L. Allgower, K. Georg, *Numerical Continuation Methods* (1990), ch. 6.
 
-use crate::kernel::{Pair, Reg};
+use crate::kernel::{Reg, RegPair};
 use crate::lane::Dual;
-use crate::program::Program;
+use crate::program::SweepProgram;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::toggle::PARALLEL;
 use hodograph_mechanism::position::triad::{TriadLeg, cramer};
@@ -22,13 +22,13 @@ use hodograph_scene::LinkId;
 /// A leg that holds a followed link: its known quantities, in registers. Local places count from
 /// the link's own point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Held {
+pub enum TrackLeg {
     /// The local point `near` at a distance from `far`.
     Circle {
         /// The point in the link.
         near: Vec2,
         /// The point in the plane.
-        far: Pair,
+        far: RegPair,
         /// The distance.
         radius: Reg,
     },
@@ -37,9 +37,9 @@ pub enum Held {
         /// The point in the link.
         near: Vec2,
         /// A point of the line.
-        through: Pair,
+        through: RegPair,
         /// Its direction.
-        direction: Pair,
+        direction: RegPair,
     },
     /// A line of the link passes a point.
     Slot {
@@ -48,13 +48,13 @@ pub enum Held {
         /// Its direction, in the link.
         direction: Vec2,
         /// The point in the plane.
-        over: Pair,
+        over: RegPair,
     },
 }
 
 /// A link that is followed from position to position.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Track {
+pub struct LinkTrack {
     /// Its group.
     pub group: usize,
     /// The link.
@@ -62,13 +62,13 @@ pub struct Track {
     /// The number of steps of positions that come before it.
     pub step: usize,
     /// The registers of its own point.
-    pub own: Pair,
+    pub own: RegPair,
     /// The registers of its arm: the frame's x axis, `unit` long.
-    pub arm: Pair,
+    pub arm: RegPair,
     /// The length of the arm, near the size of the mechanism (m).
     pub unit: f64,
     /// Its legs.
-    pub held: [Held; 3],
+    pub held: [TrackLeg; 3],
     /// Its own point and axis at the instant.
     pub start: (Point, Vec2),
 }
@@ -94,7 +94,7 @@ const SLIGHT: f64 = 1e-6;
 
 /// The positions of the followed links, and their tangents.
 #[derive(Clone, Debug)]
-pub struct State {
+pub struct FollowedState {
     /// The value of the swept quantity.
     pub value: f64,
     links: Vec<Followed>,
@@ -112,20 +112,20 @@ struct Followed {
 
 /// A function that returns cosine and sine of the swept quantity's value, and the derivative of
 /// that angle by the value.
-pub type Turn<'a> = &'a dyn Fn(f64) -> (f64, f64, f64);
+pub type TurnFunction<'a> = &'a dyn Fn(f64) -> (f64, f64, f64);
 
-impl Program {
+impl SweepProgram {
     /// Returns the followed links at the instant, with the given value of the swept quantity;
     /// `None` if the pose does not fit.
-    pub fn start(&self, value: f64, turn: Turn) -> Option<State> {
+    pub fn start(&self, value: f64, turn: TurnFunction) -> Option<FollowedState> {
         let guess: Vec<Followed> =
             self.tracks.iter().map(|t| Followed { own: t.start.0, axis: t.start.1, slope: (Vec2::ZERO, 0.0), det: 0.0 }).collect();
-        self.settle(&State { value, links: guess }, value, turn).map(|(state, _)| state)
+        self.settle(&FollowedState { value, links: guess }, value, turn).map(|(state, _)| state)
     }
 
     /// Advances to a value of the swept quantity; on failure returns the last state that was
     /// reached.
-    pub fn advance(&self, from: &State, value: f64, turn: Turn) -> Result<State, State> {
+    pub fn advance(&self, from: &FollowedState, value: f64, turn: TurnFunction) -> Result<FollowedState, FollowedState> {
         let scale = if self.angular { 1.0 } else { self.tracks.first().map_or(1.0, |t| t.unit) };
         let mut state = from.clone();
         let mut step = value - state.value;
@@ -150,7 +150,7 @@ impl Program {
     }
 
     /// Makes one guarded move; returns also `true` if it was so easy that the next may be longer.
-    fn settle(&self, from: &State, value: f64, turn: Turn) -> Option<(State, bool)> {
+    fn settle(&self, from: &FollowedState, value: f64, turn: TurnFunction) -> Option<(FollowedState, bool)> {
         let (cos, sin, per_value) = turn(value);
         let mut registers = self.inputs(value, cos, sin, per_value);
         let mut done = 0;
@@ -165,11 +165,11 @@ impl Program {
             track.store(&followed, &mut registers);
             links.push(followed);
         }
-        Some((State { value, links }, easy))
+        Some((FollowedState { value, links }, easy))
     }
 
     /// Writes the followed links of a state into a buffer's row.
-    pub fn show(&self, state: &State, fused: &crate::fuse::Fused, buffer: &mut crate::run::Buffer, row: usize) {
+    pub fn show(&self, state: &FollowedState, fused: &crate::fuse::Fused, buffer: &mut crate::run::Buffer, row: usize) {
         for (t, f) in self.tracks.iter().zip(&state.links) {
             let numbers = [(t.own.x, f.own.x), (t.own.y, f.own.y), (t.arm.x, f.axis.x * t.unit), (t.arm.y, f.axis.y * t.unit)];
             for (reg, number) in numbers {
@@ -182,7 +182,7 @@ impl Program {
 
     /// Returns true if the lines along which a followed link's legs hold it are parallel in a state
     /// next to its fold; else they meet in one point.
-    pub fn parallel(&self, track: usize, at: &State, turn: Turn) -> bool {
+    pub fn parallel(&self, track: usize, at: &FollowedState, turn: TurnFunction) -> bool {
         let t = &self.tracks[track];
         let (cos, sin, per_value) = turn(at.value);
         let mut registers = self.inputs(at.value, cos, sin, per_value);
@@ -200,12 +200,12 @@ impl Program {
     }
 
     /// Returns the determinants of the followed links' legs: where one vanishes, the driver stops.
-    pub fn determinants(&self, state: &State) -> Vec<f64> {
+    pub fn determinants(&self, state: &FollowedState) -> Vec<f64> {
         state.links.iter().map(|f| f.det).collect()
     }
 }
 
-impl Track {
+impl LinkTrack {
     fn store(&self, f: &Followed, registers: &mut [Dual]) {
         let (v, omega) = f.slope;
         let put = |registers: &mut [Dual], reg: Reg, value: f64, slope: f64| registers[reg.0 as usize] = Dual { value, slope };
@@ -219,13 +219,13 @@ impl Track {
     /// The legs in the form of the position solver.
     fn legs(&self, registers: &[Dual]) -> [TriadLeg; 3] {
         let number = |r: Reg| registers[r.0 as usize].value;
-        let point = |p: Pair| Point::new(number(p.x), number(p.y));
+        let point = |p: RegPair| Point::new(number(p.x), number(p.y));
         self.held.map(|h| match h {
-            Held::Circle { near, far, radius } => TriadLeg::Circle { near: near.to_point(), far: point(far), radius: number(radius) },
-            Held::Line { near, through, direction } => {
+            TrackLeg::Circle { near, far, radius } => TriadLeg::Circle { near: near.to_point(), far: point(far), radius: number(radius) },
+            TrackLeg::Line { near, through, direction } => {
                 TriadLeg::Line { near: near.to_point(), through: point(through), direction: point(direction).to_vec2() }
             }
-            Held::Slot { through, direction, over } => TriadLeg::Slot { through: through.to_point(), direction, pin: point(over) },
+            TrackLeg::Slot { through, direction, over } => TriadLeg::Slot { through: through.to_point(), direction, pin: point(over) },
         })
     }
 
@@ -233,17 +233,17 @@ impl Track {
     fn drift(&self, registers: &[Dual], own: Point, axis: Vec2) -> [f64; 3] {
         let slope = |r: Reg| registers[r.0 as usize].slope;
         let number = |r: Reg| registers[r.0 as usize].value;
-        let vector = |p: Pair, of: &dyn Fn(Reg) -> f64| Vec2::new(of(p.x), of(p.y));
+        let vector = |p: RegPair, of: &dyn Fn(Reg) -> f64| Vec2::new(of(p.x), of(p.y));
         self.held.map(|h| match h {
-            Held::Circle { near, far, radius } => {
+            TrackLeg::Circle { near, far, radius } => {
                 let d = own + near.rotate_by(axis) - vector(far, &number).to_point();
                 -d.dot(vector(far, &slope)) / d.norm() - slope(radius)
             }
-            Held::Line { near, through, direction } => {
+            TrackLeg::Line { near, through, direction } => {
                 let d = own + near.rotate_by(axis) - vector(through, &number).to_point();
                 vector(direction, &slope).cross(d) - vector(direction, &number).cross(vector(through, &slope))
             }
-            Held::Slot { direction, over, .. } => -direction.rotate_by(axis).cross(vector(over, &slope)),
+            TrackLeg::Slot { direction, over, .. } => -direction.rotate_by(axis).cross(vector(over, &slope)),
         })
     }
 
@@ -304,14 +304,14 @@ impl Track {
 /// suffice.
 const FOLD_PATIENCE: usize = 30;
 
-impl Program {
+impl SweepProgram {
     /// Returns the fold next to a state: the value of the swept quantity at which the legs'
     /// equations and their determinant vanish together.
     ///
     /// There the pose moves along the kernel of the legs while the driver is at rest, so that the
     /// value is exact to second order. Returns `None` if Newton's method does not converge near by,
     /// or another followed link comes before this one.
-    pub fn fold(&self, track: usize, near: &State, turn: Turn) -> Option<f64> {
+    pub fn fold(&self, track: usize, near: &FollowedState, turn: TurnFunction) -> Option<f64> {
         let t = &self.tracks[track];
         if track > 0 {
             return None;

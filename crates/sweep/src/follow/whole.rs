@@ -2,15 +2,15 @@
 //! position from the one before it (natural continuation with step control), and the loop equations
 //! answer the questions there.
 
-use super::chains::{Chains, Follow, Values};
-use super::step::{Pose, STRAY, foretold, stray};
-use crate::Placed;
-use crate::chunks::Rows;
+use super::chains::{Chains, Follow, ValueFunction};
+use super::step::{STRAY, TravelPose, foretold, stray};
+use crate::PlacedScene;
+use crate::chunks::SweepRows;
 use crate::compile::ask;
 use crate::general::{self, General};
-use crate::limit::{Event, Kind};
+use crate::limit::{Event, EventKind};
 use crate::station::{Stations, position_now};
-use crate::train::Train;
+use crate::train::AngleTrain;
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_mechanism::mechanism::{Core, Mechanism};
 use hodograph_mechanism::position::Configuration;
@@ -31,8 +31,8 @@ const PART_OF_A_TURN: f64 = std::f64::consts::FRAC_PI_4;
 const MOST_STEPS: usize = 200;
 
 /// A mechanism moved by one of its drivers.
-pub(crate) struct Whole<'a> {
-    placed: &'a Placed<'a>,
+pub(crate) struct DrivenMechanism<'a> {
+    placed: &'a PlacedScene<'a>,
     driver: usize,
     /// The position of the driver at the instant.
     now: f64,
@@ -49,40 +49,40 @@ const FARTHEST: f64 = 2.0;
 
 /// The configuration at a value of the driver, which is the pose's travel, and at the step before.
 #[derive(Clone)]
-pub(crate) struct Standing {
-    now: Pose,
-    before: Option<Pose>,
+pub(crate) struct PoseHistory {
+    now: TravelPose,
+    before: Option<TravelPose>,
 }
 
-impl Standing {
-    fn first(value: f64, at: &Configuration) -> Standing {
-        Standing { now: Pose { travel: value, configuration: at.clone() }, before: None }
+impl PoseHistory {
+    fn first(value: f64, at: &Configuration) -> PoseHistory {
+        PoseHistory { now: TravelPose { travel: value, configuration: at.clone() }, before: None }
     }
 
     /// The predicted configuration.
     fn ahead(&self, value: f64) -> Configuration {
-        let step = |from: &Pose, to: f64| (to - from.travel).abs();
-        let near = |before: &&Pose| step(&self.now, value) <= FARTHEST * step(before, self.now.travel);
+        let step = |from: &TravelPose, to: f64| (to - from.travel).abs();
+        let near = |before: &&TravelPose| step(&self.now, value) <= FARTHEST * step(before, self.now.travel);
         foretold(self.before.as_ref().filter(near), &self.now, value)
     }
 
-    fn on(self, to: Pose) -> Standing {
-        Standing { before: Some(self.now), now: to }
+    fn on(self, to: TravelPose) -> PoseHistory {
+        PoseHistory { before: Some(self.now), now: to }
     }
 }
 
-impl<'a> Whole<'a> {
+impl<'a> DrivenMechanism<'a> {
     /// Prepares a mechanism in its pose of the instant.
-    pub fn new(placed: &'a Placed<'a>, driver: usize) -> Whole<'a> {
+    pub fn new(placed: &'a PlacedScene<'a>, driver: usize) -> DrivenMechanism<'a> {
         let now = position_now(placed.scene, &placed.at, driver);
-        let train = Train::of(placed.scene, placed.mechanism, &placed.at);
+        let train = AngleTrain::of(placed.scene, placed.mechanism, &placed.at);
         let wheels = (train.fastest(), train.turns());
-        Whole { placed, driver, now, wheels, drivers: newton::driver_values(placed.scene, &placed.at) }
+        DrivenMechanism { placed, driver, now, wheels, drivers: newton::driver_values(placed.scene, &placed.at) }
     }
 
     /// Prepares its course through `count` values.
-    pub fn course(placed: &'a Placed<'a>, driver: usize, count: usize, values: Values) -> Chains<Whole<'a>> {
-        let moved = Whole::new(placed, driver);
+    pub fn course(placed: &'a PlacedScene<'a>, driver: usize, count: usize, values: ValueFunction) -> Chains<DrivenMechanism<'a>> {
+        let moved = DrivenMechanism::new(placed, driver);
         let now = moved.now;
         Chains::new(moved, now, count, values)
     }
@@ -131,7 +131,7 @@ impl<'a> Whole<'a> {
         if let Some(why) = ends.of(self.driver, way) {
             return Err(why);
         }
-        let first = Standing::first(self.now, &self.placed.at);
+        let first = PoseHistory::first(self.now, &self.placed.at);
         self.advance(&first, self.now + way).map(|s| s.now.configuration).map_err(|last| {
             let why = self.stopped(Some(&last), value);
             ends.note(self.driver, last.now.travel - self.now, way < 0.0, &why);
@@ -140,7 +140,7 @@ impl<'a> Whole<'a> {
     }
 
     /// Returns the limit at which a state is the last on its way.
-    pub fn end(&self, last: &Standing) -> Option<Event> {
+    pub fn end(&self, last: &PoseHistory) -> Option<Event> {
         self.limit(last.now.travel, &last.now.configuration)
     }
 }
@@ -155,18 +155,18 @@ pub(crate) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
     let last = || m.groups.iter().rev().find(|g| g.class().is_some());
     let toggle = Toggle::at(m, at).or_else(|| followed().or_else(last).map(|g| Toggle::Open(g.links.clone())));
     let links = toggle.as_ref().map_or_else(Vec::new, Toggle::links);
-    Event { value, kind: Kind::Limit, links, pin: None, joint: None, toggle }
+    Event { value, kind: EventKind::Limit, links, pin: None, joint: None, toggle }
 }
 
-impl Follow for Whole<'_> {
-    type State = Standing;
+impl Follow for DrivenMechanism<'_> {
+    type State = PoseHistory;
 
-    fn start(&self) -> Option<Standing> {
-        Some(Standing::first(self.now, &self.placed.at))
+    fn start(&self) -> Option<PoseHistory> {
+        Some(PoseHistory::first(self.now, &self.placed.at))
     }
 
     /// Advances in steps that each converge near by.
-    fn advance(&self, from: &Standing, to: f64) -> Result<Standing, Standing> {
+    fn advance(&self, from: &PoseHistory, to: f64) -> Result<PoseHistory, PoseHistory> {
         let p = self.placed;
         let part = if self.is_turning() { PART_OF_A_TURN / self.wheels.0 } else { PART_OF_A_TURN * p.at.extent() };
         // The number of steps starts anew for every part of the way, so that no end is out of reach
@@ -190,14 +190,14 @@ impl Follow for Whole<'_> {
             let next = if (to - value).abs() <= step.abs() { to } else { value + step };
             let guess = state.ahead(next);
             match newton::moved(p.scene, p.mechanism, &guess, &self.holding(next)).filter(|c| stray(c, &guess) < STRAY * extent) {
-                Some(configuration) => (state, step) = (state.on(Pose { travel: next, configuration }), step * 1.5),
+                Some(configuration) => (state, step) = (state.on(TravelPose { travel: next, configuration }), step * 1.5),
                 None => step = 0.5 * (next - value),
             }
         }
         if state.now.travel == to { Ok(state) } else { Err(state) }
     }
 
-    fn stopped(&self, last: Option<&Standing>, toward: f64) -> Faults {
+    fn stopped(&self, last: Option<&PoseHistory>, toward: f64) -> Faults {
         let words = |value| general::driver_words(self.placed.scene, self.driver, value);
         let message = match last.map(|last| (last, self.end(last))) {
             Some((_, Some(limit))) => both!("the mechanism cannot be assembled beyond {}", "机构在 {} 以后不能装配", words(limit.value)),
@@ -217,41 +217,41 @@ impl Follow for Whole<'_> {
 /// Some rows of a course. `row` gives the row of the stations for a position of the course. Returns
 /// `None` if `stop` asks to stop.
 pub(crate) fn rows(
-    course: &mut Chains<Whole>,
+    course: &mut Chains<DrivenMechanism>,
     general: &General,
     part: Range<usize>,
     stations: &Stations,
-    values: Values,
+    values: ValueFunction,
     row: &dyn Fn(usize) -> usize,
     stop: &dyn Fn() -> bool,
-) -> Option<Rows> {
+) -> Option<SweepRows> {
     let scene = general.scene();
     let n = stations.len();
     let mut columns: Vec<Vec<f64>> = scene.find.iter().flat_map(ask::names).map(|_| vec![f64::NAN; n]).collect();
     let mut missing = BTreeMap::new();
     let done = course.states(part, values, stop, &mut |position, state| {
         let i = row(position);
-        let there = |state: &Standing| general.ways(stations, i, Some(&state.now.configuration));
+        let there = |state: &PoseHistory| general.ways(stations, i, Some(&state.now.configuration));
         match state.map_err(Clone::clone).and_then(there) {
             Ok(ways) => columns.iter_mut().zip(&ways[0]).for_each(|(c, v)| c[i] = *v),
             Err(why) => drop(missing.insert(i, why)),
         }
     });
-    done.then_some(Rows { columns, missing, open: Vec::new() })
+    done.then_some(SweepRows { columns, missing, open: Vec::new() })
 }
 
 /// One note for each limit that a course meets.
-pub(crate) fn ends(course: &Chains<Whole>) -> Vec<Diagnostic> {
+pub(crate) fn ends(course: &Chains<DrivenMechanism>) -> Vec<Diagnostic> {
     let moved = course.follow();
     let limits = course.ended().filter_map(|last| moved.end(last));
     limits.map(|e| general::limit_note(moved.placed.scene, moved.driver, &e)).collect()
 }
 
 /// All rows of stations in any order, and one note for each limit on the way to them.
-pub(crate) fn follow(placed: &Placed, driver: usize, stations: &Stations) -> (Rows, Vec<Diagnostic>) {
+pub(crate) fn follow(placed: &PlacedScene, driver: usize, stations: &Stations) -> (SweepRows, Vec<Diagnostic>) {
     let order = stations.ascending();
     let values = |position: usize| stations.values[order[position]];
-    let mut course = Whole::course(placed, driver, order.len(), &values);
+    let mut course = DrivenMechanism::course(placed, driver, order.len(), &values);
     let general = General::new(placed, driver);
     let all = 0..order.len();
     let rows = rows(&mut course, &general, all, stations, &values, &|position| order[position], &|| false);

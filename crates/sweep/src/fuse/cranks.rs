@@ -2,10 +2,10 @@
 //! machine's registers.
 
 use super::kernels::*;
-use super::{Ordered, Unit};
+use super::{FusedUnit, Ordered};
 use crate::kernel::{Kernel, Reg};
 use crate::lane::Lane;
-use crate::run::{Any, Whole};
+use crate::run::{Any, FusedOp};
 
 /// A group that is connected to the pin of a crank and to no other moving part, together with the
 /// crank.
@@ -35,8 +35,8 @@ pub(super) fn join(all: &mut Ordered, wanted: &[Reg]) {
 }
 
 /// The unit to join with a crank, and the kernel of both.
-fn reader(all: &Ordered, crank: u32, wanted: &[Reg]) -> Option<(u32, Whole)> {
-    let Unit { op, outs } = &all.units[crank as usize];
+fn reader(all: &Ordered, crank: u32, wanted: &[Reg]) -> Option<(u32, FusedOp)> {
+    let FusedUnit { op, outs } = &all.units[crank as usize];
     if !is_crank(op) || outs.iter().any(|r| wanted.contains(r)) {
         return None;
     }
@@ -48,7 +48,7 @@ fn reader(all: &Ordered, crank: u32, wanted: &[Reg]) -> Option<(u32, Whole)> {
 }
 
 fn is_crank(op: &Any) -> bool {
-    use Whole::*;
+    use FusedOp::*;
     matches!(op, Any::Whole(CrankP(_) | CrankV(_) | CrankA(_) | EvenP(_) | EvenV(_) | EvenA(_)))
 }
 
@@ -74,10 +74,10 @@ macro_rules! on_cranks {
         )*
 
         /// The kernel of a group on a crank, if there is one.
-        fn joined(crank: Any, group: Any) -> Option<Whole> {
+        fn joined(crank: Any, group: Any) -> Option<FusedOp> {
             match (crank, group) {
-                $((Any::Whole(Whole::$crank(crank)), Any::Whole(Whole::$group(group))) => {
-                    Some(Whole::$name(OnCrank { crank, group }))
+                $((Any::Whole(FusedOp::$crank(crank)), Any::Whole(FusedOp::$group(group))) => {
+                    Some(FusedOp::$name(OnCrank { crank, group }))
                 })*
                 _ => None,
             }

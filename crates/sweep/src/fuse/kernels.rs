@@ -15,12 +15,12 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::super::closure::TOUCH;
-use super::super::kernel::{Kernel, Pair, Reg};
+use super::super::kernel::{Kernel, Reg, RegPair};
 use super::super::lane::Lane;
 use hodograph_base::geom::Vec2;
 
 /// A position and its rates; those beyond a kernel's levels are not read.
-pub type Motion = [Pair; 3];
+pub type MotionRegisters = [RegPair; 3];
 
 /// Two bars A–C and B–C of constant lengths: C, to the left (`sign` 1) or right (−1) of the line
 /// from A to B.
@@ -31,9 +31,9 @@ pub type Motion = [Pair; 3];
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dyad<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> {
     /// The point A.
-    pub a: Motion,
+    pub a: MotionRegisters,
     /// The point B, if it moves.
-    pub b: Motion,
+    pub b: MotionRegisters,
     /// The point B, if it is fixed.
     pub at: [f64; 2],
     /// The length |AC|.
@@ -52,7 +52,7 @@ pub struct Dyad<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crank<const LEVELS: usize, const EVEN: bool> {
     /// Cosine and sine of the angle.
-    pub turn: Pair,
+    pub turn: RegPair,
     /// The pivot O.
     pub o: [f64; 2],
     /// Real and imaginary part of k.
@@ -65,11 +65,11 @@ pub struct Crank<const LEVELS: usize, const EVEN: bool> {
 
 /// A point of a link by two others: P = O + k (N − O), and its rates in the same way (影像).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Coupled<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> {
+pub struct CoupledPoint<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> {
     /// The point N.
-    pub n: Motion,
+    pub n: MotionRegisters,
     /// The point O, if it moves.
-    pub o: Motion,
+    pub o: MotionRegisters,
     /// The point O, if it is fixed.
     pub at: [f64; 2],
     /// Real and imaginary part of k.
@@ -80,9 +80,9 @@ pub struct Coupled<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Images<const LEVELS: usize, const LENGTHS: bool> {
     /// The point O.
-    pub o: Motion,
+    pub o: MotionRegisters,
     /// The arm d.
-    pub d: Motion,
+    pub d: MotionRegisters,
     /// Real and imaginary part of k.
     pub k: [f64; 2],
 }
@@ -95,7 +95,7 @@ pub struct Images<const LEVELS: usize, const LENGTHS: bool> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider<const LEVELS: usize, const LENGTHS: bool> {
     /// The point A.
-    pub a: Motion,
+    pub a: MotionRegisters,
     /// The length |AC|.
     pub r: f64,
     /// A point of the guide.
@@ -108,11 +108,11 @@ pub struct Slider<const LEVELS: usize, const LENGTHS: bool> {
 
 /// Angular velocity ω of the line from O to N, and with three levels α.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turned<const GROUND: bool, const LEVELS: usize> {
+pub struct LineTurning<const GROUND: bool, const LEVELS: usize> {
     /// The point N.
-    pub n: Motion,
+    pub n: MotionRegisters,
     /// The point O, if it moves.
-    pub o: Motion,
+    pub o: MotionRegisters,
     /// The point O, if it is fixed.
     pub at: [f64; 2],
 }
@@ -121,12 +121,12 @@ pub struct Turned<const GROUND: bool, const LEVELS: usize> {
 /// with three levels α.
 ///
 /// # Source
-/// [`super::super::closure::Lever`] and [`super::super::rows::SlotRate`]: n·v_B = ω n·(r turned by
+/// [`super::super::closure::SlotLever`] and [`super::super::rows::SlotRate`]: n·v_B = ω n·(r turned by
 /// 90°), r = B − A, n square to the slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slotted<const LEVELS: usize> {
+pub struct SlottedLever<const LEVELS: usize> {
     /// The pin B.
-    pub b: Motion,
+    pub b: MotionRegisters,
     /// The pivot A.
     pub at: [f64; 2],
     /// The offset of the slot.
@@ -140,7 +140,7 @@ pub struct Slotted<const LEVELS: usize> {
 }
 
 /// The registers of points with their rates, one point after the other.
-fn wires<const IN: usize>(levels: usize, places: &[Motion]) -> [Reg; IN] {
+fn wires<const IN: usize>(levels: usize, places: &[MotionRegisters]) -> [Reg; IN] {
     std::array::from_fn(|i| {
         let pair = places[i / (2 * levels)][i / 2 % levels];
         if i % 2 == 0 { pair.x } else { pair.y }
@@ -254,7 +254,7 @@ impl<const LEVELS: usize, const EVEN: bool> Crank<LEVELS, EVEN> {
     }
 }
 
-impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Coupled<GROUND, LEVELS, LENGTHS> {
+impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> CoupledPoint<GROUND, LEVELS, LENGTHS> {
     #[inline(always)]
     fn solve<N: Lane, const IN: usize, const OUT: usize>(&self, x: [N; IN]) -> [N; OUT] {
         let mut out = [vector(&x, 0); LEVELS];
@@ -312,7 +312,7 @@ impl<const LEVELS: usize, const LENGTHS: bool> Slider<LEVELS, LENGTHS> {
     }
 }
 
-impl<const GROUND: bool, const LEVELS: usize> Turned<GROUND, LEVELS> {
+impl<const GROUND: bool, const LEVELS: usize> LineTurning<GROUND, LEVELS> {
     #[inline(always)]
     fn solve<N: Lane, const IN: usize, const OUT: usize>(&self, x: [N; IN]) -> [N; OUT] {
         let d = vector(&x, 0) - if GROUND { fixed(x[0], self.at) } else { vector(&x, LEVELS) };
@@ -328,7 +328,7 @@ impl<const GROUND: bool, const LEVELS: usize> Turned<GROUND, LEVELS> {
     }
 }
 
-impl<const LEVELS: usize> Slotted<LEVELS> {
+impl<const LEVELS: usize> SlottedLever<LEVELS> {
     #[inline(always)]
     fn solve<N: Lane, const IN: usize, const OUT: usize>(&self, x: [N; IN]) -> [N; OUT] {
         let r = vector(&x, 0) - fixed(x[0], self.at);
@@ -365,7 +365,7 @@ macro_rules! kernels {
 
             impl Kernel<$in, $out> for $name {
                 fn inputs(&self) -> [Reg; $in] {
-                    let places: fn(&Self) -> [Motion; 2] = $places;
+                    let places: fn(&Self) -> [MotionRegisters; 2] = $places;
                     wires($levels, &places(self))
                 }
 
@@ -395,16 +395,16 @@ kernels! {
     EvenP = Crank<1, true>: 1, 2 => 2, |k| [[k.turn; 3]; 2];
     EvenV = Crank<2, true>: 1, 2 => 4, |k| [[k.turn; 3]; 2];
     EvenA = Crank<3, true>: 1, 2 => 6, |k| [[k.turn; 3]; 2];
-    CoupledP = Coupled<false, 1, false>: 1, 4 => 2, |k| [k.n, k.o];
-    CoupledV = Coupled<false, 2, false>: 2, 8 => 4, |k| [k.n, k.o];
-    CoupledA = Coupled<false, 3, false>: 3, 12 => 6, |k| [k.n, k.o];
-    CoupledVL = Coupled<false, 2, true>: 2, 8 => 5, |k| [k.n, k.o];
-    CoupledAL = Coupled<false, 3, true>: 3, 12 => 8, |k| [k.n, k.o];
-    CoupledGroundP = Coupled<true, 1, false>: 1, 2 => 2, |k| [k.n, k.n];
-    CoupledGroundV = Coupled<true, 2, false>: 2, 4 => 4, |k| [k.n, k.n];
-    CoupledGroundA = Coupled<true, 3, false>: 3, 6 => 6, |k| [k.n, k.n];
-    CoupledGroundVL = Coupled<true, 2, true>: 2, 4 => 5, |k| [k.n, k.n];
-    CoupledGroundAL = Coupled<true, 3, true>: 3, 6 => 8, |k| [k.n, k.n];
+    CoupledP = CoupledPoint<false, 1, false>: 1, 4 => 2, |k| [k.n, k.o];
+    CoupledV = CoupledPoint<false, 2, false>: 2, 8 => 4, |k| [k.n, k.o];
+    CoupledA = CoupledPoint<false, 3, false>: 3, 12 => 6, |k| [k.n, k.o];
+    CoupledVL = CoupledPoint<false, 2, true>: 2, 8 => 5, |k| [k.n, k.o];
+    CoupledAL = CoupledPoint<false, 3, true>: 3, 12 => 8, |k| [k.n, k.o];
+    CoupledGroundP = CoupledPoint<true, 1, false>: 1, 2 => 2, |k| [k.n, k.n];
+    CoupledGroundV = CoupledPoint<true, 2, false>: 2, 4 => 4, |k| [k.n, k.n];
+    CoupledGroundA = CoupledPoint<true, 3, false>: 3, 6 => 6, |k| [k.n, k.n];
+    CoupledGroundVL = CoupledPoint<true, 2, true>: 2, 4 => 5, |k| [k.n, k.n];
+    CoupledGroundAL = CoupledPoint<true, 3, true>: 3, 6 => 8, |k| [k.n, k.n];
     ImagesP = Images<1, false>: 1, 4 => 2, |k| [k.o, k.d];
     ImagesV = Images<2, false>: 2, 8 => 4, |k| [k.o, k.d];
     ImagesA = Images<3, false>: 3, 12 => 6, |k| [k.o, k.d];
@@ -415,10 +415,10 @@ kernels! {
     SliderA = Slider<3, false>: 3, 6 => 6, |k| [k.a, k.a];
     SliderVL = Slider<2, true>: 2, 4 => 5, |k| [k.a, k.a];
     SliderAL = Slider<3, true>: 3, 6 => 8, |k| [k.a, k.a];
-    SlottedV = Slotted<2>: 2, 4 => 5, |k| [k.b, k.b];
-    SlottedA = Slotted<3>: 3, 6 => 8, |k| [k.b, k.b];
-    TurnedV = Turned<false, 2>: 2, 8 => 1, |k| [k.n, k.o];
-    TurnedA = Turned<false, 3>: 3, 12 => 2, |k| [k.n, k.o];
-    TurnedGroundV = Turned<true, 2>: 2, 4 => 1, |k| [k.n, k.n];
-    TurnedGroundA = Turned<true, 3>: 3, 6 => 2, |k| [k.n, k.n];
+    SlottedV = SlottedLever<2>: 2, 4 => 5, |k| [k.b, k.b];
+    SlottedA = SlottedLever<3>: 3, 6 => 8, |k| [k.b, k.b];
+    TurnedV = LineTurning<false, 2>: 2, 8 => 1, |k| [k.n, k.o];
+    TurnedA = LineTurning<false, 3>: 3, 12 => 2, |k| [k.n, k.o];
+    TurnedGroundV = LineTurning<true, 2>: 2, 4 => 1, |k| [k.n, k.n];
+    TurnedGroundA = LineTurning<true, 3>: 3, 6 => 2, |k| [k.n, k.n];
 }

@@ -1,19 +1,19 @@
 //! Pattern matching on the list of operations: finds those that give position, velocity and
 //! acceleration of one point, or angular velocity and angular acceleration of one line.
 
-use super::kernels::{Coupled, Crank, Dyad, Images, Motion, Slider, Turned};
-use super::{NONE, Outs, Unit, Wires};
+use super::kernels::{CoupledPoint, Crank, Dyad, Images, LineTurning, MotionRegisters, Slider};
+use super::{FusedUnit, NONE, Outs, Wires};
 use crate::carry::Arm;
-use crate::kernel::{Pair, Reg};
-use crate::program::{COS, Op, Program, SIN, Step};
+use crate::kernel::{Reg, RegPair};
+use crate::program::{COS, Op, ProgramStep, SIN, SweepProgram};
 use crate::rows::Cross;
-use crate::run::{Any, Whole};
+use crate::run::{Any, FusedOp};
 use arrayvec::ArrayVec;
 
 /// A program indexed by its registers.
 pub struct Matching<'a> {
-    pub(super) program: &'a Program,
-    pub(super) steps: &'a [Step],
+    pub(super) program: &'a SweepProgram,
+    pub(super) steps: &'a [ProgramStep],
     /// The values of constant registers.
     pub constants: Vec<Option<f64>>,
     /// The step that fills each register.
@@ -31,11 +31,11 @@ pub struct Matching<'a> {
 macro_rules! levels {
     ($levels:expr, $lengths:expr, $kernel:expr => $p:ident $v:ident $a:ident $vl:ident $al:ident) => {
         match ($levels, $lengths) {
-            (1, _) => Whole::$p($kernel),
-            (2, false) => Whole::$v($kernel),
-            (2, true) => Whole::$vl($kernel),
-            (_, false) => Whole::$a($kernel),
-            (_, true) => Whole::$al($kernel),
+            (1, _) => FusedOp::$p($kernel),
+            (2, false) => FusedOp::$v($kernel),
+            (2, true) => FusedOp::$vl($kernel),
+            (_, false) => FusedOp::$a($kernel),
+            (_, true) => FusedOp::$al($kernel),
         }
     };
 }
@@ -44,10 +44,10 @@ macro_rules! levels {
 pub(super) type Few<T> = ArrayVec<T, 3>;
 
 /// The kernel found for one point, by levels and lengths.
-type Made<'a> = &'a dyn Fn(usize, bool) -> Whole;
+type KernelChoice<'a> = &'a dyn Fn(usize, bool) -> FusedOp;
 
 impl<'a> Matching<'a> {
-    pub fn new(program: &'a Program, steps: &'a [Step], wanted: &[Reg]) -> Self {
+    pub fn new(program: &'a SweepProgram, steps: &'a [ProgramStep], wanted: &[Reg]) -> Self {
         let n = program.registers;
         let mut m = Matching {
             program,
@@ -72,7 +72,7 @@ impl<'a> Matching<'a> {
             m.alive[i] = m.uses[out].iter().any(|u| *u > 0);
             if m.alive[i] {
                 wires.ins.iter().for_each(|r| m.uses[r.0 as usize] += 1);
-                if let Op::Length(l) = step.op {
+                if let Op::VectorLength(l) = step.op {
                     m.length[l.v.x.0 as usize] = i as u32;
                 }
             }
@@ -81,17 +81,17 @@ impl<'a> Matching<'a> {
     }
 
     /// Every needed step as a unit of its own.
-    pub fn singles(&self) -> Vec<Unit> {
+    pub fn singles(&self) -> Vec<FusedUnit> {
         (0..self.steps.len()).filter(|&i| self.alive[i]).map(|i| self.single(i)).collect()
     }
 
-    fn single(&self, i: usize) -> Unit {
+    fn single(&self, i: usize) -> FusedUnit {
         let step = &self.steps[i];
-        Unit { op: Any::One(step.op), outs: (0..self.outs[i]).map(|k| Reg(step.out.0 + k)).collect() }
+        FusedUnit { op: Any::One(step.op), outs: (0..self.outs[i]).map(|k| Reg(step.out.0 + k)).collect() }
     }
 
     /// The needed steps, with those that belong together combined.
-    pub fn units(&self) -> Vec<Unit> {
+    pub fn units(&self) -> Vec<FusedUnit> {
         let mut taken = vec![false; self.steps.len()];
         let mut units = Vec::with_capacity(self.steps.len());
         for motion in &self.program.motions {
@@ -106,7 +106,7 @@ impl<'a> Matching<'a> {
     }
 
     /// The operation that fills a pair, if it is needed.
-    pub(super) fn op(&self, pair: Pair) -> Option<(usize, &Op)> {
+    pub(super) fn op(&self, pair: RegPair) -> Option<(usize, &Op)> {
         let i = self.maker[pair.x.0 as usize];
         let step = self.steps.get(i as usize)?;
         (self.alive[i as usize] && step.out == pair.x && pair.y.0 == pair.x.0 + 1).then_some((i as usize, &step.op))
@@ -121,21 +121,21 @@ impl<'a> Matching<'a> {
         self.constants[reg.0 as usize]
     }
 
-    pub(super) fn fixed(&self, p: Pair) -> Option<[f64; 2]> {
+    pub(super) fn fixed(&self, p: RegPair) -> Option<[f64; 2]> {
         Some([self.constant(p.x)?, self.constant(p.y)?])
     }
 
-    pub(super) fn still(&self, p: Pair) -> bool {
+    pub(super) fn still(&self, p: RegPair) -> bool {
         self.fixed(p) == Some([0.0; 2])
     }
 
     /// The position, if it is constant and its rates are zero.
-    fn ground(&self, m: &[Pair]) -> Option<[f64; 2]> {
+    fn ground(&self, m: &[RegPair]) -> Option<[f64; 2]> {
         self.fixed(m[0]).filter(|_| m[1..].iter().all(|rate| self.still(*rate)))
     }
 
     /// Combines position, velocity and acceleration of a point.
-    fn motion(&self, motion: &[Option<Pair>; 3], taken: &mut [bool], units: &mut Vec<Unit>) {
+    fn motion(&self, motion: &[Option<RegPair>; 3], taken: &mut [bool], units: &mut Vec<FusedUnit>) {
         let (mut pairs, mut ops) = (Few::new(), Few::new());
         for pair in motion.iter().map_while(|p| *p) {
             let Some((i, op)) = self.op(pair).filter(|(i, _)| !taken[*i]) else { break };
@@ -145,7 +145,7 @@ impl<'a> Matching<'a> {
         // As many levels as the kernel can do together; the rest stays as it is.
         for levels in (1..=pairs.len()).rev() {
             let kinds: Few<&Op> = ops[..levels].iter().map(|o| o.1).collect();
-            let mut put = |measured: bool, made: Made| {
+            let mut put = |measured: bool, made: KernelChoice| {
                 let lengths: Few<usize> = pairs[1..levels].iter().map(|p| self.length[p.x.0 as usize] as usize).collect();
                 let all = measured && levels > 1 && lengths.iter().all(|l| *l < self.steps.len() && !taken[*l]);
                 let mut outs: Outs = pairs[..levels].iter().flat_map(|p| [p.x, p.y]).collect();
@@ -154,7 +154,7 @@ impl<'a> Matching<'a> {
                     lengths.iter().for_each(|l| taken[*l] = true);
                     outs.extend(lengths.iter().map(|l| self.steps[*l].out));
                 }
-                units.push(Unit { op: Any::Whole(made(levels, all)), outs });
+                units.push(FusedUnit { op: Any::Whole(made(levels, all)), outs });
             };
             if self.dyad(&kinds, &pairs, &mut put) || self.image(&kinds, &mut put) || self.slider(&kinds, &pairs, &mut put) {
                 return;
@@ -163,7 +163,7 @@ impl<'a> Matching<'a> {
     }
 
     /// Matches two bars.
-    fn dyad(&self, ops: &[&Op], pairs: &[Pair], put: &mut dyn FnMut(bool, Made)) -> bool {
+    fn dyad(&self, ops: &[&Op], pairs: &[RegPair], put: &mut dyn FnMut(bool, KernelChoice)) -> bool {
         let Op::Circles(c) = ops[0] else { return false };
         let (Some(r), Some(s)) = (self.constant(c.r), self.constant(c.s)) else { return false };
         let (mut a, mut b) = (Few::from_iter([c.a]), Few::from_iter([c.b]));
@@ -208,7 +208,7 @@ impl<'a> Matching<'a> {
     }
 
     /// Matches a point of a link.
-    fn image(&self, ops: &[&Op], put: &mut dyn FnMut(bool, Made)) -> bool {
+    fn image(&self, ops: &[&Op], put: &mut dyn FnMut(bool, KernelChoice)) -> bool {
         let mut images = Few::new();
         for op in ops {
             let Op::Image(i) = op else { return false };
@@ -218,29 +218,31 @@ impl<'a> Matching<'a> {
         if images.iter().any(|i| i.k != k) {
             return false;
         }
-        let (o, d): (Few<Pair>, Few<Pair>) = images.iter().map(|i| (i.o, i.d)).unzip();
+        let (o, d): (Few<RegPair>, Few<RegPair>) = images.iter().map(|i| (i.o, i.d)).unzip();
         let ground = self.ground(&o);
         if let Some(crank) = ground.and_then(|o| self.crank(o, k, &d)) {
             put(false, &|levels, _| match (levels, crank.is_even()) {
-                (1, false) => Whole::CrankP(crank.turned_to()),
-                (2, false) => Whole::CrankV(crank.turned_to()),
-                (_, false) => Whole::CrankA(crank),
-                (1, true) => Whole::EvenP(crank.turned_to()),
-                (2, true) => Whole::EvenV(crank.turned_to()),
-                (_, true) => Whole::EvenA(crank.turned_to()),
+                (1, false) => FusedOp::CrankP(crank.turned_to()),
+                (2, false) => FusedOp::CrankV(crank.turned_to()),
+                (_, false) => FusedOp::CrankA(crank),
+                (1, true) => FusedOp::EvenP(crank.turned_to()),
+                (2, true) => FusedOp::EvenV(crank.turned_to()),
+                (_, true) => FusedOp::EvenA(crank.turned_to()),
             });
             return true;
         }
-        let ends: Option<Few<Pair>> = d.iter().zip(&o).map(|(d, o)| self.end_from(*d, *o)).collect();
+        let ends: Option<Few<RegPair>> = d.iter().zip(&o).map(|(d, o)| self.end_from(*d, *o)).collect();
         let (o, d) = (motion_of(&o), motion_of(&d));
         match ends {
             Some(ends) => {
                 let n = motion_of(&ends);
                 put(true, &|levels, lengths| match ground {
                     Some(at) => {
-                        levels!(levels, lengths, Coupled { n, o: n, at, k } => CoupledGroundP CoupledGroundV CoupledGroundA CoupledGroundVL CoupledGroundAL)
+                        levels!(levels, lengths, CoupledPoint { n, o: n, at, k } => CoupledGroundP CoupledGroundV CoupledGroundA CoupledGroundVL CoupledGroundAL)
                     }
-                    None => levels!(levels, lengths, Coupled { n, o, at: [0.0; 2], k } => CoupledP CoupledV CoupledA CoupledVL CoupledAL),
+                    None => {
+                        levels!(levels, lengths, CoupledPoint { n, o, at: [0.0; 2], k } => CoupledP CoupledV CoupledA CoupledVL CoupledAL)
+                    }
                 });
             }
             None => put(true, &|levels, lengths| levels!(levels, lengths, Images { o, d, k } => ImagesP ImagesV ImagesA ImagesVL ImagesAL)),
@@ -249,7 +251,7 @@ impl<'a> Matching<'a> {
     }
 
     /// The end of an arm that begins at a point.
-    fn end_from(&self, d: Pair, o: Pair) -> Option<Pair> {
+    fn end_from(&self, d: RegPair, o: RegPair) -> Option<RegPair> {
         match self.op(d)? {
             (_, Op::Arm(Arm { from, to })) if *from == o => Some(*to),
             _ => None,
@@ -257,16 +259,16 @@ impl<'a> Matching<'a> {
     }
 
     /// Matches an arm that turns with the driver, and its rates.
-    fn crank(&self, o: [f64; 2], k: [f64; 2], d: &[Pair]) -> Option<Crank<3, false>> {
+    fn crank(&self, o: [f64; 2], k: [f64; 2], d: &[RegPair]) -> Option<Crank<3, false>> {
         let (_, Op::Twist(twist)) = self.op(d[0])? else { return None };
-        let turn = Pair { x: COS, y: SIN };
+        let turn = RegPair { x: COS, y: SIN };
         let [p, q] = twist.k;
         let mut crank = Crank { turn, o, k: [p * k[0] - q * k[1], p * k[1] + q * k[0]], omega: 0.0, alpha: 0.0 };
         if twist.d != turn {
             return None;
         }
         if let Some(v) = d.get(1) {
-            let (_, Op::Swing(swing)) = self.op(*v)? else { return None };
+            let (_, Op::ArmSwing(swing)) = self.op(*v)? else { return None };
             crank.omega = self.constant(swing.omega).filter(|_| swing.r == d[0] && self.still(swing.v))?;
             if let Some(a) = d.get(2) {
                 let (_, Op::SwingRate(rate)) = self.op(*a)? else { return None };
@@ -278,7 +280,7 @@ impl<'a> Matching<'a> {
     }
 
     /// Matches a pin on a bar and on a fixed guide.
-    fn slider(&self, ops: &[&Op], pairs: &[Pair], put: &mut dyn FnMut(bool, Made)) -> bool {
+    fn slider(&self, ops: &[&Op], pairs: &[RegPair], put: &mut dyn FnMut(bool, KernelChoice)) -> bool {
         self.sliding(ops, pairs).is_some_and(|s| {
             let Slider { a, r, q, t, sign } = s;
             put(
@@ -289,7 +291,7 @@ impl<'a> Matching<'a> {
         })
     }
 
-    fn sliding(&self, ops: &[&Op], pairs: &[Pair]) -> Option<Slider<3, false>> {
+    fn sliding(&self, ops: &[&Op], pairs: &[RegPair]) -> Option<Slider<3, false>> {
         let Op::CircleLine(c) = ops[0] else { return None };
         let (r, q, t) = (self.constant(c.r)?, self.fixed(c.q)?, self.fixed(c.t)?);
         let mut a = Few::from_iter([c.a]);
@@ -318,7 +320,7 @@ impl<'a> Matching<'a> {
     }
 
     /// The two rows of a crossing, that of a distance first: each with its direction and operation.
-    fn rows_of(&self, c: &Cross) -> Option<(Pair, &Op, Pair, &Op)> {
+    fn rows_of(&self, c: &Cross) -> Option<(RegPair, &Op, RegPair, &Op)> {
         let row = |reg: Reg| self.maker(reg).map(|i| &self.steps[i].op);
         let (first, second) = (row(c.c1)?, row(c.c2)?);
         match first {
@@ -328,12 +330,12 @@ impl<'a> Matching<'a> {
     }
 
     /// Combines ω and α of a line between two points.
-    fn turning(&self, i: usize, taken: &mut [bool], units: &mut Vec<Unit>) {
-        let Op::Turning(turning) = &self.steps[i].op else { return };
+    fn turning(&self, i: usize, taken: &mut [bool], units: &mut Vec<FusedUnit>) {
+        let Op::ArmTurning(turning) = &self.steps[i].op else { return };
         if !self.alive[i] || taken[i] {
             return;
         }
-        let arm = |d: Pair| match self.op(d) {
+        let arm = |d: RegPair| match self.op(d) {
             Some((_, Op::Arm(arm))) => Some(*arm),
             _ => None,
         };
@@ -358,17 +360,17 @@ impl<'a> Matching<'a> {
         let ground = self.ground(&o);
         let (o, n, three) = (motion_of(&o), motion_of(&n), outs.len() > 1);
         let op = match (ground, three) {
-            (Some(at), false) => Whole::TurnedGroundV(Turned { n, o: n, at }),
-            (Some(at), true) => Whole::TurnedGroundA(Turned { n, o: n, at }),
-            (None, false) => Whole::TurnedV(Turned { n, o, at: [0.0; 2] }),
-            (None, true) => Whole::TurnedA(Turned { n, o, at: [0.0; 2] }),
+            (Some(at), false) => FusedOp::TurnedGroundV(LineTurning { n, o: n, at }),
+            (Some(at), true) => FusedOp::TurnedGroundA(LineTurning { n, o: n, at }),
+            (None, false) => FusedOp::TurnedV(LineTurning { n, o, at: [0.0; 2] }),
+            (None, true) => FusedOp::TurnedA(LineTurning { n, o, at: [0.0; 2] }),
         };
-        units.push(Unit { op: Any::Whole(op), outs });
+        units.push(FusedUnit { op: Any::Whole(op), outs });
     }
 }
 
 /// The motion of the given pairs; rates that do not exist repeat the last one, and nothing reads
 /// them.
-pub(super) fn motion_of(pairs: &[Pair]) -> Motion {
+pub(super) fn motion_of(pairs: &[RegPair]) -> MotionRegisters {
     std::array::from_fn(|i| pairs[i.min(pairs.len() - 1)])
 }

@@ -13,8 +13,8 @@ mod levers;
 mod matching;
 
 use super::kernel::Reg;
-use super::program::{INPUTS, Program, Step};
-use super::run::{Any, Buffer, CHUNK, Placed, Runner};
+use super::program::{INPUTS, ProgramStep, SweepProgram};
+use super::run::{Any, Buffer, CHUNK, KernelRunner, PlacedOperation};
 use arrayvec::ArrayVec;
 use hodograph_mechanism::mechanism::Level;
 use matching::Matching;
@@ -23,7 +23,7 @@ use std::ops::Range;
 /// A program ready to run.
 #[derive(Clone, Debug)]
 pub struct Fused {
-    pub(super) steps: Vec<Placed>,
+    pub(super) steps: Vec<PlacedOperation>,
     pub(super) wires: Vec<Reg>,
     pub(super) registers: usize,
     /// The inputs of a position that are read.
@@ -37,7 +37,7 @@ pub struct Fused {
 }
 
 /// Operations that run together, and the registers of the program that they fill.
-pub(super) struct Unit {
+pub(super) struct FusedUnit {
     pub op: Any,
     pub outs: Outs,
 }
@@ -54,7 +54,7 @@ struct Wires {
     outs: u32,
 }
 
-impl Runner for Wires {
+impl KernelRunner for Wires {
     fn run<const IN: usize, const OUT: usize, K: super::kernel::Kernel<IN, OUT>>(&mut self, kernel: &K, _: Reg) {
         self.ins.clear();
         self.ins.extend(kernel.inputs());
@@ -62,7 +62,7 @@ impl Runner for Wires {
     }
 }
 
-impl Program {
+impl SweepProgram {
     /// Returns the program for its answers.
     pub fn fused(&self) -> &Fused {
         self.runs[0].get_or_init(|| Fused::of(self, Level::Acceleration, &self.answers().collect::<Vec<_>>()))
@@ -92,9 +92,9 @@ impl Program {
 const NONE: u32 = u32::MAX;
 
 impl Fused {
-    fn of(program: &Program, level: Level, wanted: &[Reg]) -> Fused {
+    fn of(program: &SweepProgram, level: Level, wanted: &[Reg]) -> Fused {
         // Everything that an operation reads has a lower number than its results.
-        let mut steps: Vec<Step> = program.steps[..=level as usize].concat();
+        let mut steps: Vec<ProgramStep> = program.steps[..=level as usize].concat();
         steps.sort_by_key(|s| s.out.0);
         let matching = Matching::new(program, &steps, wanted);
         let fused = Ordered::of(program.registers, matching.units(), wanted);
@@ -135,7 +135,7 @@ impl Fused {
 /// Units in an order in which each finds its inputs.
 #[derive(Default)]
 struct Ordered {
-    units: Vec<Unit>,
+    units: Vec<FusedUnit>,
     order: Vec<u32>,
     /// The inputs of the units, one after the other.
     wires: Vec<Reg>,
@@ -145,7 +145,7 @@ struct Ordered {
 
 impl Ordered {
     /// Orders the units; `None` if units wait for one another.
-    fn of(registers: usize, units: Vec<Unit>, wanted: &[Reg]) -> Option<Ordered> {
+    fn of(registers: usize, units: Vec<FusedUnit>, wanted: &[Reg]) -> Option<Ordered> {
         let mut maker = vec![NONE; registers];
         let n = units.len();
         // A unit reads hardly more than a dozen registers.
@@ -201,7 +201,7 @@ impl Ordered {
     }
 
     /// Gives every register that is used a place.
-    fn placed(&self, program: &Program, constants: Vec<Option<f64>>, wanted: &[Reg]) -> Fused {
+    fn placed(&self, program: &SweepProgram, constants: Vec<Option<f64>>, wanted: &[Reg]) -> Fused {
         let mut f = Fused {
             steps: Vec::with_capacity(self.order.len()),
             wires: Vec::with_capacity(self.wires.len()),
@@ -228,7 +228,7 @@ impl Ordered {
             let unit = &self.units[i as usize];
             let out = Reg(f.registers as u32);
             unit.outs.iter().for_each(|r| f.give(*r));
-            f.steps.push(Placed { op: unit.op, end: f.wires.len(), out });
+            f.steps.push(PlacedOperation { op: unit.op, end: f.wires.len(), out });
         }
         wanted.iter().for_each(|r| f.know(*r));
         f.inputs = INPUTS.into_iter().filter(|r| f.wires.contains(r) || wanted.contains(r)).collect();
@@ -256,16 +256,16 @@ impl Fused {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Placed, Stations, Width, compile, station};
+    use crate::{PlacedScene, Stations, Width, compile, station};
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{Find, edit, read, templates};
 
-    fn program(name: &str, find: &[&str]) -> (Program, Stations) {
+    fn program(name: &str, find: &[&str]) -> (SweepProgram, Stations) {
         let text = templates::get(name).unwrap();
         let text = if find.is_empty() { text.to_owned() } else { edit::with_find(text, find).unwrap() };
         let scene = read(&text).unwrap().value;
         let m = Mechanism::new(&scene).unwrap().value;
-        let placed = Placed::new(&scene, &m).unwrap();
+        let placed = PlacedScene::new(&scene, &m).unwrap();
         let now = station::position_now(&scene, &placed.at, 0);
         let reach = 0.01 * if station::angle_per_value(&scene, &placed.at, 0) == 1.0 { 1.0 } else { placed.at.extent() };
         let stations = Stations::slid(now, now + reach, 9, station::angle_per_value(&scene, &placed.at, 0));
@@ -308,7 +308,7 @@ mod tests {
                 name => program(name, &[]),
             };
             let wanted = &program.columns[..];
-            let mut steps: Vec<Step> = program.steps.concat();
+            let mut steps: Vec<ProgramStep> = program.steps.concat();
             steps.sort_by_key(|s| s.out.0);
             let matching = Matching::new(&program, &steps, wanted);
             let plain = Ordered::of(program.registers, matching.singles(), wanted).unwrap().placed(&program, matching.constants, wanted);

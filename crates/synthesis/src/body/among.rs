@@ -6,9 +6,9 @@
 //! pairs with distinct pivots are returned. The inscribed angle β of a centre point M is ∠P₁₂MP₂₃,
 //! that of the circles of the construction; two circles of one β intersect in two centre points.
 
-use super::burmester::{Pair, on_line};
-use super::pose::Position;
-use crate::form::Form;
+use super::burmester::{BurmesterPair, on_line};
+use super::pose::BodyPose;
+use crate::form::TaskForm;
 use crate::fourbar::meet;
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
@@ -32,7 +32,7 @@ pub(super) enum Among {
 }
 
 /// Reads `box` or `angles`; the outer `None` where a key is present and cannot be read.
-pub(super) fn read(form: &Form) -> Option<Option<Among>> {
+pub(super) fn read(form: &TaskForm) -> Option<Option<Among>> {
     match (form.has("box"), form.has("angles")) {
         (false, false) => Some(None),
         (true, true) => {
@@ -77,7 +77,7 @@ pub(super) fn read(form: &Form) -> Option<Option<Among>> {
 }
 
 /// The best pairs of dyads, the best first; the first dyad of a pair is that of A.
-pub(super) fn pairs(positions: &[Position], among: Among) -> Vec<[Pair; 2]> {
+pub(super) fn pairs(positions: &[BodyPose], among: Among) -> Vec<[BurmesterPair; 2]> {
     match among {
         Among::Box(corners) => best(positions, &within(positions, corners), corners),
         Among::Angles(angles) => {
@@ -88,13 +88,13 @@ pub(super) fn pairs(positions: &[Position], among: Among) -> Vec<[Pair; 2]> {
     }
 }
 
-fn size(positions: &[Position]) -> f64 {
+fn size(positions: &[BodyPose]) -> f64 {
     positions.iter().map(|p| p.origin.distance(positions[0].origin)).fold(0.0, f64::max)
 }
 
 /// The centre points within a box.
-fn within(positions: &[Position], [low, high]: [Point; 2]) -> Vec<Pair> {
-    let inside = |p: &Pair| p.centre.x >= low.x && p.centre.x <= high.x && p.centre.y >= low.y && p.centre.y <= high.y;
+fn within(positions: &[BodyPose], [low, high]: [Point; 2]) -> Vec<BurmesterPair> {
+    let inside = |p: &BurmesterPair| p.centre.x >= low.x && p.centre.x <= high.x && p.centre.y >= low.y && p.centre.y <= high.y;
     let part = |k: usize| (k as f64 + 0.5) / LINES as f64;
     let level = (0..LINES).map(|k| (Point::new(low.x, low.y + (high.y - low.y) * part(k)), Vec2::new(1.0, 0.0)));
     let upright = (0..LINES).map(|k| (Point::new(low.x + (high.x - low.x) * part(k), low.y), Vec2::new(0.0, 1.0)));
@@ -102,8 +102,8 @@ fn within(positions: &[Position], [low, high]: [Point; 2]) -> Vec<Pair> {
 }
 
 /// The best pairs with distinct pivots.
-fn best(positions: &[Position], all: &[Pair], [low, high]: [Point; 2]) -> Vec<[Pair; 2]> {
-    let mut ranked: Vec<(bool, f64, [Pair; 2])> = Vec::new();
+fn best(positions: &[BodyPose], all: &[BurmesterPair], [low, high]: [Point; 2]) -> Vec<[BurmesterPair; 2]> {
+    let mut ranked: Vec<(bool, f64, [BurmesterPair; 2])> = Vec::new();
     for (i, p) in all.iter().enumerate() {
         for (j, q) in all.iter().enumerate() {
             if let Some((joined, gamma)) = (i != j).then(|| rank(positions, [p, q])).flatten() {
@@ -113,9 +113,9 @@ fn best(positions: &[Position], all: &[Pair], [low, high]: [Point; 2]) -> Vec<[P
     }
     ranked.sort_by(|a, b| b.0.cmp(&a.0).then(b.1.total_cmp(&a.1)));
     let apart = APART * low.distance(high);
-    let mut told: Vec<[Pair; 2]> = Vec::new();
+    let mut told: Vec<[BurmesterPair; 2]> = Vec::new();
     for (_, _, pair) in ranked {
-        let near = |t: &[Pair; 2]| (0..2).all(|k| t[k].centre.distance(pair[k].centre) < apart);
+        let near = |t: &[BurmesterPair; 2]| (0..2).all(|k| t[k].centre.distance(pair[k].centre) < apart);
         if !told.iter().any(near) {
             told.push(pair);
         }
@@ -128,7 +128,7 @@ fn best(positions: &[Position], all: &[Pair], [low, high]: [Point; 2]) -> Vec<[P
 
 /// True if C stays on one side of BD in the four positions, with the least transmission angle there
 /// (rad); `None` for a linkage that cannot be built.
-fn rank(positions: &[Position], [p, q]: [&Pair; 2]) -> Option<(bool, f64)> {
+fn rank(positions: &[BodyPose], [p, q]: [&BurmesterPair; 2]) -> Option<(bool, f64)> {
     let lengths = [p.centre.distance(p.pin), p.pin.distance(q.pin), q.pin.distance(q.centre), p.centre.distance(q.centre)];
     let (least, most) = lengths.iter().fold((f64::INFINITY, 0.0_f64), |(l, m), x| (l.min(*x), m.max(*x)));
     if !(least > 0.0 && most < UNEVEN * least) {
@@ -149,7 +149,7 @@ fn rank(positions: &[Position], [p, q]: [&Pair; 2]) -> Option<(bool, f64)> {
 /// The centre points of an inscribed angle: the intersections of the circles over P₁₂P₂₃ and
 /// P₁₄P₃₄, whose centres are at half the chord times the angle's cotangent above the midpoints of
 /// the chords; then corrected onto the cubic along a line.
-pub(super) fn at_angle(positions: &[Position], angle: f64) -> Vec<Pair> {
+pub(super) fn at_angle(positions: &[BodyPose], angle: f64) -> Vec<BurmesterPair> {
     let pole = |i: usize, j: usize| positions[i].pole(&positions[j]);
     let found = || {
         let circle = |p: Point, q: Point| {

@@ -11,7 +11,7 @@
 //!
 //! *Source*: Burmester; O. Bottema and B. Roth, Theoretical Kinematics, ch. VIII.
 
-use super::pose::Position;
+use super::pose::BodyPose;
 use crate::poly::Poly;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::{Dd, Real};
@@ -19,7 +19,7 @@ use nalgebra::{Matrix4, Vector4};
 
 /// A pin of the body and the centre of its circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pair {
+pub struct BurmesterPair {
     /// The place of the pin in position 1.
     pub pin: Point,
     /// The fixed pivot.
@@ -36,7 +36,7 @@ struct Move {
 /// Positions in coordinates with a suitable origin and unit, so that the numbers of the elimination
 /// are of one magnitude. The axes are turned by an arbitrary angle, so that no two roots have equal
 /// first coordinates by symmetry.
-struct Frame {
+struct ScaledPositions {
     origin: Point,
     unit: f64,
     axis: Vec2,
@@ -46,8 +46,8 @@ struct Frame {
 /// A rotation of the axes that is no simple fraction of a full turn.
 const ASKEW: f64 = 0.739_085_133_215_160_6;
 
-impl Frame {
-    fn of(positions: &[Position]) -> Option<Frame> {
+impl ScaledPositions {
+    fn of(positions: &[BodyPose]) -> Option<ScaledPositions> {
         let origin = positions.first()?.origin;
         let far = positions.iter().map(|p| p.origin.distance(origin)).fold(0.0, f64::max);
         let poles = positions[1..].iter().filter_map(|p| positions[0].pole(p)).map(|p| p.distance(origin)).fold(0.0, f64::max);
@@ -55,7 +55,7 @@ impl Frame {
         if unit <= 0.0 {
             return None;
         }
-        let mut frame = Frame { origin, unit, axis: Vec2::from_angle(ASKEW), moves: Vec::new() };
+        let mut frame = ScaledPositions { origin, unit, axis: Vec2::from_angle(ASKEW), moves: Vec::new() };
         let first = positions[0];
         frame.moves = positions[1..]
             .iter()
@@ -115,16 +115,16 @@ impl Frame {
         (det > 1e-18 * (xx + yy) * (xx + yy)).then(|| Vec2::new((xc * yy - yc * xy) / det, (yc * xx - xc * xy) / det))
     }
 
-    fn pair(&self, m: Vec2) -> Option<Pair> {
+    fn pair(&self, m: Vec2) -> Option<BurmesterPair> {
         let w = self.pin(m)?;
-        Some(Pair { pin: self.outward(w), centre: self.outward(m) })
+        Some(BurmesterPair { pin: self.outward(w), centre: self.outward(m) })
     }
 }
 
 /// The centre points of four positions on a line, with their pins: up to three, in the direction of
 /// the line.
-pub fn on_line(positions: &[Position], through: Point, direction: Vec2) -> Vec<Pair> {
-    let Some(frame) = Frame::of(positions) else { return Vec::new() };
+pub fn on_line(positions: &[BodyPose], through: Point, direction: Vec2) -> Vec<BurmesterPair> {
+    let Some(frame) = ScaledPositions::of(positions) else { return Vec::new() };
     let p = frame.inward(through);
     let q = direction.rotate_by(Vec2::new(frame.axis.x, -frame.axis.y));
     let lift = |v: Vec2| [Dd::from_f64(v.x), Dd::from_f64(v.y)];
@@ -170,8 +170,8 @@ fn resultant(f: &Poly, g: &Poly) -> Dd {
 }
 
 /// All Burmester pairs of five positions.
-pub fn of_five(positions: &[Position]) -> Vec<Pair> {
-    let Some(frame) = Frame::of(positions) else { return Vec::new() };
+pub fn of_five(positions: &[BodyPose]) -> Vec<BurmesterPair> {
+    let Some(frame) = ScaledPositions::of(positions) else { return Vec::new() };
     let d = Dd::from_f64;
     let along_y = |x: Dd, last: usize| frame.cubic([0, 1, last], [x, d(0.0)], [d(0.0), d(1.0)]);
     // Eight values determine a polynomial of degree seven; Chebyshev points distribute them well.
@@ -189,7 +189,7 @@ pub fn of_five(positions: &[Position]) -> Vec<Pair> {
         let m = Vec2::new(x.approx(), y.approx());
         frame.refined(m, frame.pin(m)?)
     };
-    let mut found: Vec<Pair> = Vec::new();
+    let mut found: Vec<BurmesterPair> = Vec::new();
     for pair in p.real_roots().into_iter().filter_map(at) {
         if found.iter().all(|f| f.centre.distance(pair.centre) > 1e-9 * frame.unit) {
             found.push(pair);
@@ -198,9 +198,9 @@ pub fn of_five(positions: &[Position]) -> Vec<Pair> {
     found
 }
 
-impl Frame {
+impl ScaledPositions {
     /// Newton's method on the four equations in pin and centre; `None` where it diverges.
-    fn refined(&self, m: Vec2, w: Vec2) -> Option<Pair> {
+    fn refined(&self, m: Vec2, w: Vec2) -> Option<BurmesterPair> {
         let mut x = Vector4::new(m.x, m.y, w.x, w.y);
         let mut size = f64::INFINITY;
         for _ in 0..30 {
@@ -225,6 +225,6 @@ impl Frame {
             }
         }
         // A pole solves three of the equations; there the steps do not converge.
-        (size < 1e-8).then(|| Pair { pin: self.outward(Vec2::new(x[2], x[3])), centre: self.outward(Vec2::new(x[0], x[1])) })
+        (size < 1e-8).then(|| BurmesterPair { pin: self.outward(Vec2::new(x[2], x[3])), centre: self.outward(Vec2::new(x[0], x[1])) })
     }
 }

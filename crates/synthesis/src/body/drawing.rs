@@ -2,9 +2,9 @@
 //! the centre-point curve for four and five.
 
 use super::among::Among;
-use super::pose::Position;
+use super::pose::BodyPose;
 use super::{Body, Method};
-use crate::board::{Board, Line, Weight, cross_circles};
+use crate::board::{PaperLine, SynthesisBoard, Weight, cross_circles};
 use crate::candidate::Draft;
 use hodograph_base::diag::both;
 use hodograph_base::digits::significant;
@@ -12,7 +12,7 @@ use hodograph_base::geom::{Point, Vec2};
 use std::f64::consts::PI;
 
 impl Body {
-    pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    pub(super) fn drawn(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         let bodies = self.positions_drawn(board);
         match self.method() {
             Method::Bisectors => {
@@ -24,22 +24,22 @@ impl Body {
     }
 
     /// A length that suits the drawing: a third of the body's greatest displacement (mm).
-    fn reach(&self, board: &Board) -> f64 {
+    fn reach(&self, board: &SynthesisBoard) -> f64 {
         let far = self.positions.iter().map(|p| p.origin.distance(self.positions[0].origin)).fold(0.0, f64::max);
         board.mm(if far > 0.0 { far / 3.0 } else { 0.05 })
     }
 
     /// Lays off the positions. In each, two points of the body are drawn: its origin and one along
     /// its direction, with one opening of the compasses for all.
-    fn positions_drawn(&self, board: &mut Board) -> Vec<[Point; 2]> {
+    fn positions_drawn(&self, board: &mut SynthesisBoard) -> Vec<[Point; 2]> {
         board.step(both!(
             "Lay off the given positions of the body: its origin E and its direction",
             "按给定数据作出连杆各位置：原点 E 及方向"
         ));
         let reach = self.reach(board);
-        let of_position = |p: &Position| {
+        let of_position = |p: &BodyPose| {
             let origin = board.at(p.origin);
-            [origin, Line::ray(origin, p.angle).place(reach)]
+            [origin, PaperLine::ray(origin, p.angle).place(reach)]
         };
         let bodies: Vec<[Point; 2]> = self.positions.iter().map(of_position).collect();
         for (k, [origin, tip]) in bodies.iter().enumerate() {
@@ -49,12 +49,12 @@ impl Body {
     }
 
     /// The pin in position 1 and the pivot of one side.
-    fn side(&self, draft: &Draft, board: &mut Board, bodies: &[[Point; 2]], side: usize) -> Option<[Point; 2]> {
+    fn side(&self, draft: &Draft, board: &mut SynthesisBoard, bodies: &[[Point; 2]], side: usize) -> Option<[Point; 2]> {
         let [pin, pivot] = [["B", "C"], ["A", "D"]].map(|n| n[side]);
         let (places, sought) = match self.moving[side] {
             Some(local) => {
-                let of_position = |(p, body): (&Position, &[Point; 2])| {
-                    Line::ray(body[0], p.angle).place(board.mm(local.x)) + Vec2::from_angle(p.angle).perp() * board.mm(local.y)
+                let of_position = |(p, body): (&BodyPose, &[Point; 2])| {
+                    PaperLine::ray(body[0], p.angle).place(board.mm(local.x)) + Vec2::from_angle(p.angle).perp() * board.mm(local.y)
                 };
                 let places: Vec<Point> = self.positions.iter().zip(bodies).map(of_position).collect();
                 board.step(both!(
@@ -103,7 +103,7 @@ impl Body {
     }
 
     /// A pole: the intersection of the bisectors of two points of the body.
-    fn pole(&self, board: &mut Board, bodies: &[[Point; 2]], [i, j]: [usize; 2]) -> Option<Point> {
+    fn pole(&self, board: &mut SynthesisBoard, bodies: &[[Point; 2]], [i, j]: [usize; 2]) -> Option<Point> {
         let (p, q) = (bodies.get(i)?, bodies.get(j)?);
         let (one, other) = (bisector(p[0], q[0])?, bisector(p[1], q[1])?);
         let at = one.cross(&other)?;
@@ -113,7 +113,7 @@ impl Body {
 
     /// The centre-point curve by the opposite-pole quadrilateral: circles over P₁₂P₂₃ and P₁₄P₃₄
     /// with equal inscribed angles.
-    fn curve(&self, draft: &Draft, board: &mut Board, bodies: &[[Point; 2]]) -> Option<()> {
+    fn curve(&self, draft: &Draft, board: &mut SynthesisBoard, bodies: &[[Point; 2]]) -> Option<()> {
         board.step(both!(
             "Find the poles of the positions: in each two bisectors of the places of points of the body meet",
             "求各位置的转动极：连杆上两点对应位置的中垂线交点"
@@ -147,7 +147,7 @@ impl Body {
         ));
         let half = |j: usize| -(self.positions[j].angle - self.positions[0].angle) / 2.0;
         let pin = |m: Point| {
-            let ray = |pole: Point, j: usize| Line::ray(pole, (m - pole).angle() + half(j));
+            let ray = |pole: Point, j: usize| PaperLine::ray(pole, (m - pole).angle() + half(j));
             ray(p12?, 1).cross(&ray(p13?, 2))
         };
         let (b, c) = (pin(a)?, pin(d)?);
@@ -160,9 +160,9 @@ impl Body {
     }
 
     /// The intersections of the curve with the given line.
-    fn on_the_line(&self, board: &mut Board, curve: &[Vec<Found>], poles: [Point; 4]) -> Option<Vec<Point>> {
+    fn on_the_line(&self, board: &mut SynthesisBoard, curve: &[Vec<CentrePoint>], poles: [Point; 4]) -> Option<Vec<Point>> {
         let (through, direction) = self.line?;
-        let line = Line { at: board.at(through), along: direction };
+        let line = PaperLine { at: board.at(through), along: direction };
         board.step(both!("The curve crosses the given line in the pivots", "曲线与给定直线的交点即固定铰链"));
         let off = |m: Point| line.along.cross(m - line.at);
         let roots = crossings(curve, poles, &off);
@@ -178,7 +178,14 @@ impl Body {
 
     /// The pivots within a box, where the curve has the height of the chosen pivots; or at
     /// inscribed angles, where their circles intersect.
-    fn among_them(&self, draft: &Draft, board: &mut Board, among: Among, curve: &[Vec<Found>], poles: [Point; 4]) -> Vec<Point> {
+    fn among_them(
+        &self,
+        draft: &Draft,
+        board: &mut SynthesisBoard,
+        among: Among,
+        curve: &[Vec<CentrePoint>],
+        poles: [Point; 4],
+    ) -> Vec<Point> {
         match among {
             Among::Box(corners) => {
                 let [p, q] = corners.map(|c| board.at(c));
@@ -213,7 +220,13 @@ impl Body {
 
     /// The intersections of the curves of 1234 and of 1235: there the angles over P₁₂P₂₃ and P₁₅P₃₅
     /// are equal too.
-    fn on_both(&self, board: &mut Board, bodies: &[[Point; 2]], curve: &[Vec<Found>], poles: [Point; 4]) -> Option<Vec<Point>> {
+    fn on_both(
+        &self,
+        board: &mut SynthesisBoard,
+        bodies: &[[Point; 2]],
+        curve: &[Vec<CentrePoint>],
+        poles: [Point; 4],
+    ) -> Option<Vec<Point>> {
         board.step(both!(
             "The same with P15 and P35: where both curves cross are Burmester's centre points",
             "用 P15、P35 再作一条：两曲线交点即布尔梅斯特圆心点"
@@ -228,13 +241,13 @@ impl Body {
 }
 
 /// The bisector of two places, without drawing.
-fn bisector(p: Point, q: Point) -> Option<Line> {
+fn bisector(p: Point, q: Point) -> Option<PaperLine> {
     let [one, other] = cross_circles(p, 0.7 * p.distance(q), q, 0.7 * p.distance(q))?;
-    Line::through(one, other)
+    PaperLine::through(one, other)
 }
 
 /// The resulting four-bar: pin and pivot of both sides.
-fn finished(board: &mut Board, [[b, a], [c, d]]: [[Point; 2]; 2]) -> Option<()> {
+fn finished(board: &mut SynthesisBoard, [[b, a], [c, d]]: [[Point; 2]; 2]) -> Option<()> {
     board.step(both!("Draw the linkage AB1C1D in position 1", "作位置 1 的机构 AB1C1D"));
     board.line(a, b, Weight::Result).line(b, c, Weight::Result).line(c, d, Weight::Result);
     board.read("BC", b, c).read("AD", a, d);
@@ -242,13 +255,13 @@ fn finished(board: &mut Board, [[b, a], [c, d]]: [[Point; 2]; 2]) -> Option<()> 
 }
 
 /// A centre point: the inscribed angle of its circles, and its place.
-type Found = (f64, Point);
+type CentrePoint = (f64, Point);
 
 /// The circle over a chord for an inscribed angle (rad, signed): centre on the bisector, and
 /// radius.
 fn over(p: Point, q: Point, angle: f64) -> Option<(Point, f64)> {
     let lean = PI / 2.0 - angle;
-    let (one, other) = (Line::ray(p, (q - p).angle() + lean), Line::ray(q, (p - q).angle() - lean));
+    let (one, other) = (PaperLine::ray(p, (q - p).angle() + lean), PaperLine::ray(q, (p - q).angle() - lean));
     let centre = one.cross(&other)?;
     Some((centre, centre.distance(p)))
 }
@@ -263,10 +276,10 @@ fn at_angle([p12, p23, p14, p34]: [Point; 4], angle: f64) -> Option<[Point; 2]> 
 const STEPS: usize = 2880;
 
 /// The pieces of the curve: each intersection followed as the angle varies.
-fn centre_points(poles: [Point; 4]) -> Vec<Vec<Found>> {
-    let mut pieces: Vec<Vec<Found>> = Vec::new();
+fn centre_points(poles: [Point; 4]) -> Vec<Vec<CentrePoint>> {
+    let mut pieces: Vec<Vec<CentrePoint>> = Vec::new();
     for k in 0..2 {
-        let mut piece: Vec<Found> = Vec::new();
+        let mut piece: Vec<CentrePoint> = Vec::new();
         for i in 0..=STEPS {
             let angle = PI * (i as f64 + 0.5) / STEPS as f64;
             match at_angle(poles, angle).map(|c| c[k]) {
@@ -281,7 +294,7 @@ fn centre_points(poles: [Point; 4]) -> Vec<Vec<Found>> {
 }
 
 /// The points of the curve at which a function vanishes, by bisection of the inscribed angle.
-fn crossings(curve: &[Vec<Found>], poles: [Point; 4], off: &dyn Fn(Point) -> f64) -> Vec<Point> {
+fn crossings(curve: &[Vec<CentrePoint>], poles: [Point; 4], off: &dyn Fn(Point) -> f64) -> Vec<Point> {
     let mut out = Vec::new();
     for w in curve.iter().flat_map(|piece| piece.windows(2)) {
         let ((mut low, m), (mut high, n)) = (w[0], w[1]);

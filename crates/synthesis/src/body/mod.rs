@@ -14,17 +14,17 @@ mod nearest;
 pub mod pose;
 mod positions;
 
-use super::board::Board;
-use super::candidate::{Draft, Number, Wanted};
-use super::form::Form;
+use super::board::SynthesisBoard;
+use super::candidate::{DesignNumber, Draft, WantedPosition};
+use super::form::TaskForm;
 use super::fourbar::{FourBar, Heading, named_lengths};
-use super::{Found, KindOfTask, Proof, Statement, Wish};
+use super::{KindOfTask, Proof, Statement, TaskResult, Wish};
 use among::Among;
-use burmester::Pair;
+use burmester::BurmesterPair;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, significant};
 use hodograph_base::geom::{Point, Vec2};
-use pose::{Position, centre};
+use pose::{BodyPose, centre};
 use std::cmp::Ordering;
 
 /// Body guidance as a kind of task.
@@ -40,7 +40,7 @@ const FAR: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
 #[derive(Clone, Debug)]
 struct Body {
-    positions: Vec<Position>,
+    positions: Vec<BodyPose>,
     /// Pins B and C in the body's frame (m).
     moving: [Option<Vec2>; 2],
     /// Pivots A and D (m).
@@ -69,7 +69,7 @@ fn method(count: usize) -> Method {
     }
 }
 
-fn read(form: &Form) -> Option<Box<dyn Wish>> {
+fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let positions = positions::read(form);
     let moving = form.places("moving", &["B", "C"]);
     let ground = form.places("ground", &["A", "D"]);
@@ -88,7 +88,7 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     let mut moving = ["B", "C"].map(|n| find(&moving, n).map(Point::to_vec2));
     let ground = ["A", "D"].map(|n| find(&ground, n));
     let among = among::read(form)?;
-    let positions::Told { all: positions, pins } = positions?;
+    let positions::GivenPositions { all: positions, pins } = positions?;
     let count = positions.len();
     if let Some(pins) = pins.filter(|_| method(count) == Method::Bisectors) {
         for side in 0..2 {
@@ -113,7 +113,7 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
 }
 
 /// Returns true if the givens fit the number of positions; reports what is missing.
-fn enough(form: &Form, count: usize, moving: &[Option<Vec2>; 2], ground: &[Option<Point>; 2], line: bool) -> bool {
+fn enough(form: &TaskForm, count: usize, moving: &[Option<Vec2>; 2], ground: &[Option<Point>; 2], line: bool) -> bool {
     let dyads = [0, 1].map(|i| (moving[i].is_some(), ground[i].is_some()));
     let (message, help) = match method(count) {
         Method::Bisectors if dyads.iter().all(|(m, g)| m != g) => return true,
@@ -156,7 +156,7 @@ impl Wish for Body {
         both!("Four-bar for {} positions of its coupler", "实现连杆 {} 个位置的四杆机构", self.positions.len())
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let mut notes = Vec::new();
         if let Some(among) = self.among {
             return self.chosen(among, heading);
@@ -184,13 +184,13 @@ impl Wish for Body {
         }
         let mut numbers = self.poles();
         if !fixed {
-            numbers.push(Number::ratio("count", both!("pairs of pin and pivot", "动、固定铰链对数"), pairs.len() as f64));
+            numbers.push(DesignNumber::ratio("count", both!("pairs of pin and pivot", "动、固定铰链对数"), pairs.len() as f64));
             numbers.extend(pairs.iter().enumerate().flat_map(|(k, p)| told(k + 1, p)));
         }
-        Ok(Found { drafts, numbers, notes })
+        Ok(TaskResult { drafts, numbers, notes })
     }
 
-    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         self.drawn(draft, board)
     }
 
@@ -204,26 +204,26 @@ impl Wish for Body {
 }
 
 /// The numbers of a pair.
-fn told(k: usize, p: &Pair) -> Vec<Number> {
+fn told(k: usize, p: &BurmesterPair) -> Vec<DesignNumber> {
     let (centre, pin) = (both!("pivot {k}", "固定铰链 {k}"), both!("pin {k} in position 1", "动铰链 {k}（位置 1）"));
     vec![
-        Number::length(&format!("centre_{k}_x"), centre.clone(), p.centre.x),
-        Number::length(&format!("centre_{k}_y"), centre, p.centre.y),
-        Number::length(&format!("pin_{k}_x"), pin.clone(), p.pin.x),
-        Number::length(&format!("pin_{k}_y"), pin, p.pin.y),
-        Number::length(&format!("length_{k}"), both!("link {k}", "构件 {k}"), p.centre.distance(p.pin)),
+        DesignNumber::length(&format!("centre_{k}_x"), centre.clone(), p.centre.x),
+        DesignNumber::length(&format!("centre_{k}_y"), centre, p.centre.y),
+        DesignNumber::length(&format!("pin_{k}_x"), pin.clone(), p.pin.x),
+        DesignNumber::length(&format!("pin_{k}_y"), pin, p.pin.y),
+        DesignNumber::length(&format!("length_{k}"), both!("link {k}", "构件 {k}"), p.centre.distance(p.pin)),
     ]
 }
 
 impl Body {
     /// The linkages of four positions with the pivots in a box or at two inscribed angles.
-    fn chosen(&self, among: Among, heading: &Heading) -> Result<Found, Faults> {
+    fn chosen(&self, among: Among, heading: &Heading) -> Result<TaskResult, Faults> {
         let pairs = among::pairs(&self.positions, among);
         if pairs.is_empty() {
             return Err(self.none_among(among).into());
         }
         let drafts = pairs.iter().enumerate().map(|(k, p)| self.draft(*p, [2 * k, 2 * k + 1], heading)).collect();
-        Ok(Found { drafts, numbers: self.poles(), notes: Vec::new() })
+        Ok(TaskResult { drafts, numbers: self.poles(), notes: Vec::new() })
     }
 
     fn method(&self) -> Method {
@@ -231,21 +231,21 @@ impl Body {
     }
 
     /// The poles of all displacements, as numbers.
-    fn poles(&self) -> Vec<Number> {
+    fn poles(&self) -> Vec<DesignNumber> {
         let mut out = Vec::new();
         for j in 1..self.positions.len() {
             for i in 0..j {
                 let Some(p) = self.positions[i].pole(&self.positions[j]) else { continue };
                 let what = both!("pole of positions {} and {}", "位置 {} 与 {} 的转动极", i + 1, j + 1);
-                out.push(Number::length(&format!("P{}{}_x", i + 1, j + 1), what.clone(), p.x));
-                out.push(Number::length(&format!("P{}{}_y", i + 1, j + 1), what, p.y));
+                out.push(DesignNumber::length(&format!("P{}{}_x", i + 1, j + 1), what.clone(), p.x));
+                out.push(DesignNumber::length(&format!("P{}{}_y", i + 1, j + 1), what, p.y));
             }
         }
         out
     }
 
     /// Pin and pivot of one side of the linkage, for two or three positions.
-    fn dyad(&self, side: usize, notes: &mut Vec<Diagnostic>) -> Result<Pair, Faults> {
+    fn dyad(&self, side: usize, notes: &mut Vec<Diagnostic>) -> Result<BurmesterPair, Faults> {
         let [pin, pivot] = [["B", "C"], ["A", "D"]].map(|n| n[side]);
         let (places, moving) = (self.places(side), self.moving[side].is_some());
         let sought = if moving { pivot } else { pin };
@@ -268,7 +268,7 @@ impl Body {
             }
             _ => Point::ORIGIN,
         };
-        Ok(if moving { Pair { pin: places[0], centre: found } } else { Pair { pin: found, centre: places[0] } })
+        Ok(if moving { BurmesterPair { pin: places[0], centre: found } } else { BurmesterPair { pin: found, centre: places[0] } })
     }
 
     /// The point of a bisector that is taken for two positions: its intersection with the line if
@@ -287,25 +287,25 @@ impl Body {
         middle + across * (3.0f64.sqrt() / 2.0)
     }
 
-    fn draft(&self, [one, other]: [Pair; 2], which: [usize; 2], heading: &Heading) -> Draft {
+    fn draft(&self, [one, other]: [BurmesterPair; 2], which: [usize; 2], heading: &Heading) -> Draft {
         let first = self.positions[0];
         let (b, c) = (one.pin, other.pin);
         let axis = (c - b) * (1.0 / (c - b).norm());
         let local = first.origin - b;
         let e = Vec2::new(axis.dot(local), axis.cross(local));
         let four = FourBar { a: one.centre, b, c, d: other.centre, e: Some(e) };
-        let wanted: Vec<Wanted> = self
+        let wanted: Vec<WantedPosition> = self
             .positions
             .iter()
             .map(|p| {
                 let (b, c) = (first.carry(p, one.pin), first.carry(p, other.pin));
-                Wanted { driver: (b - one.centre).angle(), places: vec![("B".into(), b), ("C".into(), c), ("E".into(), p.origin)] }
+                WantedPosition { driver: (b - one.centre).angle(), places: vec![("B".into(), b), ("C".into(), c), ("E".into(), p.origin)] }
             })
             .collect();
         let mut numbers = named_lengths(four.lengths());
         for (name, at) in [("A", one.centre), ("B1", b), ("C1", c), ("D", other.centre)] {
-            numbers.push(Number::length(&format!("{name}_x"), both!("place of {name}", "{name} 的位置"), at.x));
-            numbers.push(Number::length(&format!("{name}_y"), both!("place of {name}", "{name} 的位置"), at.y));
+            numbers.push(DesignNumber::length(&format!("{name}_x"), both!("place of {name}", "{name} 的位置"), at.x));
+            numbers.push(DesignNumber::length(&format!("{name}_y"), both!("place of {name}", "{name} 的位置"), at.y));
         }
         let which = match self.method() {
             Method::Bisectors => both!("crank at A", "以 A 处构件为原动件"),

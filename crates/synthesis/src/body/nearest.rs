@@ -3,7 +3,7 @@
 
 use super::among::{self, Among};
 use super::burmester::{of_five, on_line};
-use super::pose::{Position, centre};
+use super::pose::{BodyPose, centre};
 use super::{Body, FAR, Method};
 use crate::nearest::{number, roughly, told};
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -16,7 +16,7 @@ type Change = (f64, Both);
 impl Body {
     /// The range over which numbers are varied (mm).
     fn scale(&self) -> f64 {
-        let far = |p: &Position| p.origin.distance(self.positions[0].origin);
+        let far = |p: &BodyPose| p.origin.distance(self.positions[0].origin);
         self.positions.iter().map(far).fold(0.0, f64::max).max(1e-3) * 1e3
     }
 
@@ -73,7 +73,7 @@ impl Body {
     }
 
     /// Reports two joints in one place, which make no link of the two sides.
-    pub(super) fn one_joint(&self, pairs: &[super::Pair]) -> Option<Diagnostic> {
+    pub(super) fn one_joint(&self, pairs: &[super::BurmesterPair]) -> Option<Diagnostic> {
         let [one, other] = pairs else { return None };
         let near = |p: Point, q: Point| p.distance(q) <= 1e-9 * self.scale() * 1e-3;
         let names = match (near(one.pin, other.pin), near(one.centre, other.centre)) {
@@ -131,7 +131,7 @@ impl Body {
 
     /// A line that intersects the centre-point curve of four positions at least twice: the given
     /// one, moved across itself.
-    fn cutting(&self, positions: &[Position], (through, along): (Point, Vec2)) -> Option<Both> {
+    fn cutting(&self, positions: &[BodyPose], (through, along): (Point, Vec2)) -> Option<Both> {
         let cuts = |at: Point| on_line(positions, at, along).len() > 1;
         let across = along.perp();
         let step = roughly(0.0, self.scale(), |mm| {

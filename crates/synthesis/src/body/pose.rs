@@ -6,21 +6,21 @@ use std::f64::consts::PI;
 
 /// The position of the body's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Position {
+pub struct BodyPose {
     /// Its origin (m).
     pub origin: Point,
     /// Its direction (rad).
     pub angle: f64,
 }
 
-impl Position {
+impl BodyPose {
     /// The place of a point given in the body's frame.
     pub fn place(&self, local: Vec2) -> Point {
         self.origin + local.rotate_by(Vec2::from_angle(self.angle))
     }
 
     /// A place moved with the body from this position to another.
-    pub fn carry(&self, to: &Position, at: Point) -> Point {
+    pub fn carry(&self, to: &BodyPose, at: Point) -> Point {
         to.origin + (at - self.origin).rotate_by(Vec2::from_angle(to.angle - self.angle))
     }
 
@@ -28,7 +28,7 @@ impl Position {
     /// does not rotate.
     ///
     /// P = M + (o' − o)⊥ / (2 tan(δ/2)), M the midpoint of both origins, δ the rotation.
-    pub fn pole(&self, to: &Position) -> Option<Point> {
+    pub fn pole(&self, to: &BodyPose) -> Option<Point> {
         let half = (to.angle - self.angle) / 2.0;
         // A rotation by full turns is none: the sine of its half shows that to rounding.
         if libm::sin(half).abs() < 1e-12 {

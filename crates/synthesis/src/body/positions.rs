@@ -6,12 +6,12 @@
 //! difference is reported and C is taken at the mean distance. B and C then are the moving pins of
 //! two or three positions, unless other pins or pivots are given.
 
-use super::pose::Position;
-use crate::form::Form;
+use super::pose::BodyPose;
+use crate::form::TaskForm;
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_base::json::{Kind, Node};
+use hodograph_base::json::{Node, NodeKind};
 
 /// Two distances of the points of a body that differ by no more than this share are equal, as
 /// written with the digits of a book.
@@ -23,15 +23,15 @@ const EXACT: f64 = 1e-9;
 const EXAMPLE: &str = "[[\"0 mm\", \"0 mm\", \"0 deg\"], ...]";
 
 /// The positions of a body, and the pins that they define in its frame.
-pub(super) struct Told {
+pub(super) struct GivenPositions {
     /// The positions in order.
-    pub all: Vec<Position>,
+    pub all: Vec<BodyPose>,
     /// B and C in the body's frame, where positions are given by their places.
     pub pins: Option<[Vec2; 2]>,
 }
 
 /// Reads two to five positions, no two of them equal.
-pub(super) fn read(form: &Form) -> Option<Told> {
+pub(super) fn read(form: &TaskForm) -> Option<GivenPositions> {
     let items = form.items("positions", EXAMPLE, 2)?;
     if items.len() > 5 {
         let d = Diagnostic::error(
@@ -48,22 +48,22 @@ pub(super) fn read(form: &Form) -> Option<Told> {
         )));
         return None;
     }
-    let by_points = items.iter().all(|n| matches!(n.kind, Kind::Object(_)));
-    let told = if by_points { by_places(form, items)? } else { Told { all: by_angles(form, items)?, pins: None } };
+    let by_points = items.iter().all(|n| matches!(n.kind, NodeKind::Object(_)));
+    let told = if by_points { by_places(form, items)? } else { GivenPositions { all: by_angles(form, items)?, pins: None } };
     apart(form, items, &told.all).then_some(told)
 }
 
-fn by_angles(form: &Form, items: &[Node]) -> Option<Vec<Position>> {
+fn by_angles(form: &TaskForm, items: &[Node]) -> Option<Vec<BodyPose>> {
     let one = |n| {
         let [x, y, angle] = form.several::<3>(n, "positions", "[\"12 mm\", \"8 mm\", \"20 deg\"]")?;
         let (x, y, angle) = (form.length_of(x, "positions"), form.length_of(y, "positions"), form.angle_of(angle, "positions"));
-        Some(Position { origin: Point::new(x?, y?), angle: angle? })
+        Some(BodyPose { origin: Point::new(x?, y?), angle: angle? })
     };
-    let found: Vec<Option<Position>> = items.iter().map(one).collect();
+    let found: Vec<Option<BodyPose>> = items.iter().map(one).collect();
     found.into_iter().collect()
 }
 
-fn by_places(form: &Form, items: &[Node]) -> Option<Told> {
+fn by_places(form: &TaskForm, items: &[Node]) -> Option<GivenPositions> {
     let one = |n: &Node| {
         let inner = form.object(n, "positions", &["B", "C"])?;
         let place = |key: &str| inner.point_of(inner.need(key, "[\"0 mm\", \"0 mm\"]")?, key);
@@ -95,12 +95,12 @@ fn by_places(form: &Form, items: &[Node]) -> Option<Told> {
         );
         form.fault(Diagnostic::note("rounded", message).at(form.span("positions")));
     }
-    let all = found.iter().map(|(b, c)| Position { origin: *b, angle: (*c - *b).angle() }).collect();
-    Some(Told { all, pins: Some([Vec2::ZERO, Vec2::new(mean, 0.0)]) })
+    let all = found.iter().map(|(b, c)| BodyPose { origin: *b, angle: (*c - *b).angle() }).collect();
+    Some(GivenPositions { all, pins: Some([Vec2::ZERO, Vec2::new(mean, 0.0)]) })
 }
 
 /// True if no two positions are equal; reports those that are.
-fn apart(form: &Form, items: &[Node], all: &[Position]) -> bool {
+fn apart(form: &TaskForm, items: &[Node], all: &[BodyPose]) -> bool {
     for (j, q) in all.iter().enumerate() {
         for (i, p) in all[..j].iter().enumerate() {
             if p.origin.distance(q.origin) == 0.0 && libm::sin((p.angle - q.angle) / 2.0).abs() < 1e-12 {

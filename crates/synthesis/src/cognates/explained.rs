@@ -1,13 +1,13 @@
 //! Cognates as a problem, and the formulas of their proof.
 
-use super::Task;
+use super::CognatesTask;
 use crate::candidate::Draft;
 use crate::fourbar::FourBar;
 use crate::told::{angle, length, number, of, place};
 use crate::{Proof, Statement};
 use hodograph_base::diag::both;
 
-impl Task {
+impl CognatesTask {
     pub(super) fn stated(&self) -> Statement {
         let FourBar { a, b, c, d, .. } = self.cognates.given;
         let l = self.cognates.given.lengths();

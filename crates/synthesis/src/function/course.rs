@@ -1,8 +1,8 @@
 //! Wanted and actual output angle over the range of a function, and the extremes of the deviation.
 
 use super::freudenstein::{Generator, extremes};
-use super::{Function, Target};
-use crate::candidate::{Compared, Number};
+use super::{Function, FunctionTarget};
+use crate::candidate::{Compared, DesignNumber};
 use hodograph_base::diag::both;
 
 /// Deviations (rad) and residuals below this are rounding.
@@ -12,7 +12,7 @@ impl Function {
     /// Wanted and actual output angle over the range: at every half degree of the input, as course
     /// designs require, 40 to 720 places.
     pub(super) fn sampled(&self, g: &Generator) -> Vec<Compared> {
-        let Target::Curve { range, swings, .. } = &self.target else { return Vec::new() };
+        let FunctionTarget::Curve { range, swings, .. } = &self.target else { return Vec::new() };
         let count = (swings[0].abs().to_degrees() * 2.0).round().clamp(40.0, 720.0) as usize;
         let place = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / count as f64;
         let compared = |i: usize| {
@@ -25,37 +25,37 @@ impl Function {
 
     /// Adds the greatest deviation, which is also returned, and the places of the extremes; for
     /// pairs, the deviations at them.
-    pub(super) fn deviations(&self, g: &Generator, numbers: &mut Vec<Number>) -> f64 {
+    pub(super) fn deviations(&self, g: &Generator, numbers: &mut Vec<DesignNumber>) -> f64 {
         let deviation = both!("structural error", "结构误差");
         match &self.target {
-            Target::Curve { range, .. } => {
+            FunctionTarget::Curve { range, .. } => {
                 let step_of = |x: f64| self.target.step(x);
                 let places = extremes(g, *range, &step_of);
                 let value = |x: f64| self.target.step(x).and_then(|s| g.deviation(s));
                 let all: Vec<(f64, f64)> = places.iter().filter_map(|x| Some((*x, value(*x)?))).collect();
                 // A function that is met everywhere has extremes of rounding only.
                 if all.iter().all(|(_, e)| e.abs() < NOTHING) {
-                    numbers.push(Number::angle("max_error", both!("greatest structural error", "最大结构误差"), 0.0));
+                    numbers.push(DesignNumber::angle("max_error", both!("greatest structural error", "最大结构误差"), 0.0));
                     return 0.0;
                 }
                 if let Some((x, e)) = all.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
-                    numbers.push(Number::angle("max_error", both!("greatest structural error", "最大结构误差"), *e));
-                    numbers.push(Number::ratio("x_max", both!("where it is", "所在处"), *x));
+                    numbers.push(DesignNumber::angle("max_error", both!("greatest structural error", "最大结构误差"), *e));
+                    numbers.push(DesignNumber::ratio("x_max", both!("where it is", "所在处"), *x));
                 }
                 for (k, (x, e)) in all.iter().enumerate() {
-                    numbers.push(Number::ratio(&format!("x_{k}"), both!("place of an extreme deviation", "偏差极值处"), *x));
-                    numbers.push(Number::angle(&format!("error_{k}"), deviation.clone(), *e));
+                    numbers.push(DesignNumber::ratio(&format!("x_{k}"), both!("place of an extreme deviation", "偏差极值处"), *x));
+                    numbers.push(DesignNumber::angle(&format!("error_{k}"), deviation.clone(), *e));
                 }
             }
-            Target::Pairs { .. } => {
+            FunctionTarget::Pairs { .. } => {
                 let all: Vec<f64> = self.steps.iter().filter_map(|s| g.deviation(*s)).collect();
                 let rest = self.steps.iter().map(|s| g.rest(*s)).map(|r| r * r).sum::<f64>().sqrt();
-                numbers.push(Number::angle(
+                numbers.push(DesignNumber::angle(
                     "max_error",
                     both!("greatest deviation at the pairs", "各对应位置的最大偏差"),
                     all.iter().copied().fold(0.0, |m: f64, e| if e.abs() > m.abs() { e } else { m }),
                 ));
-                numbers.push(Number::ratio(
+                numbers.push(DesignNumber::ratio(
                     "residual",
                     both!("norm of the rests of Freudenstein's equation", "弗洛伊登斯坦方程残差的范数"),
                     if rest < NOTHING { 0.0 } else { rest },

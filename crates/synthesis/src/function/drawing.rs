@@ -2,7 +2,7 @@
 //! the follower's angles.
 
 use super::Function;
-use crate::board::{Board, Line, Weight};
+use crate::board::{PaperLine, SynthesisBoard, Weight};
 use crate::candidate::Draft;
 use hodograph_base::diag::both;
 use hodograph_base::digits::significant;
@@ -11,7 +11,7 @@ use hodograph_base::geom::{Point, Vec2};
 impl Function {
     /// Frame and crank are laid off; C₁ results. Of more than three pairs that are met exactly, the
     /// first three are drawn.
-    pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    pub(super) fn drawn(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         let number = |name: &str| draft.numbers.iter().find(|n| n.name == name).map(|n| n.value);
         // Where least squares or the exchange leave deviations, no intersection of circles gives
         // the linkage.
@@ -51,7 +51,7 @@ impl Function {
                     "The bisector of B1B2' meets the follower's first direction at C1",
                     "B1B2' 的中垂线与从动杆第一位置的方向线交于 C1"
                 ));
-                let follower = Line::ray(d, phi + self.steps[0][1]);
+                let follower = PaperLine::ray(d, phi + self.steps[0][1]);
                 let bisector = board.bisector(b1, b2)?;
                 let c = bisector.cross(&follower)?;
                 board.line(bisector.at, c, Weight::Thin);

@@ -1,6 +1,6 @@
 //! Function generation as a problem, and the formulas of its proof: Chebyshev's spacing, Freudenstein's equation with its numbers.
 
-use super::{Function, Target};
+use super::{Function, FunctionTarget};
 use crate::candidate::Draft;
 use crate::told::{angle, length, number, of, subtracted};
 use crate::{Proof, Statement};
@@ -15,7 +15,7 @@ impl Function {
     pub(super) fn stated(&self) -> Statement {
         let mut given = Vec::new();
         let task = match &self.target {
-            Target::Curve { text, range, swings, places, .. } => {
+            FunctionTarget::Curve { text, range, swings, places, .. } => {
                 given.push(both!(
                     "function $y$ = {text}, $x$ from ${}$ to ${}$",
                     "期望函数 $y$ = {text}，$x$ 由 ${}$ 到 ${}$",
@@ -34,7 +34,7 @@ impl Function {
                     "按期望函数设计四杆机构 $ABCD$：连架杆 $AB$ 的转角 $\\varphi$ 对应 $x$，连架杆 $DC$ 的转角 $\\psi$ 对应 $y$。"
                 )
             }
-            Target::Pairs { .. } => {
+            FunctionTarget::Pairs { .. } => {
                 for (k, s) in self.steps.iter().take(TOLD).enumerate() {
                     let at = [0, 1].map(|i| angle(s[i] + self.start[i].unwrap_or(0.0)));
                     given.push(both!(
@@ -65,7 +65,7 @@ impl Function {
         for (i, start, names) in [(0, "\\alpha_0", ["crank", "曲柄"]), (1, "\\varphi_0", ["follower", "从动杆"])] {
             let [en, zh] = names;
             match self.start[i] {
-                Some(at) if matches!(self.target, Target::Curve { .. }) => {
+                Some(at) if matches!(self.target, FunctionTarget::Curve { .. }) => {
                     given.push(both!("starting angle of the {en} ${start} = {}$", "{zh}初始角 ${start} = {}$", angle(at)));
                 }
                 Some(_) => {}
@@ -77,7 +77,7 @@ impl Function {
 
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
         let mut out = Vec::new();
-        if let Target::Curve { places, range, .. } = &self.target {
+        if let FunctionTarget::Curve { places, range, .. } = &self.target {
             let n = places.len();
             let spaced = format!(
                 "x_k = \\frac{{{a} + {b}}}{{2}} − \\frac{{{b} − {a}}}{{2}}\\cos\\frac{{(2k − 1)180\\degree}}{{{}}}",

@@ -6,10 +6,10 @@
 //! positions; the follower's actual angles are read.
 
 use super::freudenstein::Generator;
-use super::{Function, Target};
-use crate::board::{Board, Line, Weight};
-use crate::candidate::{Draft, Number};
-use crate::laid::{Laid, numbered, shown, side};
+use super::{Function, FunctionTarget};
+use crate::board::{PaperLine, SynthesisBoard, Weight};
+use crate::candidate::{DesignNumber, Draft};
+use crate::laid::{LaidFourBar, numbered, shown, side};
 use crate::told::of;
 use hodograph_base::diag::both;
 use hodograph_base::geom::{Point, Vec2};
@@ -20,28 +20,29 @@ const BEYOND: f64 = 1.15;
 impl Function {
     /// The drawn positions with their numbers: the pairs, or the places of a curve's extreme
     /// deviations.
-    fn compared(&self, numbers: &[Number]) -> Vec<(usize, [f64; 2])> {
+    fn compared(&self, numbers: &[DesignNumber]) -> Vec<(usize, [f64; 2])> {
         let all: Vec<(usize, [f64; 2])> = match &self.target {
-            Target::Curve { .. } => {
+            FunctionTarget::Curve { .. } => {
                 let place = |k: usize| numbers.iter().find(|n| n.name == format!("x_{k}")).map(|n| n.value);
                 (0..).map_while(|k| Some((k, self.target.step(place(k)?)?))).collect()
             }
-            Target::Pairs { .. } => self.steps.iter().enumerate().map(|(k, s)| (k + 1, *s)).collect(),
+            FunctionTarget::Pairs { .. } => self.steps.iter().enumerate().map(|(k, s)| (k + 1, *s)).collect(),
         };
         shown(all.len()).into_iter().map(|k| all[k]).collect()
     }
 
     /// The follower's actual angles at the drawn positions.
-    pub(super) fn outputs(&self, g: &Generator, numbers: &[Number]) -> Vec<Number> {
+    pub(super) fn outputs(&self, g: &Generator, numbers: &[DesignNumber]) -> Vec<DesignNumber> {
         let what = both!("real angle of the follower", "从动杆的实际角");
-        let real = |(k, s): &(usize, [f64; 2])| Some(Number::angle(&format!("psi{k}"), what.clone(), g.output(s[0], g.start[1] + s[1])?));
+        let real =
+            |(k, s): &(usize, [f64; 2])| Some(DesignNumber::angle(&format!("psi{k}"), what.clone(), g.output(s[0], g.start[1] + s[1])?));
         self.compared(numbers).iter().filter_map(real).collect()
     }
 
     /// Draws crank positions, wanted rays, and the intersections of the arcs.
-    pub(super) fn laid_on(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    pub(super) fn laid_on(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         let d = Point::new(of(draft, "AD"), 0.0);
-        let laid = Laid::off(board, draft, [Point::ORIGIN, d], None);
+        let laid = LaidFourBar::off(board, draft, [Point::ORIGIN, d], None);
         let (alpha, phi) = (of(draft, "alpha0"), of(draft, "phi0"));
         let all = self.compared(&draft.numbers);
         let which: Vec<usize> = all.iter().map(|p| p.0).collect();
@@ -61,7 +62,7 @@ impl Function {
         ));
         board.circle(laid.d, laid.follower, Weight::Thin);
         for (_, s) in &all {
-            board.line(laid.d, Line::ray(laid.d, phi + s[1]).place(BEYOND * laid.follower), Weight::Given);
+            board.line(laid.d, PaperLine::ray(laid.d, phi + s[1]).place(BEYOND * laid.follower), Weight::Given);
         }
         board.step(both!(
             "With BC as opening cut that arc about {}: {}; read the angles of DC, which miss the rays by the deviations",

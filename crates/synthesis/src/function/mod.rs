@@ -14,11 +14,11 @@ mod laid;
 mod nearest;
 mod solutions;
 
-use super::board::Board;
-use super::candidate::{Draft, Number, Wanted};
-use super::form::Form;
+use super::board::SynthesisBoard;
+use super::candidate::{DesignNumber, Draft, WantedPosition};
+use super::form::TaskForm;
 use super::fourbar::{FourBar, Heading, named_lengths};
-use super::{Found, KindOfTask, Proof, Statement, Wish};
+use super::{KindOfTask, Proof, Statement, TaskResult, Wish};
 use freudenstein::{Generator, Steps};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::metres;
@@ -39,7 +39,7 @@ const USUAL_FRAME: f64 = 0.1;
 
 #[derive(Clone, Debug)]
 struct Function {
-    target: Target,
+    target: FunctionTarget,
     steps: Steps,
     /// Starting angles, if given (rad).
     start: [Option<f64>; 2],
@@ -50,24 +50,24 @@ struct Function {
 
 /// The function that the output follows.
 #[derive(Clone, Debug)]
-enum Target {
+enum FunctionTarget {
     /// Pairs of angles; `zero` is the angle from which the first output angle is counted (rad).
     Pairs { zero: f64 },
     /// y(x) over a range, with the swings of input and output.
     Curve { text: String, curve: Curve, range: [f64; 2], swings: [f64; 2], values: [f64; 2], places: Vec<f64> },
 }
 
-impl Target {
+impl FunctionTarget {
     /// The input and output angles at x, from their starting angles (rad).
     fn step(&self, x: f64) -> Option<[f64; 2]> {
-        let Target::Curve { curve, range, swings, values, .. } = self else { return None };
+        let FunctionTarget::Curve { curve, range, swings, values, .. } = self else { return None };
         let along = (x - range[0]) / (range[1] - range[0]);
         let up = (curve.at(x).ok()? - values[0]) / (values[1] - values[0]);
         Some([swings[0] * along, swings[1] * up])
     }
 }
 
-fn read(form: &Form) -> Option<Box<dyn Wish>> {
+fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let fit = if form.has("fit") { form.choice("fit", &["points", "minimax"])? } else { "points" };
     let frame = if form.has("frame") { Some(form.size("frame")?) } else { None };
     let crank = if form.has("crank") { Some(form.size("crank")?) } else { None };
@@ -98,7 +98,7 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
         }
     };
     let minimax = fit == "minimax";
-    if minimax && !matches!(target, Target::Curve { .. }) {
+    if minimax && !matches!(target, FunctionTarget::Curve { .. }) {
         let d = Diagnostic::error("wrong-given", both!("`minimax` wants a function, not pairs", "`minimax` 需要函数，而不是角度对"));
         form.fault(
             d.at(form.span("fit")).help(both!("leave \"fit\" out: pairs are met by least squares", "请去掉 \"fit\"：角度对用最小二乘")),
@@ -158,10 +158,10 @@ fn coincide(steps: &Steps) -> Option<(usize, usize)> {
     pairs.into_iter().find(|&(i, j)| libm::sin((steps[i][0] - steps[j][0]) / 2.0).abs() < 1e-12).map(|(i, j)| (i + 1, j + 1))
 }
 
-type Read = (Target, Steps, [Option<f64>; 2]);
+type FunctionGivens = (FunctionTarget, Steps, [Option<f64>; 2]);
 
 /// Reads precision points with Chebyshev's spacing.
-fn of_curve(form: &Form) -> Option<Read> {
+fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
     let f = form.inner("function", &["y", "from", "to"])?;
     f.need("y", "\"ln(x)\"")?;
     let curve = f.curve("y", "x");
@@ -230,7 +230,7 @@ fn of_curve(form: &Form) -> Option<Read> {
     for x in &places {
         value(*x)?;
     }
-    let target = Target::Curve { text, curve, range: [from, to], swings: [input.1, output.1], values, places: places.clone() };
+    let target = FunctionTarget::Curve { text, curve, range: [from, to], swings: [input.1, output.1], values, places: places.clone() };
     let steps = places.iter().filter_map(|x| target.step(*x)).collect();
     Some((target, steps, [input.0, output.0]))
 }
@@ -242,7 +242,7 @@ pub fn chebyshev(from: f64, to: f64, n: usize) -> Vec<f64> {
 
 /// Reads pairs as written: absolute, or counted from a given start (`from`), or from an unknown one
 /// (`relative`).
-fn of_pairs(form: &Form) -> Option<Read> {
+fn of_pairs(form: &TaskForm) -> Option<FunctionGivens> {
     let items = form.items("pairs", "[[\"60 deg\", \"0 deg\"], ...]", 2)?;
     let pair = |n| {
         let [input, output] = form.several::<2>(n, "pairs", "[\"60 deg\", \"0 deg\"]")?;
@@ -279,29 +279,37 @@ fn of_pairs(form: &Form) -> Option<Read> {
         }
     }
     let steps = pairs.iter().map(|p| [p[0] - zero[0], p[1] - zero[1]]).collect();
-    Some((Target::Pairs { zero: zero[1] }, steps, start))
+    Some((FunctionTarget::Pairs { zero: zero[1] }, steps, start))
 }
 
 impl Wish for Function {
     fn title(&self) -> Both {
-        if matches!(self.target, Target::Pairs { .. }) {
+        if matches!(self.target, FunctionTarget::Pairs { .. }) {
             return both!("Function generator for {} pairs of angles", "实现 {} 组对应角位置的函数机构", self.steps.len());
         }
         both!("Function generator with {} precision points", "{} 个插值结点的函数机构", self.steps.len())
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let mut notes = Vec::new();
         let mut numbers = Vec::new();
-        if let Target::Curve { curve, places, .. } = &self.target {
+        if let FunctionTarget::Curve { curve, places, .. } = &self.target {
             for ((k, x), [alpha, phi]) in places.iter().enumerate().zip(&self.steps) {
                 let named = |letter: &str| format!("{letter}{}", k + 1);
-                numbers.push(Number::ratio(&named("x"), both!("precision point", "插值结点"), *x));
+                numbers.push(DesignNumber::ratio(&named("x"), both!("precision point", "插值结点"), *x));
                 numbers.extend(
-                    curve.at(*x).ok().map(|y| Number::ratio(&named("y"), both!("value at the precision point", "结点处的函数值"), y)),
+                    curve.at(*x).ok().map(|y| DesignNumber::ratio(&named("y"), both!("value at the precision point", "结点处的函数值"), y)),
                 );
-                numbers.push(Number::angle(&named("alpha"), both!("the input's turn from its start", "输入构件自初始位置的转角"), *alpha));
-                numbers.push(Number::angle(&named("phi"), both!("the output's turn from its start", "输出构件自初始位置的转角"), *phi));
+                numbers.push(DesignNumber::angle(
+                    &named("alpha"),
+                    both!("the input's turn from its start", "输入构件自初始位置的转角"),
+                    *alpha,
+                ));
+                numbers.push(DesignNumber::angle(
+                    &named("phi"),
+                    both!("the output's turn from its start", "输出构件自初始位置的转角"),
+                    *phi,
+                ));
             }
         }
         let none = |message: Both| Diagnostic::error("no-real-solution", message).help(self.nearest());
@@ -315,10 +323,10 @@ impl Wish for Function {
             );
             return Err(none(message).into());
         }
-        Ok(Found { drafts, numbers, notes })
+        Ok(TaskResult { drafts, numbers, notes })
     }
 
-    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         self.drawn(draft, board)
     }
 
@@ -360,12 +368,12 @@ impl Function {
             let (crank, follower) = (Vec2::from_angle(g.start[0] + s[0]), Vec2::from_angle(psi));
             Some(((crank * (a * unit)).to_point(), d + follower * (c * unit)))
         };
-        let wanted: Option<Vec<Wanted>> = self
+        let wanted: Option<Vec<WantedPosition>> = self
             .steps
             .iter()
             .map(|s| {
                 let (b, c) = place(s)?;
-                Some(Wanted { driver: g.start[0] + s[0], places: vec![("B".into(), b), ("C".into(), c)] })
+                Some(WantedPosition { driver: g.start[0] + s[0], places: vec![("B".into(), b), ("C".into(), c)] })
             })
             .collect();
         let wanted = wanted?;
@@ -379,13 +387,13 @@ impl Function {
         .into_iter()
         .enumerate()
         {
-            numbers.push(Number::angle(name, what, g.start[i]));
+            numbers.push(DesignNumber::angle(name, what, g.start[i]));
         }
         numbers.extend(
             raw.k
                 .iter()
                 .enumerate()
-                .map(|(i, k)| Number::ratio(&format!("K{}", i + 1), both!("Freudenstein's constant", "弗洛伊登斯坦方程系数"), *k)),
+                .map(|(i, k)| DesignNumber::ratio(&format!("K{}", i + 1), both!("Freudenstein's constant", "弗洛伊登斯坦方程系数"), *k)),
         );
         let exact = self.steps.iter().all(|s| g.rest(*s).abs() < 1e-9);
         let missed = self.deviations(&g, &mut numbers);

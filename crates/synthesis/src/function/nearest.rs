@@ -1,7 +1,7 @@
 //! The nearest feasible task where no four-bar generates the function.
 
 use super::freudenstein::Generator;
-use super::{Function, Target};
+use super::{Function, FunctionTarget};
 use crate::nearest::{roughly, told};
 use hodograph_base::diag::{Both, both};
 
@@ -16,18 +16,18 @@ impl Function {
     fn of_output(&self) -> Option<Both> {
         let degrees = |at: f64, scale: f64, with: &dyn Fn(f64) -> Function| roughly(at, scale, |v| with(v).works()).map(told);
         match (&self.target, self.start[1]) {
-            (Target::Curve { .. }, Some(from)) if !self.minimax => {
+            (FunctionTarget::Curve { .. }, Some(from)) if !self.minimax => {
                 let with = |v: f64| Function { start: [self.start[0], Some(v.to_radians())], ..self.clone() };
                 let from = degrees(from.to_degrees(), 90.0, &with)?;
                 Some(both!("\"output\": {{\"from\": \"{} deg\"}} has one", "\"output\": {{\"from\": \"{} deg\"}} 时有解", from))
             }
-            (Target::Curve { swings, .. }, _) => {
+            (FunctionTarget::Curve { swings, .. }, _) => {
                 let own = swings[1].to_degrees();
                 let with = |v: f64| self.swung(v / own);
                 let swing = degrees(own, own.abs(), &with)?;
                 Some(both!("\"output\": {{\"swing\": \"{} deg\"}} has one", "\"output\": {{\"swing\": \"{} deg\"}} 时有解", swing))
             }
-            (Target::Pairs { zero }, _) => {
+            (FunctionTarget::Pairs { zero }, _) => {
                 let last = self.steps.len() - 1;
                 let own = (self.steps[last][1] + zero).to_degrees();
                 let with = |v: f64| {
@@ -53,7 +53,7 @@ impl Function {
     fn swung(&self, times: f64) -> Function {
         let mut other = self.clone();
         other.steps.iter_mut().for_each(|s| s[1] *= times);
-        if let Target::Curve { swings, .. } = &mut other.target {
+        if let FunctionTarget::Curve { swings, .. } = &mut other.target {
             swings[1] *= times;
         }
         other

@@ -2,7 +2,7 @@
 //! by least squares, by the Remez exchange; a parallelogram where both links rotate alike.
 
 use super::freudenstein::{Generator, Steps, exact, least_squares, linear, minimax};
-use super::{Function, Target, chebyshev};
+use super::{Function, FunctionTarget, chebyshev};
 use crate::body::pose::centre;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
@@ -118,7 +118,7 @@ impl Function {
 
     /// The best approximation, starting from the five Chebyshev points.
     fn best(&self) -> Result<Vec<(Both, Generator)>, Both> {
-        let Target::Curve { range, .. } = &self.target else { return Ok(Vec::new()) };
+        let FunctionTarget::Curve { range, .. } = &self.target else { return Ok(Vec::new()) };
         let steps: Steps = chebyshev(range[0], range[1], 5).into_iter().filter_map(|x| self.target.step(x)).collect();
         let step_of = |x: f64| self.target.step(x);
         let roots = exact([None, None], &steps);

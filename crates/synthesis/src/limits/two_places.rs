@@ -5,14 +5,14 @@
 //! and the angles ∠ADC₁, ∠ADC₂ (A at the origin, D on the x axis). If the pivot of a rocker is not
 //! given, D is on the bisector of C₁C₂, on either side.
 
-use crate::board::{Board, Weight};
-use crate::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
-use crate::form::Form;
+use crate::board::{SynthesisBoard, Weight};
+use crate::candidate::{Demand, DesignNumber, Draft, WantedPosition, deg, mm, place};
+use crate::form::TaskForm;
 use crate::fourbar::{FourBar, Heading, headed, meet, named_lengths, omega};
 use crate::nearest::{number, told};
 use crate::time_ratio::{sketch, slow_stroke};
 use crate::told::{angle, half_difference, length, number as ratio, of, place as shown};
-use crate::{Found, Proof, Statement, Wish};
+use crate::{Proof, Statement, TaskResult, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
@@ -40,7 +40,7 @@ enum Output {
     Slider,
 }
 
-pub(super) fn rocker(form: &Form) -> Option<Box<dyn Wish>> {
+pub(super) fn rocker(form: &TaskForm) -> Option<Box<dyn Wish>> {
     if form.has("places") {
         return by_places(form, true);
     }
@@ -61,11 +61,11 @@ pub(super) fn rocker(form: &Form) -> Option<Box<dyn Wish>> {
     Some(Box::new(TwoPlaces::by_angles(rocker, frame, [p, q])))
 }
 
-pub(super) fn slider(form: &Form) -> Option<Box<dyn Wish>> {
+pub(super) fn slider(form: &TaskForm) -> Option<Box<dyn Wish>> {
     by_places(form, false)
 }
 
-fn by_places(form: &Form, rocker: bool) -> Option<Box<dyn Wish>> {
+fn by_places(form: &TaskForm, rocker: bool) -> Option<Box<dyn Wish>> {
     let example = "{\"A\": [\"0 mm\", \"0 mm\"], \"C1\": [\"150 mm\", \"60 mm\"], \"C2\": [\"90 mm\", \"60 mm\"]}";
     form.need("places", example)?;
     let names: &[&str] = if rocker { &["A", "C1", "C2", "D"] } else { &["A", "C1", "C2"] };
@@ -179,14 +179,14 @@ impl TwoPlaces {
     }
 
     /// The positions of crank and coupler in the limits.
-    fn wanted(&self) -> Vec<Wanted> {
+    fn wanted(&self) -> Vec<WantedPosition> {
         let (reach, [ab, _]) = (self.reach(), self.bars());
         let at = |i: usize| {
             // In the farther limit crank and coupler are stretched, in the nearer one they are
             // folded.
             let sense = if reach[i] > reach[1 - i] { 1.0 } else { -1.0 };
             let crank = (self.c[i] - self.a) * (sense / reach[i]);
-            Wanted { driver: crank.angle(), places: vec![("B".into(), self.a + crank * ab), ("C".into(), self.c[i])] }
+            WantedPosition { driver: crank.angle(), places: vec![("B".into(), self.a + crank * ab), ("C".into(), self.c[i])] }
         };
         vec![at(0), at(1)]
     }
@@ -201,23 +201,23 @@ impl TwoPlaces {
                 let [u, v] = self.c.map(|c| c - d);
                 let swing = libm::atan2(u.cross(v).abs(), u.dot(v));
                 let mut numbers = named_lengths([ab, bc, d.distance(self.c[0]), d.distance(self.a)]);
-                numbers.push(Number::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
+                numbers.push(DesignNumber::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
                 (numbers, four.scene(heading), Demand::Swing(swing))
             }
             None => {
                 let way = self.c[0] - self.c[1];
                 let (stroke, off) = (way.norm(), (way.cross(self.a - self.c[1]) / way.norm()).abs());
                 let numbers = vec![
-                    Number::length("AB", both!("crank", "曲柄"), ab),
-                    Number::length("BC", both!("rod", "连杆"), bc),
-                    Number::length("e", both!("offset", "偏距"), off),
-                    Number::length("H", both!("stroke", "行程"), stroke),
+                    DesignNumber::length("AB", both!("crank", "曲柄"), ab),
+                    DesignNumber::length("BC", both!("rod", "连杆"), bc),
+                    DesignNumber::length("e", both!("offset", "偏距"), off),
+                    DesignNumber::length("H", both!("stroke", "行程"), stroke),
                 ];
                 (numbers, self.slider_scene([ab, bc], wanted[0].driver, heading), Demand::Stroke(stroke))
             }
         };
-        numbers.push(Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), theta));
-        numbers.push(Number::ratio("K", both!("time ratio", "行程速度变化系数"), k));
+        numbers.push(DesignNumber::angle("theta", both!("crank angle between the limit positions", "极位夹角"), theta));
+        numbers.push(DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), k));
         let which = match (d, &self.output) {
             (Some((side, _)), Output::Rocker { pivots, .. }) if pivots.len() > 1 => match side {
                 0 => both!("D left of C1C2", "D 在 C1C2 左侧"),
@@ -253,7 +253,7 @@ impl Wish for TwoPlaces {
         }
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let [ab, bc] = self.bars();
         if ab <= NO_CRANK * bc {
             let message = both!("AC1 and AC2 are equal: the crank would have no length", "AC1 与 AC2 相等：曲柄长为零");
@@ -271,10 +271,10 @@ impl Wish for TwoPlaces {
             Output::Rocker { pivots, .. } => pivots.iter().enumerate().map(|(k, d)| self.draft(Some((k, *d)), heading)).collect(),
             Output::Slider => vec![self.draft(None, heading)],
         };
-        Ok(Found { drafts, notes, ..Found::default() })
+        Ok(TaskResult { drafts, notes, ..TaskResult::default() })
     }
 
-    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         let (a, [c1, c2]) = (board.at(self.a), self.c.map(|c| board.at(c)));
         match &self.output {
             Output::Rocker { pivots, .. } => {

@@ -1,14 +1,14 @@
 //! Drawings of the places of a coupler point: B on the crank's circle or turned back about A, D
 //! moved back with the coupler, and the centre of its places.
 
-use crate::board::{Board, Weight};
+use crate::board::{SynthesisBoard, Weight};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
 
 /// Crank and BE given: B at the intersection of two circles, and D, if not given, without a
 /// construction. Arguments in metres.
-pub fn by_lengths(board: &mut Board, e: &[Point], [a, d]: [Point; 2], [crank, be]: [f64; 2], sides: &[bool]) -> Option<()> {
+pub fn by_lengths(board: &mut SynthesisBoard, e: &[Point], [a, d]: [Point; 2], [crank, be]: [f64; 2], sides: &[bool]) -> Option<()> {
     let (a, e) = (board.at(a), e.iter().map(|p| board.at(*p)).collect::<Vec<Point>>());
     board.step(both!("Lay off A, D, the places of E and the crank circle", "作出 A、D、E 的各位置及曲柄圆"));
     let radius = board.mm(crank);
@@ -28,7 +28,7 @@ pub fn by_lengths(board: &mut Board, e: &[Point], [a, d]: [Point; 2], [crank, be
 }
 
 /// The crank's rotations given: E turned back about A, B₁ the centre of its places.
-pub fn by_turns(board: &mut Board, e: &[Point], [a, d]: [Point; 2], turns: &[f64]) -> Option<()> {
+pub fn by_turns(board: &mut SynthesisBoard, e: &[Point], [a, d]: [Point; 2], turns: &[f64]) -> Option<()> {
     let (a, e) = (board.at(a), e.iter().map(|p| board.at(*p)).collect::<Vec<Point>>());
     board.step(both!("Lay off A, D and the places of E", "作出 A、D 及 E 的各位置"));
     let d = laid(board, a, d, &e);
@@ -65,7 +65,7 @@ fn numbered(letter: &str, dash: &str, of: std::ops::RangeInclusive<usize>) -> Bo
 }
 
 /// Marks the givens; returns D on the paper.
-fn laid(board: &mut Board, a: Point, d: Point, e: &[Point]) -> Point {
+fn laid(board: &mut SynthesisBoard, a: Point, d: Point, e: &[Point]) -> Point {
     let d = board.at(d);
     board.mark("A", a).mark("D", d);
     for (k, at) in e.iter().enumerate() {
@@ -76,7 +76,7 @@ fn laid(board: &mut Board, a: Point, d: Point, e: &[Point]) -> Point {
 
 /// D moved back with the coupler; the circle through its first three places, on which any further
 /// place lies.
-fn follower(board: &mut Board, [a, d]: [Point; 2], e: &[Point], b: &[Point]) -> Option<()> {
+fn follower(board: &mut SynthesisBoard, [a, d]: [Point; 2], e: &[Point], b: &[Point]) -> Option<()> {
     board.step(both!(
         "Carry D back with the coupler BE into position 1: {}",
         "把 D 随连杆 BE 反转到位置 1，得 {}",

@@ -1,6 +1,6 @@
 //! Path generation as a problem, and the formulas of its proof.
 
-use super::Path;
+use super::PathTask;
 use super::inversion::{back_to_first, turned_back};
 use super::prescribed::{Prescribed, Ray};
 use crate::candidate::Draft;
@@ -12,7 +12,7 @@ use hodograph_base::geom::Point;
 /// Greatest number of places in a list; of more, the first are printed.
 const TOLD: usize = 12;
 
-impl Path {
+impl PathTask {
     pub(super) fn stated(&self) -> Statement {
         let listed = |all: &[Point]| -> Vec<Both> {
             let one = |(k, p): (usize, &Point)| {
@@ -26,7 +26,7 @@ impl Path {
             out
         };
         match self {
-            Path::Three { points, pivots: [a, d], lengths, .. } => {
+            PathTask::Three { points, pivots: [a, d], lengths, .. } => {
                 let mut given = listed(points);
                 given.push(pivots_told(*a, *d));
                 given.extend(lengths_told(*lengths));
@@ -43,7 +43,7 @@ impl Path {
                     open_steps: 1,
                 }
             }
-            Path::Turned { points, pivots: [a, d], turns } => {
+            PathTask::Turned { points, pivots: [a, d], turns } => {
                 let mut given = listed(points);
                 given.push(pivots_told(*a, *d));
                 given.push(turns_told(turns));
@@ -60,7 +60,7 @@ impl Path {
                     open_steps: 1,
                 }
             }
-            Path::Prescribed(Prescribed { points, turns, lines }) => {
+            PathTask::Prescribed(Prescribed { points, turns, lines }) => {
                 let mut given = listed(points);
                 given.push(turns_told(turns));
                 given.extend(lines.iter().flat_map(|[a, d]| [on_line("A", *a), on_line("D", *d)]));
@@ -77,7 +77,7 @@ impl Path {
                     open_steps: 0,
                 }
             }
-            Path::Several { points, a, lengths, line, .. } => {
+            PathTask::Several { points, a, lengths, line, .. } => {
                 let mut given = listed(points);
                 given.push(both!("pivot $A = {}$", "固定铰链 $A = {}$", place(*a)));
                 given.extend(lengths_told(*lengths));
@@ -96,7 +96,7 @@ impl Path {
                     open_steps: 0,
                 }
             }
-            Path::Many { points, timing: Some(turns), .. } => {
+            PathTask::Many { points, timing: Some(turns), .. } => {
                 let mut given = listed(points);
                 given.push(turns_told(turns));
                 Statement {
@@ -110,7 +110,7 @@ impl Path {
                     open_steps: 0,
                 }
             }
-            Path::Many { points, timing: None, .. } => Statement {
+            PathTask::Many { points, timing: None, .. } => Statement {
                 task: both!(
                     "Design a crank-rocker $ABCD$ whose coupler point $E$ passes as near as possible to {} given places, in their order.",
                     "设计曲柄摇杆机构 $ABCD$，使连杆上的点 $E$ 依次尽可能接近 {} 个预定位置。",
@@ -125,16 +125,16 @@ impl Path {
 
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
         match self {
-            Path::Three { points, pivots, .. } => three(points, pivots[1], draft),
-            Path::Turned { points, pivots, turns } => {
+            PathTask::Three { points, pivots, .. } => three(points, pivots[1], draft),
+            PathTask::Turned { points, pivots, turns } => {
                 let mut out = first_pin(points, pivots[0], turns, draft);
                 out.extend(three(points, pivots[1], draft));
                 out
             }
-            Path::Prescribed(wish) => by_burmester(&wish.points, &wish.turns, draft),
-            Path::Many { points, timing: Some(turns), .. } if super::is_met(draft) => by_burmester(points, turns, draft),
-            Path::Several { points, .. } => several(points, draft),
-            Path::Many { points, timing, .. } => many(points.len(), timing.is_some(), draft),
+            PathTask::Prescribed(wish) => by_burmester(&wish.points, &wish.turns, draft),
+            PathTask::Many { points, timing: Some(turns), .. } if super::is_met(draft) => by_burmester(points, turns, draft),
+            PathTask::Several { points, .. } => several(points, draft),
+            PathTask::Many { points, timing, .. } => many(points.len(), timing.is_some(), draft),
         }
     }
 }

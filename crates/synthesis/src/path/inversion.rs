@@ -10,9 +10,9 @@
 //! points. The pair of B and A is among the results and is left out.
 
 use super::sides::{Sides, told as sides_told};
-use crate::body::burmester::{self, Pair};
-use crate::body::pose::{Position, centre};
-use crate::candidate::{Draft, Number, Wanted};
+use crate::body::burmester::{self, BurmesterPair};
+use crate::body::pose::{BodyPose, centre};
+use crate::candidate::{DesignNumber, Draft, WantedPosition};
 use crate::fourbar::{FourBar, Heading, meet, named_lengths};
 use crate::nearest::{number, told};
 use hodograph_base::diag::{Both, both};
@@ -71,14 +71,14 @@ pub(super) fn follower(e: &[Point], b: &[Point], d: Point) -> Result<Point, Both
 }
 
 /// The pivots D and pins C: of four positions on a line, or of five.
-pub(super) fn followers(e: &[Point], b: &[Point], a: Point, line: Option<(Point, Vec2)>) -> Vec<Pair> {
-    let positions: Vec<Position> = e.iter().zip(b).map(|(e, b)| Position { origin: *e, angle: (*e - *b).angle() }).collect();
+pub(super) fn followers(e: &[Point], b: &[Point], a: Point, line: Option<(Point, Vec2)>) -> Vec<BurmesterPair> {
+    let positions: Vec<BodyPose> = e.iter().zip(b).map(|(e, b)| BodyPose { origin: *e, angle: (*e - *b).angle() }).collect();
     let found = match line {
         Some((through, along)) => burmester::on_line(&positions, through, along),
         None => burmester::of_five(&positions),
     };
     let size = a.distance(e[0]).max(a.distance(b[0]));
-    let own = |p: &Pair| p.centre.distance(a) <= SAME * size && p.pin.distance(b[0]) <= SAME * size;
+    let own = |p: &BurmesterPair| p.centre.distance(a) <= SAME * size && p.pin.distance(b[0]) <= SAME * size;
     found.into_iter().filter(|p| !own(p)).collect()
 }
 
@@ -90,21 +90,26 @@ pub(super) fn draft(e: &[Point], b: &[Point], [a, d]: [Point; 2], c: Point, whic
     let local = direction(0);
     let four = FourBar { a, b: b[0], c, d, e: Some(Vec2::new(axis.dot(local), axis.cross(local))) };
     let wanted = (0..e.len())
-        .map(|k| Wanted { driver: (b[k] - a).angle(), places: vec![("B".into(), b[k]), ("C".into(), carried(k)), ("E".into(), e[k])] })
+        .map(|k| WantedPosition {
+            driver: (b[k] - a).angle(),
+            places: vec![("B".into(), b[k]), ("C".into(), carried(k)), ("E".into(), e[k])],
+        })
         .collect();
     let mut numbers = named_lengths(four.lengths());
-    numbers.push(Number::length("BE", both!("B to E", "B 到 E"), local.norm()));
-    numbers.push(Number::length("CE", both!("C to E", "C 到 E"), c.distance(e[0])));
+    numbers.push(DesignNumber::length("BE", both!("B to E", "B 到 E"), local.norm()));
+    numbers.push(DesignNumber::length("CE", both!("C to E", "C 到 E"), c.distance(e[0])));
     let mut places = vec![("B1", b[0]), ("C1", c)];
     if e.len() > 3 {
         places.push(("D", d));
     }
     for (name, at) in places {
-        numbers.push(Number::length(&format!("{name}_x"), both!("place of {name}", "{name} 的位置"), at.x));
-        numbers.push(Number::length(&format!("{name}_y"), both!("place of {name}", "{name} 的位置"), at.y));
+        numbers.push(DesignNumber::length(&format!("{name}_x"), both!("place of {name}", "{name} 的位置"), at.x));
+        numbers.push(DesignNumber::length(&format!("{name}_y"), both!("place of {name}", "{name} 的位置"), at.y));
     }
     numbers.extend(
-        b.iter().enumerate().map(|(k, b)| Number::angle(&format!("crank_{}", k + 1), both!("crank angle", "曲柄转角"), (*b - a).angle())),
+        b.iter()
+            .enumerate()
+            .map(|(k, b)| DesignNumber::angle(&format!("crank_{}", k + 1), both!("crank angle", "曲柄转角"), (*b - a).angle())),
     );
     Draft { ordered: true, ..Draft::new(which, four.scene(heading), numbers, wanted) }
 }

@@ -1,9 +1,9 @@
 //! Drawings of a linkage found by search at all places of its path, with the distances of its
 //! coupler point from them.
 
-use crate::board::{Board, Weight};
-use crate::candidate::{Draft, Number};
-use crate::laid::{Laid, numbered, shown, side};
+use crate::board::{SynthesisBoard, Weight};
+use crate::candidate::{DesignNumber, Draft};
+use crate::laid::{LaidFourBar, numbered, shown, side};
 use crate::told::of;
 use hodograph_base::diag::both;
 use hodograph_base::geom::{Point, Vec2};
@@ -15,18 +15,18 @@ const NOTHING: f64 = 1e-12;
 const APART_MM: f64 = 1.0;
 
 /// The distances of the coupler point from the drawn places (m).
-pub fn distances(far: &[f64], extent: f64) -> Vec<Number> {
+pub fn distances(far: &[f64], extent: f64) -> Vec<DesignNumber> {
     let what = both!("distance of E from the place", "E 到给定点的距离");
     let told = |v: f64| if v < NOTHING * extent { 0.0 } else { v };
-    shown(far.len()).into_iter().map(|k| Number::length(&format!("delta{}", k + 1), what.clone(), told(far[k]))).collect()
+    shown(far.len()).into_iter().map(|k| DesignNumber::length(&format!("delta{}", k + 1), what.clone(), told(far[k]))).collect()
 }
 
 /// Lays off the computed lengths, with the crank at its angle for each place, and reads the
 /// distances.
-pub fn drawn(board: &mut Board, draft: &Draft) -> Option<()> {
+pub fn drawn(board: &mut SynthesisBoard, draft: &Draft) -> Option<()> {
     let a = Point::new(of(draft, "A_x"), of(draft, "A_y"));
     let d = a + Vec2::from_angle(of(draft, "phi")) * of(draft, "AD");
-    let laid = Laid::off(board, draft, [a, d], Some(Vec2::new(of(draft, "u"), of(draft, "v"))));
+    let laid = LaidFourBar::off(board, draft, [a, d], Some(Vec2::new(of(draft, "u"), of(draft, "v"))));
     let all = shown(draft.targets.len());
     let which: Vec<usize> = all.iter().map(|k| k + 1).collect();
     board.step(both!("Lay off the wanted places {}", "作出给定点 {}", numbered("P", &which)));

@@ -14,11 +14,11 @@ mod laid;
 mod prescribed;
 mod sides;
 
-use super::board::Board;
-use super::candidate::{Draft, Number, Wanted};
-use super::form::Form;
+use super::board::SynthesisBoard;
+use super::candidate::{DesignNumber, Draft, WantedPosition};
+use super::form::TaskForm;
 use super::fourbar::{FourBar, Heading, named_lengths};
-use super::{Found, KindOfTask, Proof, Statement, Wish};
+use super::{KindOfTask, Proof, Statement, TaskResult, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
@@ -36,7 +36,7 @@ pub const KIND: KindOfTask = KindOfTask {
 };
 
 #[derive(Clone, Debug)]
-enum Path {
+enum PathTask {
     /// Three places, with crank and BE given.
     Three { points: [Point; 3], pivots: [Point; 2], lengths: [f64; 2], sides: Sides },
     /// Three places at given crank angles (rad).
@@ -49,7 +49,7 @@ enum Path {
     Many { points: Vec<Point>, timing: Option<Vec<f64>>, seed: u64 },
 }
 
-fn read(form: &Form) -> Option<Box<dyn Wish>> {
+fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let points = form.points("points", "[[\"50 mm\", \"70 mm\"], ...]", 3)?;
     for j in 1..points.len() {
         if points[..j].contains(&points[j]) && (j + 1 < points.len() || points[j] != points[0]) {
@@ -65,12 +65,12 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     let given: Vec<&str> = ["ground", "crank", "BE", "side", "line", "line_A"].into_iter().filter(|k| form.has(k)).collect();
     match <[Point; 3]>::try_from(points) {
         Ok(points) => three(form, points),
-        Err(points) if points.len() == 4 && form.has("timing") => Some(Box::new(Path::Prescribed(prescribed::read(form, points)?))),
+        Err(points) if points.len() == 4 && form.has("timing") => Some(Box::new(PathTask::Prescribed(prescribed::read(form, points)?))),
         Err(points) if points.len() == 4 || points.len() == 5 && !given.is_empty() => several(form, points),
         Err(points) if given.is_empty() => {
             let seed = if form.has("seed") { form.count("seed", 0, 1_000_000_000)? } else { 1 };
             let timing = if form.has("timing") { Some(timing(form, points.len())?) } else { None };
-            Some(Box::new(Path::Many { points, timing, seed: seed as u64 }))
+            Some(Box::new(PathTask::Many { points, timing, seed: seed as u64 }))
         }
         Err(points) => {
             let (key, count) = (given[0], points.len());
@@ -89,7 +89,7 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
 }
 
 /// The crank angles at the places (rad): one for each, no two of them equal modulo a full turn.
-fn timing(form: &Form, places: usize) -> Option<Vec<f64>> {
+fn timing(form: &TaskForm, places: usize) -> Option<Vec<f64>> {
     let angles: Vec<Option<f64>> = form.items("timing", TIMING, 1)?.iter().map(|n| form.angle_of(n, "timing")).collect();
     let angles: Vec<f64> = angles.into_iter().collect::<Option<_>>()?;
     if angles.len() != places {
@@ -130,7 +130,7 @@ const MET: f64 = 1e-9;
 const TIMING: &str = "[\"0 deg\", \"20 deg\", ...]";
 
 /// Reads a task of three places: A and D, with crank and BE or the crank angles.
-fn three(form: &Form, points: [Point; 3]) -> Option<Box<dyn Wish>> {
+fn three(form: &TaskForm, points: [Point; 3]) -> Option<Box<dyn Wish>> {
     form.need("ground", "{\"A\": [\"0 mm\", \"0 mm\"], \"D\": [\"100 mm\", \"0 mm\"]}")?;
     let inner = form.inner("ground", &["A", "D"])?;
     let pivot = |key: &str| inner.point_of(inner.need(key, "[\"0 mm\", \"0 mm\"]")?, key);
@@ -143,15 +143,15 @@ fn three(form: &Form, points: [Point; 3]) -> Option<Box<dyn Wish>> {
             return None;
         }
         let turns = <[f64; 3]>::try_from(timing(form, 3)?).ok()?;
-        return Some(Box::new(Path::Turned { points, pivots: [a?, d?], turns }));
+        return Some(Box::new(PathTask::Turned { points, pivots: [a?, d?], turns }));
     }
     let lengths = lengths(form);
     let sides = sides::read(form, 3);
-    Some(Box::new(Path::Three { points, pivots: [a?, d?], lengths: lengths?, sides: sides? }))
+    Some(Box::new(PathTask::Three { points, pivots: [a?, d?], lengths: lengths?, sides: sides? }))
 }
 
 /// Reads a task of four or five places: A, crank and BE; for four, a line on which D lies.
-fn several(form: &Form, points: Vec<Point>) -> Option<Box<dyn Wish>> {
+fn several(form: &TaskForm, points: Vec<Point>) -> Option<Box<dyn Wish>> {
     if let Some(key) = ["timing", "seed"].into_iter().find(|k| form.has(k)) {
         let message = match key {
             "timing" => both!(
@@ -178,62 +178,63 @@ fn several(form: &Form, points: Vec<Point>) -> Option<Box<dyn Wish>> {
         4 => Some(prescribed::ray(form, "line")?),
         _ => None,
     };
-    Some(Box::new(Path::Several { points, a: a?, lengths: lengths?, sides: sides?, line }))
+    Some(Box::new(PathTask::Several { points, a: a?, lengths: lengths?, sides: sides?, line }))
 }
 
 /// Reads crank and BE (m).
-fn lengths(form: &Form) -> Option<[f64; 2]> {
+fn lengths(form: &TaskForm) -> Option<[f64; 2]> {
     let (crank, be) = (form.need_size("crank", "\"30 mm\""), form.need_size("BE", "\"80 mm\""));
     Some([crank?, be?])
 }
 
-impl Wish for Path {
+impl Wish for PathTask {
     fn title(&self) -> Both {
         match self {
-            Path::Three { .. } | Path::Turned { .. } => {
+            PathTask::Three { .. } | PathTask::Turned { .. } => {
                 both!("Four-bar whose coupler point passes three places", "连杆点通过三个位置的四杆机构")
             }
-            Path::Prescribed(Prescribed { points, .. }) | Path::Several { points, .. } => {
+            PathTask::Prescribed(Prescribed { points, .. }) | PathTask::Several { points, .. } => {
                 both!("Four-bar whose coupler point passes {} places", "连杆点通过 {} 个位置的四杆机构", points.len())
             }
-            Path::Many { points, .. } => {
+            PathTask::Many { points, .. } => {
                 both!("Four-bar whose coupler point passes near {} places", "连杆点逼近 {} 个位置的四杆机构", points.len())
             }
         }
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let drafts = match self {
-            Path::Three { points, pivots, lengths, sides } => of_three(points, *pivots, *lengths, sides, heading)?,
-            Path::Turned { points, pivots, turns } => {
+            PathTask::Three { points, pivots, lengths, sides } => of_three(points, *pivots, *lengths, sides, heading)?,
+            PathTask::Turned { points, pivots, turns } => {
                 let found = inversion::turned(points, *pivots, turns, heading);
                 vec![found.map_err(|message| Diagnostic::error("no-real-solution", message).help(unturned()))?]
             }
-            Path::Prescribed(wish) => wish.solve(heading)?,
-            Path::Several { points, a, lengths, sides, line } => of_several(points, *a, *lengths, sides, *line, heading)?,
-            Path::Many { points, timing, seed } => return searched(points, timing.as_deref(), *seed, heading),
+            PathTask::Prescribed(wish) => wish.solve(heading)?,
+            PathTask::Several { points, a, lengths, sides, line } => of_several(points, *a, *lengths, sides, *line, heading)?,
+            PathTask::Many { points, timing, seed } => return searched(points, timing.as_deref(), *seed, heading),
         };
-        Ok(Found { drafts, ..Found::default() })
+        Ok(TaskResult { drafts, ..TaskResult::default() })
     }
 
-    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         // D, and A if not given, come from centre-point curves.
         let found =
             |letter: &str| Point::new(super::told::of(draft, &format!("{letter}_x")), super::told::of(draft, &format!("{letter}_y")));
-        let by_sides = |board: &mut Board, points: &[Point], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides| {
-            let ways: Vec<_> = sides.all.iter().map(|s| move |b: &mut Board| drawing::by_lengths(b, points, pivots, lengths, s)).collect();
-            let ways: Vec<&super::board::Way> = ways.iter().map(|w| w as &super::board::Way).collect();
+        let by_sides = |board: &mut SynthesisBoard, points: &[Point], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides| {
+            let ways: Vec<_> =
+                sides.all.iter().map(|s| move |b: &mut SynthesisBoard| drawing::by_lengths(b, points, pivots, lengths, s)).collect();
+            let ways: Vec<&super::board::ConstructionVariant> = ways.iter().map(|w| w as &super::board::ConstructionVariant).collect();
             board.meant(draft, &ways)
         };
         match self {
-            Path::Three { points, pivots, lengths, sides } => by_sides(board, points, *pivots, *lengths, sides),
-            Path::Turned { points, pivots, turns } => drawing::by_turns(board, points, *pivots, turns),
-            Path::Prescribed(wish) => drawing::by_turns(board, &wish.points, [found("A"), found("D")], &wish.turns),
-            Path::Several { points, a, lengths, sides, .. } => by_sides(board, points, [*a, found("D")], *lengths, sides),
-            Path::Many { points, timing: Some(turns), .. } if is_met(draft) => {
+            PathTask::Three { points, pivots, lengths, sides } => by_sides(board, points, *pivots, *lengths, sides),
+            PathTask::Turned { points, pivots, turns } => drawing::by_turns(board, points, *pivots, turns),
+            PathTask::Prescribed(wish) => drawing::by_turns(board, &wish.points, [found("A"), found("D")], &wish.turns),
+            PathTask::Several { points, a, lengths, sides, .. } => by_sides(board, points, [*a, found("D")], *lengths, sides),
+            PathTask::Many { points, timing: Some(turns), .. } if is_met(draft) => {
                 drawing::by_turns(board, points, [found("A"), found("D")], turns)
             }
-            Path::Many { .. } => laid::drawn(board, draft),
+            PathTask::Many { .. } => laid::drawn(board, draft),
         }
     }
 
@@ -321,7 +322,7 @@ fn unturned() -> Both {
 }
 
 /// Many places: the best optima of a search.
-fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Heading) -> Result<Found, Faults> {
+fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Heading) -> Result<TaskResult, Faults> {
     let found = match timing {
         None => search::search(points, seed),
         Some(turns) => timed::search(points, turns, seed),
@@ -345,44 +346,44 @@ fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Headi
     let near = found.fits.iter().filter(|f| met.is_empty() || f.rms > MET * extent).filter_map(told);
     let drafts: Vec<Draft> = met.iter().cloned().chain(near).collect();
     let numbers = vec![
-        Number::ratio("evaluations", both!("positions evaluated", "计算的位置数"), found.evaluations as f64),
-        Number::ratio("restarts", both!("runs of the search", "搜索次数"), found.runs as f64),
+        DesignNumber::ratio("evaluations", both!("positions evaluated", "计算的位置数"), found.evaluations as f64),
+        DesignNumber::ratio("restarts", both!("runs of the search", "搜索次数"), found.runs as f64),
     ];
     if drafts.is_empty() {
         let message = both!("the search found no crank-rocker near these places", "没有找到逼近这些点的曲柄摇杆机构");
         let help = both!("order the points along the path, or try another \"seed\"", "请按轨迹次序排列各点，或换一个 \"seed\"");
         return Err(Diagnostic::error("no-real-solution", message).help(help).into());
     }
-    Ok(Found { drafts, numbers, notes: Vec::new() })
+    Ok(TaskResult { drafts, numbers, notes: Vec::new() })
 }
 
 /// The design of a search result: its scene is required to reach the places that the result
 /// actually has; their distances from the given places are numbers.
 fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
     let l = &fit.linkage;
-    let at: Vec<search::Place> = fit.cranks.iter().map(|t| l.place(*t)).collect::<Option<_>>()?;
+    let at: Vec<search::PositionPoints> = fit.cranks.iter().map(|t| l.place(*t)).collect::<Option<_>>()?;
     let first = at.first()?;
     let four = FourBar { a: l.a, b: first.b, c: first.c, d: l.d(), e: Some(l.e) };
     let wanted = fit
         .cranks
         .iter()
         .zip(&at)
-        .map(|(t, p)| Wanted { driver: *t, places: vec![("B".into(), p.b), ("C".into(), p.c), ("E".into(), p.e)] })
+        .map(|(t, p)| WantedPosition { driver: *t, places: vec![("B".into(), p.b), ("C".into(), p.c), ("E".into(), p.e)] })
         .collect();
     let far: Vec<f64> = points.iter().zip(&at).map(|(p, q)| p.distance(q.e)).collect();
     let mut numbers = named_lengths(four.lengths());
-    numbers.push(Number::length("A_x", both!("place of A", "A 的位置"), l.a.x));
-    numbers.push(Number::length("A_y", both!("place of A", "A 的位置"), l.a.y));
-    numbers.push(Number::angle("phi", both!("direction of the frame", "机架方向"), l.phi - TAU * libm::rint(l.phi / TAU)));
-    numbers.push(Number::length("u", both!("E along BC from B", "E 沿 BC 的坐标"), l.e.x));
-    numbers.push(Number::length("v", both!("E to the left of BC", "E 在 BC 左侧的距离"), l.e.y));
-    numbers.push(Number::angle(
+    numbers.push(DesignNumber::length("A_x", both!("place of A", "A 的位置"), l.a.x));
+    numbers.push(DesignNumber::length("A_y", both!("place of A", "A 的位置"), l.a.y));
+    numbers.push(DesignNumber::angle("phi", both!("direction of the frame", "机架方向"), l.phi - TAU * libm::rint(l.phi / TAU)));
+    numbers.push(DesignNumber::length("u", both!("E along BC from B", "E 沿 BC 的坐标"), l.e.x));
+    numbers.push(DesignNumber::length("v", both!("E to the left of BC", "E 在 BC 左侧的距离"), l.e.y));
+    numbers.push(DesignNumber::angle(
         "crank_1",
         both!("crank angle at place 1", "位置 1 的曲柄转角"),
         fit.cranks[0] - TAU * libm::rint(fit.cranks[0] / TAU),
     ));
-    numbers.push(Number::length("rms", both!("root mean square distance", "均方根距离"), fit.rms));
-    numbers.push(Number::length("max", both!("greatest distance", "最大距离"), far.iter().copied().fold(0.0, f64::max)));
+    numbers.push(DesignNumber::length("rms", both!("root mean square distance", "均方根距离"), fit.rms));
+    numbers.push(DesignNumber::length("max", both!("greatest distance", "最大距离"), far.iter().copied().fold(0.0, f64::max)));
     numbers.extend(laid::distances(&far, search::extent(points).1));
     let which = both!("root mean square distance {} mm", "均方根距离 {} mm", significant(fit.rms * 1e3, 4));
     Some(Draft { ordered: true, error: fit.rms, targets: points.to_vec(), ..Draft::new(which, four.scene(heading), numbers, wanted) })

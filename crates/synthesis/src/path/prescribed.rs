@@ -8,9 +8,9 @@
 
 use super::inversion;
 use crate::body::burmester;
-use crate::body::pose::Position;
-use crate::candidate::{Draft, Number};
-use crate::form::Form;
+use crate::body::pose::BodyPose;
+use crate::candidate::{DesignNumber, Draft};
+use crate::form::TaskForm;
 use crate::fourbar::Heading;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
@@ -33,7 +33,7 @@ pub(super) struct Prescribed {
 const NONE: f64 = 1e-6;
 
 /// Reads the line under a key.
-pub(super) fn ray(form: &Form, key: &'static str) -> Option<Ray> {
+pub(super) fn ray(form: &TaskForm, key: &'static str) -> Option<Ray> {
     form.need(key, "{\"through\": [\"100 mm\", \"0 mm\"], \"angle\": \"0 deg\"}")?;
     let inner = form.inner(key, &["through", "angle"])?;
     inner.need("through", "[\"100 mm\", \"0 mm\"]")?;
@@ -43,7 +43,7 @@ pub(super) fn ray(form: &Form, key: &'static str) -> Option<Ray> {
 }
 
 /// Reads a task of four places: `line` for D and A, or `line_A` for A.
-pub(super) fn read(form: &Form, points: Vec<Point>) -> Option<Prescribed> {
+pub(super) fn read(form: &TaskForm, points: Vec<Point>) -> Option<Prescribed> {
     if let Some(key) = ["ground", "crank", "BE", "side", "seed"].into_iter().find(|k| form.has(k)) {
         let message = both!(
             "with `timing` at four places `{key}` is not free: the pivots lie on curves, the lengths follow",
@@ -65,8 +65,8 @@ pub(super) fn read(form: &Form, points: Vec<Point>) -> Option<Prescribed> {
 impl Prescribed {
     /// The pivots A, each with B at all places.
     fn cranks(&self) -> Vec<(Point, Vec<Point>)> {
-        let positions: Vec<Position> = self.points.iter().zip(&self.turns).map(|(e, t)| Position { origin: *e, angle: *t }).collect();
-        let crank = |pair: burmester::Pair| {
+        let positions: Vec<BodyPose> = self.points.iter().zip(&self.turns).map(|(e, t)| BodyPose { origin: *e, angle: *t }).collect();
+        let crank = |pair: burmester::BurmesterPair| {
             let (a, w) = (pair.centre, self.points[0] - pair.pin);
             let b: Vec<Point> = self.turns.iter().map(|t| a + w.rotate_by(Vec2::from_angle(t - self.turns[0]))).collect();
             let far = self.points.iter().map(|e| e.distance(a)).fold(0.0, f64::max);
@@ -84,11 +84,11 @@ impl Prescribed {
         let e = &self.points;
         let of_crank = |(i, (a, b)): (usize, &(Point, Vec<Point>))| -> Vec<Draft> {
             let pairs = inversion::followers(e, b, *a, self.lines.map(|l| l[1]));
-            let one = |(k, p): (usize, &burmester::Pair)| {
+            let one = |(k, p): (usize, &burmester::BurmesterPair)| {
                 let which = both!("pivot A {}, pivot D {}", "固定铰链 A 之 {}，D 之 {}", i + 1, k + 1);
                 let mut draft = inversion::draft(e, b, [*a, p.centre], p.pin, which, heading);
-                draft.numbers.push(Number::length("A_x", both!("place of A", "A 的位置"), a.x));
-                draft.numbers.push(Number::length("A_y", both!("place of A", "A 的位置"), a.y));
+                draft.numbers.push(DesignNumber::length("A_x", both!("place of A", "A 的位置"), a.x));
+                draft.numbers.push(DesignNumber::length("A_y", both!("place of A", "A 的位置"), a.y));
                 draft
             };
             pairs.iter().enumerate().map(one).collect()

@@ -4,9 +4,9 @@
 //! collinear between two places. Without a given side all choices are tried, those with one side
 //! first.
 
-use crate::form::Form;
+use crate::form::TaskForm;
 use hodograph_base::diag::{Both, Diagnostic, both};
-use hodograph_base::json::Kind;
+use hodograph_base::json::NodeKind;
 
 /// The choices of sides to try: true for left of AE, for each place.
 #[derive(Clone, Debug)]
@@ -19,12 +19,12 @@ pub(super) struct Sides {
 const WORDS: [&str; 2] = ["left of AE", "right of AE"];
 
 /// Reads `side`; `None` where it cannot be read.
-pub(super) fn read(form: &Form, places: usize) -> Option<Sides> {
+pub(super) fn read(form: &TaskForm, places: usize) -> Option<Sides> {
     let Some(inner) = form.inner("side", &["B"]) else {
         return (!form.has("side")).then(|| Sides { all: every(places) });
     };
     let node = inner.need("B", "\"left of AE\"")?;
-    if !matches!(node.kind, Kind::Array(_)) {
+    if !matches!(node.kind, NodeKind::Array(_)) {
         let left = inner.choice("B", &WORDS)? == WORDS[0];
         return Some(Sides { all: vec![vec![left; places]] });
     }

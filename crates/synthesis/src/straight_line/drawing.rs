@@ -1,11 +1,11 @@
 //! Drawings of straight-line linkages at the ends of the stretch, in its middle and at the extremes
 //! of E; length and deviation are read at right angles.
 
-use super::{Linkage, SHORT, Task};
-use crate::board::{Board, Line, Weight};
+use super::{Linkage, SHORT, StraightLineTask};
+use crate::board::{PaperLine, SynthesisBoard, Weight};
 use crate::candidate::Draft;
 use crate::fourbar::{FourBar, Heading};
-use crate::laid::{Laid, numbered};
+use crate::laid::{LaidFourBar, numbered};
 use crate::told::of;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
@@ -17,14 +17,14 @@ const BEYOND: f64 = 0.1;
 
 /// A position on paper: the place of E, the segments of the links, and the pins, the driver's pin
 /// first.
-struct Position {
+struct LinkagePose {
     e: Point,
     links: Vec<[Point; 2]>,
     pins: Vec<(&'static str, Point)>,
 }
 
 /// The position on a board for a driver angle (rad).
-type Placing = dyn Fn(&Board, f64) -> Option<Position>;
+type Placing = dyn Fn(&SynthesisBoard, f64) -> Option<LinkagePose>;
 
 /// The linkage laid off on paper, and its position for a driver angle.
 struct Sheet {
@@ -36,9 +36,9 @@ struct Sheet {
     at: Box<Placing>,
 }
 
-impl Task {
+impl StraightLineTask {
     /// Lays off the computed lengths; draws E at the positions that determine length and deviation.
-    pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    pub(super) fn drawn(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         let made = self.made(self.length / self.unit_length(), &Heading::default())?;
         let sheet = self.sheet(draft, board)?;
         let drivers = drivers(draft, made.wanted.first()?.driver, self.begins_dead());
@@ -84,7 +84,7 @@ impl Task {
         }
     }
 
-    fn sheet(&self, draft: &Draft, board: &Board) -> Option<Sheet> {
+    fn sheet(&self, draft: &Draft, board: &SynthesisBoard) -> Option<Sheet> {
         Some(match self.linkage {
             Linkage::Watt => four_bar(draft, board, &super::watt(of(draft, "AB") / 5.0)),
             Linkage::Chebyshev => four_bar(draft, board, &super::chebyshev(of(draft, "AB") / 5.0)),
@@ -114,13 +114,13 @@ fn drivers(draft: &Draft, middle: f64, dead: bool) -> Vec<f64> {
 
 /// Draws the line through E₁, perpendiculars to it at the ends and parallels through the extremes;
 /// reads their distances.
-fn measured(board: &mut Board, all: &[Position], level: bool) {
+fn measured(board: &mut SynthesisBoard, all: &[LinkagePose], level: bool) {
     let along = if level { Vec2::new(1.0, 0.0) } else { Vec2::new(0.0, 1.0) };
     let Some(first) = all.first() else { return };
-    let line = Line { at: first.e, along };
+    let line = PaperLine { at: first.e, along };
     let across = line.square(first.e);
-    let ends = |of: &Line| {
-        let on = |p: &Position| of.along.dot(p.e - of.at);
+    let ends = |of: &PaperLine| {
+        let on = |p: &LinkagePose| of.along.dot(p.e - of.at);
         let (low, high) = all.iter().map(on).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         [of.place(low), of.place(high)]
     };
@@ -137,13 +137,13 @@ fn measured(board: &mut Board, all: &[Position], level: bool) {
     board.read("length", from, to).read("deviation", low, high);
 }
 
-fn four_bar(draft: &Draft, board: &Board, l: &FourBar) -> Sheet {
-    let opened = Laid::off(board, draft, [l.a, l.d], l.e);
+fn four_bar(draft: &Draft, board: &SynthesisBoard, l: &FourBar) -> Sheet {
+    let opened = LaidFourBar::off(board, draft, [l.a, l.d], l.e);
     let left = (l.d - l.b).cross(l.c - l.b) > 0.0;
-    let at = move |board: &Board, crank: f64| {
+    let at = move |board: &SynthesisBoard, crank: f64| {
         let pins = opened.at(board, crank, left)?;
         let links = vec![[opened.a, pins.b], [pins.b, pins.c], [pins.c, opened.d], [pins.c, pins.e], [pins.b, pins.e]];
-        Some(Position { e: pins.e, links, pins: vec![("B", pins.b), ("C", pins.c)] })
+        Some(LinkagePose { e: pins.e, links, pins: vec![("B", pins.b), ("C", pins.c)] })
     };
     Sheet {
         laid: both!("Lay off A and D, the circles of AB about A and of CD about D", "作 A、D 及以 A 为圆心的 AB 圆、以 D 为圆心的 CD 圆"),
@@ -165,14 +165,14 @@ fn four_bar(draft: &Draft, board: &Board, l: &FourBar) -> Sheet {
     }
 }
 
-fn scott_russell(draft: &Draft, board: &Board) -> Sheet {
+fn scott_russell(draft: &Draft, board: &SynthesisBoard) -> Sheet {
     let (a, crank) = (board.at(Point::ORIGIN), board.mm(of(draft, "AB")));
-    let guide = Line { at: a, along: Vec2::new(1.0, 0.0) };
-    let at = move |board: &Board, angle: f64| {
+    let guide = PaperLine { at: a, along: Vec2::new(1.0, 0.0) };
+    let at = move |board: &SynthesisBoard, angle: f64| {
         let b = a + Vec2::from_angle(angle) * crank;
         let c = board.cut(&guide, b, crank)?[1];
-        let e = Line::through(c, b)?.place(2.0 * crank);
-        Some(Position { e, links: vec![[a, b], [c, e]], pins: vec![("B", b), ("C", c)] })
+        let e = PaperLine::through(c, b)?.place(2.0 * crank);
+        Some(LinkagePose { e, links: vec![[a, b], [c, e]], pins: vec![("B", b), ("C", c)] })
     };
     Sheet {
         laid: both!("Lay off A, the guide through it and the crank circle", "作 A、过 A 的导路及曲柄圆"),
@@ -188,15 +188,15 @@ fn scott_russell(draft: &Draft, board: &Board) -> Sheet {
     }
 }
 
-fn peaucellier(draft: &Draft, board: &Board) -> Sheet {
+fn peaucellier(draft: &Draft, board: &SynthesisBoard) -> Sheet {
     let [crank, long, short] = ["KC", "OX", "CX"].map(|name| board.mm(of(draft, name)));
     let (o, k) = (board.at(Point::ORIGIN), board.at(Point::new(of(draft, "KC"), 0.0)));
-    let at = move |board: &Board, angle: f64| {
+    let at = move |board: &SynthesisBoard, angle: f64| {
         let c = k + Vec2::from_angle(angle) * crank;
         let [x, y] = board.circles(o, long, c, short)?;
         let e = board.circles(x, short, y, short)?.into_iter().max_by(|p, q| p.distance(c).total_cmp(&q.distance(c)))?;
         let links = vec![[k, c], [o, x], [o, y], [c, x], [c, y], [x, e], [y, e]];
-        Some(Position { e, links, pins: vec![("C", c), ("X", x), ("Y", y)] })
+        Some(LinkagePose { e, links, pins: vec![("C", c), ("X", x), ("Y", y)] })
     };
     Sheet {
         laid: both!("Lay off O and K, and about K the circle through O", "作 O、K 及以 K 为圆心过 O 的圆"),

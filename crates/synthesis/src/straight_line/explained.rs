@@ -1,13 +1,13 @@
 //! Straight-line linkages as problems, with their proportions and the results of sweeping the
 //! finished scene.
 
-use super::{Linkage, Task};
+use super::{Linkage, StraightLineTask};
 use crate::candidate::Draft;
 use crate::told::{angle, length, number, of};
 use crate::{Proof, Statement};
 use hodograph_base::diag::{Both, both};
 
-impl Task {
+impl StraightLineTask {
     pub(super) fn stated(&self) -> Statement {
         let mut given = vec![both!("length of the straight stretch $l = {}$", "直线段长 $l = {}$", length(self.length))];
         match self.linkage {

@@ -4,7 +4,7 @@
 //! By the law of cosines L² = AC₁² + AC₂² − 2 AC₁ AC₂ cos θ with AC = BC ± AB and the chord L = C₁C₂:
 //! 2 AB² (1 + cos θ) + 2 BC² (1 − cos θ) = L².
 
-use crate::board::{Board, Line, Weight};
+use crate::board::{PaperLine, SynthesisBoard, Weight};
 use crate::told::length;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::significant;
@@ -13,48 +13,48 @@ use std::f64::consts::FRAC_PI_2;
 
 /// The given bar (m).
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Bar {
+pub(super) enum GivenBar {
     /// AB.
     Crank(f64),
     /// BC.
     Coupler(f64),
 }
 
-impl Bar {
+impl GivenBar {
     /// The bar's key in the file.
     pub(super) fn key(self) -> &'static str {
         match self {
-            Bar::Crank(_) => "crank",
-            Bar::Coupler(_) => "coupler",
+            GivenBar::Crank(_) => "crank",
+            GivenBar::Coupler(_) => "coupler",
         }
     }
 
     pub(super) fn length(self) -> f64 {
         match self {
-            Bar::Crank(l) | Bar::Coupler(l) => l,
+            GivenBar::Crank(l) | GivenBar::Coupler(l) => l,
         }
     }
 
     /// The bar with another length (mm).
-    pub(super) fn with(self, mm: f64) -> Bar {
+    pub(super) fn with(self, mm: f64) -> GivenBar {
         match self {
-            Bar::Crank(_) => Bar::Crank(mm * 1e-3),
-            Bar::Coupler(_) => Bar::Coupler(mm * 1e-3),
+            GivenBar::Crank(_) => GivenBar::Crank(mm * 1e-3),
+            GivenBar::Coupler(_) => GivenBar::Coupler(mm * 1e-3),
         }
     }
 
     pub(super) fn told(self) -> Both {
         match self {
-            Bar::Crank(l) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(l)),
-            Bar::Coupler(l) => both!("coupler $l_{{BC}} = {}$", "连杆 $l_{{BC}} = {}$", length(l)),
+            GivenBar::Crank(l) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(l)),
+            GivenBar::Coupler(l) => both!("coupler $l_{{BC}} = {}$", "连杆 $l_{{BC}} = {}$", length(l)),
         }
     }
 
     /// The name of the other bar, and its formula.
     pub(super) fn formula(self) -> [&'static str; 2] {
         match self {
-            Bar::Crank(_) => ["BC", "l_{BC}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{AB}^2(1 + \\cos\\theta)}{2(1 − \\cos\\theta)}"],
-            Bar::Coupler(_) => ["AB", "l_{AB}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{BC}^2(1 − \\cos\\theta)}{2(1 + \\cos\\theta)}"],
+            GivenBar::Crank(_) => ["BC", "l_{BC}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{AB}^2(1 + \\cos\\theta)}{2(1 − \\cos\\theta)}"],
+            GivenBar::Coupler(_) => ["AB", "l_{AB}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{BC}^2(1 − \\cos\\theta)}{2(1 + \\cos\\theta)}"],
         }
     }
 
@@ -62,8 +62,8 @@ impl Bar {
     /// angle under which the chord appears from it (rad).
     fn seen(self, theta: f64) -> (&'static str, f64) {
         match self {
-            Bar::Crank(_) => ("F", FRAC_PI_2 + theta / 2.0),
-            Bar::Coupler(_) => ("H", theta / 2.0),
+            GivenBar::Crank(_) => ("F", FRAC_PI_2 + theta / 2.0),
+            GivenBar::Coupler(_) => ("H", theta / 2.0),
         }
     }
 
@@ -72,8 +72,8 @@ impl Bar {
         let (plus, minus) = (2.0 * (1.0 + cosine), 2.0 * (1.0 - cosine));
         // With θ = 0 the crank is half the chord for any coupler.
         let [ab2, bc2] = match self {
-            Bar::Crank(l) => [l * l, (chord * chord - l * l * plus) / minus],
-            Bar::Coupler(l) => [(chord * chord - l * l * minus) / plus, l * l],
+            GivenBar::Crank(l) => [l * l, (chord * chord - l * l * plus) / minus],
+            GivenBar::Coupler(l) => [(chord * chord - l * l * minus) / plus, l * l],
         };
         (cosine < 1.0 && bc2.is_finite() && ab2 > 0.0 && bc2 > ab2).then(|| [ab2.sqrt(), bc2.sqrt()])
     }
@@ -82,7 +82,7 @@ impl Bar {
     /// the chord.
     pub(super) fn place(
         self,
-        board: &mut Board,
+        board: &mut SynthesisBoard,
         [c1, c2]: [Point; 2],
         (theta, side): (f64, bool),
         (centre, radius): (Point, f64),
@@ -91,11 +91,11 @@ impl Bar {
         let (letter, seen) = self.seen(theta);
         let told = significant(seen.to_degrees(), 5);
         board.step(match self {
-            Bar::Crank(_) => both!(
+            GivenBar::Crank(_) => both!(
                 "AF = AC2 on AC1 leaves C1F = 2 AB, and C1C2 is seen from F under 90° + θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2 AB about C1, gives F",
                 "在 AC1 上取 AF = AC2，则 C1F = 2 AB，且 ∠C1FC2 = 90° + θ/2 = {told}°：作以该角为圆周角的圆，以 C1 为圆心、2 AB 为半径截得 F"
             ),
-            Bar::Coupler(_) => both!(
+            GivenBar::Coupler(_) => both!(
                 "AH = AC2 beyond A on C1A makes C1H = 2 BC, and C1C2 is seen from H under θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2 BC about C1, gives H",
                 "在 C1A 的延长线上取 AH = AC2，则 C1H = 2 BC，且 ∠C1HC2 = θ/2 = {told}°：作以该角为圆周角的圆，以 C1 为圆心、2 BC 为半径截得 H"
             ),
@@ -106,7 +106,7 @@ impl Bar {
         let h = board.circles(c1, opening, other, wide)?[k];
         board.mark(letter, h);
         board.step(both!("The line C1{} meets the first circle again at A", "直线 C1{} 与第一个圆再交于 A", letter));
-        let crossings = board.cut(&Line::through(c1, h)?, centre, radius)?;
+        let crossings = board.cut(&PaperLine::through(c1, h)?, centre, radius)?;
         crossings.into_iter().max_by(|p, q| p.distance(c1).total_cmp(&q.distance(c1)))
     }
 }

@@ -15,15 +15,15 @@ mod drawing;
 mod explained;
 mod family;
 
-use super::Ratio;
-use super::bar::Bar;
-use crate::board::Board;
-use crate::candidate::{Demand, Draft, Number, Wanted};
-use crate::form::Form;
+use super::StrokeRatio;
+use super::bar::GivenBar;
+use crate::board::SynthesisBoard;
+use crate::candidate::{Demand, DesignNumber, Draft, WantedPosition};
+use crate::form::TaskForm;
 use crate::fourbar::{FourBar, Heading, cross_circle, named_lengths};
 use crate::judge::USUAL_GAMMA;
 use crate::nearest::told;
-use crate::{Found, Proof, Statement, Wish};
+use crate::{Proof, Statement, TaskResult, Wish};
 use family::{Family, most_k};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, significant};
@@ -33,22 +33,22 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 #[derive(Clone, Debug)]
 struct CrankRocker {
-    ratio: Ratio,
+    ratio: StrokeRatio,
     /// The rocker (m); one metre if another length determines the size.
     rocker: f64,
-    size: Size,
-    way: Way,
+    size: SizeBasis,
+    way: RockerGivens,
 }
 
 /// The givens that determine the linkage in addition to K and the rocker.
 #[derive(Clone, Debug)]
-enum Way {
+enum RockerGivens {
     /// The frame and the angle ∠ADC₁ in one limit.
     Limit { frame: f64, angle: f64 },
     /// The rocker's swing and the frame.
     Swing { swing: f64, frame: f64 },
     /// The rocker's swing, and the crank or the coupler.
-    Bar { swing: f64, bar: Bar },
+    Bar { swing: f64, bar: GivenBar },
     /// The rocker's swing, and two points of a line through A; D is the origin, the swing is
     /// symmetrical about the upward axis.
     Line { swing: f64, line: [Point; 2] },
@@ -60,7 +60,7 @@ enum Way {
 
 /// The length that determines the size of the linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Size {
+enum SizeBasis {
     /// The rocker.
     Rocker,
     /// The frame (m), where the place of A does not follow from it.
@@ -69,20 +69,20 @@ enum Size {
     Crank(f64),
 }
 
-pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
-    let ratio = Ratio::read(form);
+pub(super) fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
+    let ratio = StrokeRatio::read(form);
     // A shape chosen by its transmission angle can be scaled to any of its lengths.
     let by_shape = form.has("swing") && (form.has("gamma") || form.has("best"));
     let (rocker, size) = match (form.has("rocker"), by_shape) {
-        (false, true) if form.has("frame") => (Some(1.0), form.size("frame").map(Size::Frame)),
-        (false, true) if form.has("crank") => (Some(1.0), form.size("crank").map(Size::Crank)),
-        _ => (form.need_size("rocker", "\"75 mm\""), Some(Size::Rocker)),
+        (false, true) if form.has("frame") => (Some(1.0), form.size("frame").map(SizeBasis::Frame)),
+        (false, true) if form.has("crank") => (Some(1.0), form.size("crank").map(SizeBasis::Crank)),
+        _ => (form.need_size("rocker", "\"75 mm\""), Some(SizeBasis::Rocker)),
     };
     let best = form.has("best").then(|| form.choice("best", &["transmission"]));
     let way = match (form.has("limit"), form.has("swing")) {
         (true, false) => {
             let frame = form.need_size("frame", "\"100 mm\"");
-            within(form, "limit").zip(frame).map(|(angle, frame)| Way::Limit { frame, angle })
+            within(form, "limit").zip(frame).map(|(angle, frame)| RockerGivens::Limit { frame, angle })
         }
         (false, true) if form.has("gamma") => {
             let gamma = form.angle("gamma").filter(|g| {
@@ -93,7 +93,7 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
                 }
                 inside
             });
-            within(form, "swing").zip(gamma).map(|(swing, gamma)| Way::Gamma { swing, gamma })
+            within(form, "swing").zip(gamma).map(|(swing, gamma)| RockerGivens::Gamma { swing, gamma })
         }
         (false, true) if form.has("line") && (form.has("frame") || best.is_some()) => {
             let message =
@@ -101,17 +101,19 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
             form.fault(Diagnostic::error("wrong-given", message).at(form.span("line")).help(both!("keep one of them", "请保留其中一个")));
             None
         }
-        (false, true) if form.has("line") => within(form, "swing").zip(choice::line(form)).map(|(swing, line)| Way::Line { swing, line }),
+        (false, true) if form.has("line") => {
+            within(form, "swing").zip(choice::line(form)).map(|(swing, line)| RockerGivens::Line { swing, line })
+        }
         (false, true) if form.has("frame") && best.is_none() => {
-            within(form, "swing").zip(form.size("frame")).map(|(swing, frame)| Way::Swing { swing, frame })
+            within(form, "swing").zip(form.size("frame")).map(|(swing, frame)| RockerGivens::Swing { swing, frame })
         }
         (false, true) if form.has("crank") && best.is_none() => {
-            within(form, "swing").zip(form.size("crank")).map(|(swing, crank)| Way::Bar { swing, bar: Bar::Crank(crank) })
+            within(form, "swing").zip(form.size("crank")).map(|(swing, crank)| RockerGivens::Bar { swing, bar: GivenBar::Crank(crank) })
         }
-        (false, true) if form.has("coupler") && best.is_none() => {
-            within(form, "swing").zip(form.size("coupler")).map(|(swing, coupler)| Way::Bar { swing, bar: Bar::Coupler(coupler) })
-        }
-        (false, true) => within(form, "swing").map(|swing| Way::Best { swing, chosen: best.is_none() }),
+        (false, true) if form.has("coupler") && best.is_none() => within(form, "swing")
+            .zip(form.size("coupler"))
+            .map(|(swing, coupler)| RockerGivens::Bar { swing, bar: GivenBar::Coupler(coupler) }),
+        (false, true) => within(form, "swing").map(|swing| RockerGivens::Best { swing, chosen: best.is_none() }),
         (both_given, _) => {
             let message = match both_given {
                 true => both!("`limit` and `swing` are two ways to fix the linkage", "`limit` 与 `swing` 是两种给法，只能取一种"),
@@ -129,7 +131,7 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
 }
 
 /// Reads an angle between 0 and 180°, both excluded (rad).
-fn within(form: &Form, key: &str) -> Option<f64> {
+fn within(form: &TaskForm, key: &str) -> Option<f64> {
     let angle = form.need_angle(key, "\"40 deg\"")?;
     if angle > 0.0 && angle < PI {
         return Some(angle);
@@ -151,10 +153,10 @@ impl Wish for CrankRocker {
         both!("Crank-rocker with time ratio {}", "行程速度变化系数为 {} 的曲柄摇杆机构", significant(self.ratio.k, 4))
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let mut notes = self.ratio.notes();
         let found = match self.way {
-            Way::Limit { .. } | Way::Swing { .. } | Way::Bar { .. } | Way::Line { .. } => {
+            RockerGivens::Limit { .. } | RockerGivens::Swing { .. } | RockerGivens::Bar { .. } | RockerGivens::Line { .. } => {
                 let all = self.all();
                 if all.is_empty() {
                     return Err(self.none());
@@ -165,7 +167,7 @@ impl Wish for CrankRocker {
                 notes.extend(self.whole_arc());
                 all
             }
-            Way::Best { swing, chosen } => {
+            RockerGivens::Best { swing, chosen } => {
                 if chosen {
                     let message = both!(
                         "A is free on the circle through C1 and C2: taken where the least transmission angle is greatest",
@@ -179,13 +181,13 @@ impl Wish for CrankRocker {
                 }
                 self.best(swing, &mut notes)?
             }
-            Way::Gamma { swing, gamma } => self.at_gamma(swing, gamma)?,
+            RockerGivens::Gamma { swing, gamma } => self.at_gamma(swing, gamma)?,
         };
         let drafts = found.iter().map(|l| self.sized(l)).map(|(own, l)| own.draft(&l, heading)).collect();
-        Ok(Found { drafts, notes, ..Found::default() })
+        Ok(TaskResult { drafts, notes, ..TaskResult::default() })
     }
 
-    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         self.drawn(draft, board)
     }
 
@@ -267,7 +269,7 @@ impl CrankRocker {
     /// Notes that for ψ = 2θ the circle with the inscribed angle θ has its centre in D: a frame as
     /// long as the rocker leaves A free on it.
     fn whole_arc(&self) -> Option<Diagnostic> {
-        let Way::Swing { swing, frame } = self.way else { return None };
+        let RockerGivens::Swing { swing, frame } = self.way else { return None };
         let same = |p: f64, q: f64| (p - q).abs() <= 1e-9 * q;
         if !(same(swing, 2.0 * self.ratio.theta) && same(frame, self.rocker)) {
             return None;
@@ -349,9 +351,9 @@ impl CrankRocker {
     fn sized(&self, l: &Limits) -> (CrankRocker, Limits) {
         let far = l.c.map(|c| c.to_vec2().norm());
         let by = match self.size {
-            Size::Rocker => 1.0,
-            Size::Frame(frame) => frame / l.d.x,
-            Size::Crank(crank) => crank / ((far[0] - far[1]).abs() / 2.0),
+            SizeBasis::Rocker => 1.0,
+            SizeBasis::Frame(frame) => frame / l.d.x,
+            SizeBasis::Crank(crank) => crank / ((far[0] - far[1]).abs() / 2.0),
         };
         let grown = |p: Point| (p.to_vec2() * by).to_point();
         let own = CrankRocker { rocker: self.rocker * by, ..self.clone() };
@@ -370,17 +372,17 @@ impl CrankRocker {
         };
         let wanted = [0, 1].map(|i| {
             let (driver, b) = limit(i);
-            Wanted { driver, places: vec![("B".into(), b), ("C".into(), l.c[i])] }
+            WantedPosition { driver, places: vec![("B".into(), b), ("C".into(), l.c[i])] }
         });
         let four = FourBar { a: Point::ORIGIN, b: limit(0).1, c: l.c[0], d: l.d, e: None };
         let swing = (l.c[0] - l.d).cross(l.c[1] - l.d).abs();
         let swing = libm::atan2(swing, (l.c[0] - l.d).dot(l.c[1] - l.d));
         let mut numbers = named_lengths([ab, bc, self.rocker, l.d.x]);
-        numbers.push(Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta));
-        numbers.push(Number::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
+        numbers.push(DesignNumber::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta));
+        numbers.push(DesignNumber::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
         let beta = |from: Vec2, to: Vec2| libm::atan2(from.cross(to).abs(), from.dot(to));
-        numbers.push(Number::angle("beta", both!("angle C1C2A", "角 C1C2A"), beta(l.c[0] - l.c[1], Point::ORIGIN - l.c[1])));
-        numbers.push(Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k));
+        numbers.push(DesignNumber::angle("beta", both!("angle C1C2A", "角 C1C2A"), beta(l.c[0] - l.c[1], Point::ORIGIN - l.c[1])));
+        numbers.push(DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k));
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Swing(swing)];
         let remarks = vec![super::slow_stroke(limit(0).0, limit(1).0, heading.omega)];
         Draft { demands, remarks, ..Draft::new(l.which.clone(), four.scene(heading), numbers, wanted.into()) }

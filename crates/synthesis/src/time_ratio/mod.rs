@@ -8,7 +8,7 @@ mod crank_rocker;
 mod slider_crank;
 mod slotted;
 
-use super::form::Form;
+use super::form::TaskForm;
 use super::{KindOfTask, Wish};
 use hodograph_base::diag::{Diagnostic, both};
 pub(super) use slider_crank::sketch;
@@ -26,10 +26,10 @@ pub const KIND: KindOfTask = KindOfTask {
 };
 
 /// Reads the task for a linkage.
-type Reader = fn(&Form) -> Option<Box<dyn Wish>>;
+type TimeRatioReader = fn(&TaskForm) -> Option<Box<dyn Wish>>;
 
 /// The linkages, each with its reader.
-const LINKAGES: [(&str, Reader); 5] = [
+const LINKAGES: [(&str, TimeRatioReader); 5] = [
     ("crank-rocker", crank_rocker::read),
     ("slider-crank", slider_crank::read),
     ("slotted-lever", slotted::lever),
@@ -37,7 +37,7 @@ const LINKAGES: [(&str, Reader); 5] = [
     ("shaper", slotted::shaper),
 ];
 
-fn read(form: &Form) -> Option<Box<dyn Wish>> {
+fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     form.need("linkage", "\"crank-rocker\"")?;
     let name = form.choice("linkage", &LINKAGES.map(|l| l.0))?;
     LINKAGES.iter().find(|l| l.0 == name).and_then(|(_, read)| read(form))
@@ -46,7 +46,7 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
 /// The time ratio and its angle θ, from either; a K below one is inverted and applies to the other
 /// stroke.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ratio {
+pub(super) struct StrokeRatio {
     /// K, at least 1.
     pub k: f64,
     /// θ (rad).
@@ -55,8 +55,8 @@ pub(super) struct Ratio {
     pub turned: bool,
 }
 
-impl Ratio {
-    fn read(form: &Form) -> Option<Ratio> {
+impl StrokeRatio {
+    fn read(form: &TaskForm) -> Option<StrokeRatio> {
         if form.has("K") && form.has("theta") {
             let d = Diagnostic::error("given-twice", both!("`K` and `theta` say the same", "`K` 与 `theta` 重复"));
             form.fault(d.at(form.span("theta")).help(both!("keep one of the two", "请保留其中一个")));
@@ -72,7 +72,7 @@ impl Ratio {
                 );
                 return None;
             }
-            return Some(Ratio { k: (PI + theta) / (PI - theta), theta, turned: false });
+            return Some(StrokeRatio { k: (PI + theta) / (PI - theta), theta, turned: false });
         }
         form.need("K", "1.5")?;
         let k = form.number("K")?;
@@ -82,7 +82,7 @@ impl Ratio {
             return None;
         }
         let (k, turned) = if k < 1.0 { (1.0 / k, true) } else { (k, false) };
-        Some(Ratio { k, theta: PI * (k - 1.0) / (k + 1.0), turned })
+        Some(StrokeRatio { k, theta: PI * (k - 1.0) / (k + 1.0), turned })
     }
 
     /// Notes on the ratio.

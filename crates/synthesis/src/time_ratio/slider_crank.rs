@@ -7,13 +7,13 @@
 
 mod explained;
 
-use super::Ratio;
-use super::bar::Bar;
-use crate::board::{Board, Line, Weight};
-use crate::candidate::{Demand, Draft, Number, Wanted, deg, mm};
-use crate::form::Form;
+use super::StrokeRatio;
+use super::bar::GivenBar;
+use crate::board::{PaperLine, SynthesisBoard, Weight};
+use crate::candidate::{Demand, DesignNumber, Draft, WantedPosition, deg, mm};
+use crate::form::TaskForm;
 use crate::fourbar::{Heading, headed, omega};
-use crate::{Found, Proof, Statement, Wish};
+use crate::{Proof, Statement, TaskResult, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, significant};
 use hodograph_base::geom::Point;
@@ -21,14 +21,14 @@ use serde_json::{Value as Json, json};
 
 #[derive(Clone, Debug)]
 struct SliderCrank {
-    ratio: Ratio,
+    ratio: StrokeRatio,
     stroke: f64,
-    third: Third,
+    third: ThirdGiven,
 }
 
 /// The given in addition to K and the stroke.
 #[derive(Clone, Copy, Debug)]
-enum Third {
+enum ThirdGiven {
     Offset(f64),
     Crank(f64),
     Rod(f64),
@@ -36,15 +36,15 @@ enum Third {
     Best,
 }
 
-pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
-    let ratio = Ratio::read(form);
+pub(super) fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
+    let ratio = StrokeRatio::read(form);
     let stroke = form.need_size("stroke", "\"50 mm\"");
     let given: Vec<&str> = ["offset", "crank", "rod"].into_iter().filter(|k| form.has(k)).collect();
     let third = match given.as_slice() {
-        ["offset"] => form.length("offset").map(Third::Offset),
-        ["crank"] => form.size("crank").map(Third::Crank),
-        ["rod"] => form.size("rod").map(Third::Rod),
-        [] if form.has("best") => form.choice("best", &["transmission"]).map(|_| Third::Best),
+        ["offset"] => form.length("offset").map(ThirdGiven::Offset),
+        ["crank"] => form.size("crank").map(ThirdGiven::Crank),
+        ["rod"] => form.size("rod").map(ThirdGiven::Rod),
+        [] if form.has("best") => form.choice("best", &["transmission"]).map(|_| ThirdGiven::Best),
         [_, second, ..] => {
             let message = both!(
                 "`{}` are given, one of which follows from the others, K and the stroke",
@@ -100,14 +100,14 @@ impl Wish for SliderCrank {
         both!("Slider-crank with time ratio {}", "行程速度变化系数为 {} 的偏置曲柄滑块机构", significant(self.ratio.k, 4))
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let [a, b, e] = self.lengths()?;
-        Ok(Found { drafts: vec![self.draft([a, b, e], heading)], notes: self.ratio.notes(), ..Found::default() })
+        Ok(TaskResult { drafts: vec![self.draft([a, b, e], heading)], notes: self.ratio.notes(), ..TaskResult::default() })
     }
 
-    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         let offset = draft.numbers.iter().find(|n| n.name == "e")?.value;
-        let way = |k: usize| move |board: &mut Board| self.drawn(board, offset, k);
+        let way = |k: usize| move |board: &mut SynthesisBoard| self.drawn(board, offset, k);
         board.meant(draft, &[&way(0), &way(1)])
     }
 
@@ -123,7 +123,7 @@ impl Wish for SliderCrank {
 impl SliderCrank {
     /// Draws C₁C₂ as the stroke, and A on the circle over it with the inscribed angle θ, at the
     /// offset.
-    fn drawn(&self, board: &mut Board, offset: f64, k: usize) -> Option<()> {
+    fn drawn(&self, board: &mut SynthesisBoard, offset: f64, k: usize) -> Option<()> {
         if self.ratio.theta == 0.0 {
             return None;
         }
@@ -138,9 +138,9 @@ impl SliderCrank {
         let (centre, radius) = board.inscribed(c2, c1, self.ratio.theta, false)?;
         board.mark("O", centre);
         let bar = match self.third {
-            Third::Crank(l) => Some(Bar::Crank(l)),
-            Third::Rod(l) => Some(Bar::Coupler(l)),
-            Third::Offset(_) | Third::Best => None,
+            ThirdGiven::Crank(l) => Some(GivenBar::Crank(l)),
+            ThirdGiven::Rod(l) => Some(GivenBar::Coupler(l)),
+            ThirdGiven::Offset(_) | ThirdGiven::Best => None,
         };
         let a = match bar {
             Some(bar) => {
@@ -150,7 +150,7 @@ impl SliderCrank {
                 a
             }
             None => {
-                let level = Line::ray(Point::new(0.0, -board.mm(offset)), 0.0);
+                let level = PaperLine::ray(Point::new(0.0, -board.mm(offset)), 0.0);
                 let a = board.cut(&level, centre, radius)?[k];
                 board.step(both!(
                     "The parallel to the guide at the offset {} meets the circle at A",
@@ -173,30 +173,30 @@ impl SliderCrank {
         }
         let t = libm::tan(theta / 2.0);
         let e = match self.third {
-            Third::Offset(e) => e,
-            Third::Crank(a) => (h * h / 2.0 - 2.0 * a * a) / (h * t),
-            Third::Rod(b) => (2.0 * b * b - h * h / 2.0) * t / h,
-            Third::Best => best_offset(h, t),
+            ThirdGiven::Offset(e) => e,
+            ThirdGiven::Crank(a) => (h * h / 2.0 - 2.0 * a * a) / (h * t),
+            ThirdGiven::Rod(b) => (2.0 * b * b - h * h / 2.0) * t / h,
+            ThirdGiven::Best => best_offset(h, t),
         };
         let most = h / (2.0 * t);
         let off = e.abs();
         let a2 = h * (h / 4.0 - off * t / 2.0);
-        if e == 0.0 || a2 <= 0.0 || matches!(self.third, Third::Crank(_) | Third::Rod(_)) && e < 0.0 {
+        if e == 0.0 || a2 <= 0.0 || matches!(self.third, ThirdGiven::Crank(_) | ThirdGiven::Rod(_)) && e < 0.0 {
             let message = match self.third {
-                Third::Offset(_) if e == 0.0 => {
+                ThirdGiven::Offset(_) if e == 0.0 => {
                     both!("without an offset the slider has no quick return: K would be 1", "偏距为零时无急回：K 只能为 1")
                 }
-                Third::Offset(_) => {
+                ThirdGiven::Offset(_) => {
                     both!("with the offset {} the square of the crank comes out negative", "偏距为 {} 时曲柄长的平方为负", metres(off))
                 }
-                Third::Crank(_) | Third::Rod(_) | Third::Best => {
+                ThirdGiven::Crank(_) | ThirdGiven::Rod(_) | ThirdGiven::Best => {
                     both!("no offset gives this length: its value would be {}", "没有偏距能给出此长度：偏距将为 {}", metres(e))
                 }
             };
             let (key, range) = match self.third {
-                Third::Offset(_) | Third::Best => ("offset", [0.0, most]),
-                Third::Crank(_) => ("crank", [0.0, h / 2.0]),
-                Third::Rod(_) => ("rod", [h / 2.0, h / (2.0 * libm::sin(theta / 2.0))]),
+                ThirdGiven::Offset(_) | ThirdGiven::Best => ("offset", [0.0, most]),
+                ThirdGiven::Crank(_) => ("crank", [0.0, h / 2.0]),
+                ThirdGiven::Rod(_) => ("rod", [h / 2.0, h / (2.0 * libm::sin(theta / 2.0))]),
             };
             let help = both!(
                 "for this stroke and K `{key}` lies between {} and {}, neither included",
@@ -212,8 +212,8 @@ impl SliderCrank {
 
     fn centric(&self) -> Result<[f64; 3], Faults> {
         match self.third {
-            Third::Rod(b) if b > self.stroke / 2.0 => Ok([self.stroke / 2.0, b, 0.0]),
-            Third::Offset(_) | Third::Crank(_) | Third::Rod(_) | Third::Best => {
+            ThirdGiven::Rod(b) if b > self.stroke / 2.0 => Ok([self.stroke / 2.0, b, 0.0]),
+            ThirdGiven::Offset(_) | ThirdGiven::Crank(_) | ThirdGiven::Rod(_) | ThirdGiven::Best => {
                 let message = both!(
                     "with K = 1 the slider-crank is centric: the crank is half the stroke, the rod is free",
                     "K = 1 时为对心曲柄滑块机构：曲柄为行程之半，连杆长可任取"
@@ -230,21 +230,21 @@ impl SliderCrank {
         let wanted = [(b + a, 1.0), (b - a, -1.0)].map(|(reach, sense)| {
             let c = at(reach);
             let crank = c.to_vec2() * (sense / reach);
-            Wanted { driver: crank.angle(), places: vec![("B".into(), (crank * a).to_point()), ("C".into(), c)] }
+            WantedPosition { driver: crank.angle(), places: vec![("B".into(), (crank * a).to_point()), ("C".into(), c)] }
         });
         let (off, swing) = (e.abs(), ((a + e.abs()) / b).min(1.0));
         let numbers = vec![
-            Number::length("AB", both!("crank", "曲柄"), a),
-            Number::length("BC", both!("rod", "连杆"), b),
-            Number::length("e", both!("offset", "偏距"), off),
-            Number::length("H", both!("stroke", "行程"), self.stroke),
-            Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta),
-            Number::angle(
+            DesignNumber::length("AB", both!("crank", "曲柄"), a),
+            DesignNumber::length("BC", both!("rod", "连杆"), b),
+            DesignNumber::length("e", both!("offset", "偏距"), off),
+            DesignNumber::length("H", both!("stroke", "行程"), self.stroke),
+            DesignNumber::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta),
+            DesignNumber::angle(
                 "alpha_max",
                 both!("greatest pressure angle, the crank square to the guide", "最大压力角（曲柄垂直于导路）"),
                 libm::asin(swing),
             ),
-            Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k),
+            DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k),
         ];
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(self.stroke)];
         let slow = super::slow_stroke(wanted[0].driver, wanted[1].driver, heading.omega);

@@ -10,13 +10,13 @@
 mod drawing;
 mod explained;
 
-use super::Ratio;
+use super::StrokeRatio;
 use super::slider_crank::sketch;
-use crate::board::Board;
-use crate::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
-use crate::form::Form;
+use crate::board::SynthesisBoard;
+use crate::candidate::{Demand, DesignNumber, Draft, WantedPosition, deg, mm, place};
+use crate::form::TaskForm;
 use crate::fourbar::{Heading, headed, omega};
-use crate::{Found, Proof, Statement, Wish};
+use crate::{Proof, Statement, TaskResult, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, significant};
 use hodograph_base::geom::{Point, Vec2};
@@ -25,19 +25,19 @@ use std::f64::consts::PI;
 
 #[derive(Clone, Debug)]
 struct Slotted {
-    ratio: Ratio,
+    ratio: StrokeRatio,
     /// Crank AB and frame AC (m).
     crank: f64,
     frame: f64,
     /// True if the crank is given and the frame follows from it.
     by_crank: bool,
-    kind: Kind,
+    kind: SlottedKind,
     /// Notes on the sizes chosen by default.
     notes: Vec<Diagnostic>,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Kind {
+enum SlottedKind {
     /// The lever alone, extended to D if its length is given.
     Lever { lever: Option<f64> },
     /// A lever with a ram.
@@ -47,40 +47,40 @@ enum Kind {
 }
 
 /// A kind, with notes on its sizes chosen by default.
-type Chosen = (Kind, Vec<Diagnostic>);
+type ChosenKind = (SlottedKind, Vec<Diagnostic>);
 
 /// The crank (m), and the crank angle θ between the limits (rad).
-struct Sizes {
+struct LeverSizes {
     crank: f64,
     theta: f64,
 }
 
 /// Reads the task of the lever alone.
-pub(super) fn lever(form: &Form) -> Option<Box<dyn Wish>> {
+pub(super) fn lever(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let lever = if form.has("rocker") { form.size("rocker").map(Some) } else { Some(None) };
-    read(form, swings, |_| Some((Kind::Lever { lever: lever? }, Vec::new())))
+    read(form, swings, |_| Some((SlottedKind::Lever { lever: lever? }, Vec::new())))
 }
 
 /// Reads the task of the shaper.
-pub(super) fn shaper(form: &Form) -> Option<Box<dyn Wish>> {
+pub(super) fn shaper(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let stroke = form.need_size("stroke", STROKE);
     let link = sized(form, "link");
     read(form, swings, |own| {
         let (stroke, link, mut notes) = (stroke?, link?, Vec::new());
         let link = link.unwrap_or_else(|| short_link(stroke, own.theta / 2.0, &mut notes));
-        Some((Kind::Shaper { stroke, link }, notes))
+        Some((SlottedKind::Shaper { stroke, link }, notes))
     })
 }
 
 /// Reads the task of Whitworth's linkage.
-pub(super) fn whitworth(form: &Form) -> Option<Box<dyn Wish>> {
+pub(super) fn whitworth(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let (stroke, link) = (sized(form, "stroke"), sized(form, "link"));
-    let share = |ratio: Ratio| 1.0 / libm::cos(PI / (ratio.k + 1.0));
+    let share = |ratio: StrokeRatio| 1.0 / libm::cos(PI / (ratio.k + 1.0));
     read(form, share, |own| {
         let (stroke, link, mut notes) = (stroke?, link?, Vec::new());
         let stroke = stroke.unwrap_or_else(|| chosen_stroke(own.crank, &mut notes));
         let link = link.unwrap_or_else(|| chosen_link(stroke, &mut notes));
-        Some((Kind::Whitworth { stroke, link }, notes))
+        Some((SlottedKind::Whitworth { stroke, link }, notes))
     })
 }
 
@@ -88,19 +88,23 @@ pub(super) fn whitworth(form: &Form) -> Option<Box<dyn Wish>> {
 const STROKE: &str = "\"300 mm\"";
 
 /// An optional length (m); the outer `None` where it has a fault.
-fn sized(form: &Form, key: &'static str) -> Option<Option<f64>> {
+fn sized(form: &TaskForm, key: &'static str) -> Option<Option<f64>> {
     if form.has(key) { form.size(key).map(Some) } else { Some(None) }
 }
 
 /// The ratio AB/AC of a lever that swings.
-fn swings(ratio: Ratio) -> f64 {
+fn swings(ratio: StrokeRatio) -> f64 {
     libm::sin(ratio.theta / 2.0)
 }
 
 /// Reads the parts common to all three: the time ratio, and crank or frame, the other by its
 /// `share`; `kind` returns `None` where its own keys have a fault.
-fn read(form: &Form, share: impl Fn(Ratio) -> f64, kind: impl FnOnce(&Sizes) -> Option<Chosen>) -> Option<Box<dyn Wish>> {
-    let ratio = Ratio::read(form);
+fn read(
+    form: &TaskForm,
+    share: impl Fn(StrokeRatio) -> f64,
+    kind: impl FnOnce(&LeverSizes) -> Option<ChosenKind>,
+) -> Option<Box<dyn Wish>> {
+    let ratio = StrokeRatio::read(form);
     let one = one_of(form, ["crank", "frame"]);
     let (ratio, (key, size)) = (ratio?, one?);
     if ratio.theta == 0.0 {
@@ -110,7 +114,7 @@ fn read(form: &Form, share: impl Fn(Ratio) -> f64, kind: impl FnOnce(&Sizes) -> 
     }
     let share = share(ratio);
     let (crank, frame) = if key == "crank" { (size, size / share) } else { (size * share, size) };
-    let (kind, mut notes) = kind(&Sizes { crank, theta: ratio.theta })?;
+    let (kind, mut notes) = kind(&LeverSizes { crank, theta: ratio.theta })?;
     notes.extend(ratio.notes());
     Some(Box::new(Slotted { ratio, crank, frame, by_crank: key == "crank", kind, notes }))
 }
@@ -145,7 +149,7 @@ fn chosen_link(stroke: f64, notes: &mut Vec<Diagnostic>) -> f64 {
 }
 
 /// Exactly one of two lengths.
-fn one_of(form: &Form, keys: [&'static str; 2]) -> Option<(&'static str, f64)> {
+fn one_of(form: &TaskForm, keys: [&'static str; 2]) -> Option<(&'static str, f64)> {
     match keys.map(|k| form.has(k)) {
         [true, false] => Some((keys[0], form.size(keys[0])?)),
         [false, true] => Some((keys[1], form.size(keys[1])?)),
@@ -166,22 +170,22 @@ impl Wish for Slotted {
     fn title(&self) -> Both {
         let k = significant(self.ratio.k, 4);
         match self.kind {
-            Kind::Lever { .. } => both!("Slotted lever with time ratio {}", "行程速度变化系数为 {} 的摆动导杆机构", k),
-            Kind::Shaper { .. } => both!("Shaper with time ratio {}", "行程速度变化系数为 {} 的牛头刨床机构", k),
-            Kind::Whitworth { .. } => both!("Whitworth quick return with time ratio {}", "行程速度变化系数为 {} 的转动导杆机构", k),
+            SlottedKind::Lever { .. } => both!("Slotted lever with time ratio {}", "行程速度变化系数为 {} 的摆动导杆机构", k),
+            SlottedKind::Shaper { .. } => both!("Shaper with time ratio {}", "行程速度变化系数为 {} 的牛头刨床机构", k),
+            SlottedKind::Whitworth { .. } => both!("Whitworth quick return with time ratio {}", "行程速度变化系数为 {} 的转动导杆机构", k),
         }
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let draft = match self.kind {
-            Kind::Lever { lever } => self.lever(lever, heading),
-            Kind::Shaper { stroke, link } => self.shaper(stroke, link, heading)?,
-            Kind::Whitworth { stroke, link } => self.whitworth(stroke, link, heading)?,
+            SlottedKind::Lever { lever } => self.lever(lever, heading),
+            SlottedKind::Shaper { stroke, link } => self.shaper(stroke, link, heading)?,
+            SlottedKind::Whitworth { stroke, link } => self.whitworth(stroke, link, heading)?,
         };
-        Ok(Found { drafts: vec![draft], notes: self.notes.clone(), ..Found::default() })
+        Ok(TaskResult { drafts: vec![draft], notes: self.notes.clone(), ..TaskResult::default() })
     }
 
-    fn construct(&self, _: &Draft, board: &mut Board) -> Option<()> {
+    fn construct(&self, _: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         self.drawn(board)
     }
 
@@ -199,12 +203,12 @@ impl Slotted {
         Point::new(0.0, -self.frame)
     }
 
-    fn numbers(&self) -> Vec<Number> {
+    fn numbers(&self) -> Vec<DesignNumber> {
         vec![
-            Number::length("AB", both!("crank", "曲柄"), self.crank),
-            Number::length("AC", both!("frame", "机架"), self.frame),
-            Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta),
-            Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k),
+            DesignNumber::length("AB", both!("crank", "曲柄"), self.crank),
+            DesignNumber::length("AC", both!("frame", "机架"), self.frame),
+            DesignNumber::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta),
+            DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k),
         ]
     }
 
@@ -242,7 +246,14 @@ impl Slotted {
         scene
     }
 
-    fn draft(&self, scene: Map<String, Json>, numbers: Vec<Number>, wanted: Vec<Wanted>, stroke: f64, heading: &Heading) -> Draft {
+    fn draft(
+        &self,
+        scene: Map<String, Json>,
+        numbers: Vec<DesignNumber>,
+        wanted: Vec<WantedPosition>,
+        stroke: f64,
+        heading: &Heading,
+    ) -> Draft {
         let remarks = vec![super::slow_stroke(wanted[0].driver, wanted[1].driver, heading.omega)];
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(stroke)];
         Draft { demands, remarks, ..Draft::new(both!("the only solution", "唯一解"), Json::Object(scene), numbers, wanted) }
@@ -252,12 +263,12 @@ impl Slotted {
         let limits = self.limits();
         let wanted = limits.map(|(driver, b, direction)| {
             let d = lever.map(|l| ("D".to_owned(), self.c() + direction * l));
-            Wanted { driver, places: std::iter::once(("B".to_owned(), b)).chain(d).collect() }
+            WantedPosition { driver, places: std::iter::once(("B".to_owned(), b)).chain(d).collect() }
         });
         let (driver, _, direction) = limits[0];
         let scene = self.scene(heading, driver, lever.map(|l| (l, self.c() + direction * l)));
         let mut numbers = self.numbers();
-        numbers.extend(lever.map(|l| Number::length("CD", both!("lever", "导杆"), l)));
+        numbers.extend(lever.map(|l| DesignNumber::length("CD", both!("lever", "导杆"), l)));
         self.draft(scene, numbers, wanted.into(), self.ratio.theta, heading)
     }
 
@@ -279,17 +290,17 @@ impl Slotted {
         };
         let wanted = limits.map(|(driver, b, direction)| {
             let d = self.c() + direction * lever;
-            Wanted { driver, places: vec![("B".into(), b), ("D".into(), d), ("E".into(), ram(d))] }
+            WantedPosition { driver, places: vec![("B".into(), b), ("D".into(), d), ("E".into(), ram(d))] }
         });
         let d = self.c() + limits[0].2 * lever;
         let mut scene = self.scene(heading, limits[0].0, Some((lever, d)));
         self.add_slider(&mut scene, link, self.c().y + height, &[("D", d), ("E", ram(d))]);
         let mut numbers = self.numbers();
-        numbers.push(Number::length("CD", both!("lever", "导杆"), lever));
-        numbers.push(Number::length("DE", both!("link to the ram", "连接滑枕的连杆"), link));
-        numbers.push(Number::length("y", both!("height of the ram's guide over C", "导路到 C 的距离"), height));
-        numbers.push(Number::length("H", both!("stroke", "行程"), stroke));
-        numbers.push(Number::angle("alpha_max", both!("greatest pressure angle of DE", "DE 的最大压力角"), libm::asin(off)));
+        numbers.push(DesignNumber::length("CD", both!("lever", "导杆"), lever));
+        numbers.push(DesignNumber::length("DE", both!("link to the ram", "连接滑枕的连杆"), link));
+        numbers.push(DesignNumber::length("y", both!("height of the ram's guide over C", "导路到 C 的距离"), height));
+        numbers.push(DesignNumber::length("H", both!("stroke", "行程"), stroke));
+        numbers.push(DesignNumber::angle("alpha_max", both!("greatest pressure angle of DE", "DE 的最大压力角"), libm::asin(off)));
         Ok(self.draft(scene, numbers, wanted.into(), stroke, heading))
     }
 
@@ -307,7 +318,7 @@ impl Slotted {
         let wanted = [1.0, -1.0].map(|side| {
             let b = Point::new(side * reach, c.y);
             let d = Point::new(side * arm, c.y);
-            Wanted {
+            WantedPosition {
                 driver: b.to_vec2().angle(),
                 places: vec![("B".into(), b), ("D".into(), d), ("E".into(), Point::new(d.x - link, c.y))],
             }
@@ -317,21 +328,21 @@ impl Slotted {
         let mut scene = self.scene(heading, wanted[0].driver, Some((arm, d)));
         self.add_slider(&mut scene, link, c.y, &[("D", d), ("E", e)]);
         let mut numbers = self.numbers();
-        numbers.push(Number::length("CD", both!("arm of the lever", "导杆上的臂长"), arm));
-        numbers.push(Number::length("DE", both!("link to the slider", "连接滑块的连杆"), link));
-        numbers.push(Number::length("H", both!("stroke", "行程"), stroke));
-        numbers.push(Number::angle(
+        numbers.push(DesignNumber::length("CD", both!("arm of the lever", "导杆上的臂长"), arm));
+        numbers.push(DesignNumber::length("DE", both!("link to the slider", "连接滑块的连杆"), link));
+        numbers.push(DesignNumber::length("H", both!("stroke", "行程"), stroke));
+        numbers.push(DesignNumber::angle(
             "alpha_return",
             both!("crank angle of the quick stroke", "快行程的曲柄转角"),
             2.0 * PI / (self.ratio.k + 1.0),
         ));
         let ratio = |gap: f64| self.crank / gap;
-        numbers.push(Number::ratio(
+        numbers.push(DesignNumber::ratio(
             "i_max",
             both!("greatest ratio ω of lever to crank", "导杆与曲柄角速度比的最大值"),
             ratio(self.crank - self.frame),
         ));
-        numbers.push(Number::ratio(
+        numbers.push(DesignNumber::ratio(
             "i_min",
             both!("least ratio ω of lever to crank", "导杆与曲柄角速度比的最小值"),
             ratio(self.crank + self.frame),

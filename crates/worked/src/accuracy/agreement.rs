@@ -1,7 +1,7 @@
 //! The agreement of drawing and analysis, question by question.
 
-use hodograph_mechanism::answer::Value;
-use hodograph_scene::quantity::Form;
+use hodograph_mechanism::answer::AnswerValue;
+use hodograph_scene::quantity::ValueForm;
 
 /// The comparison of one question's two answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,12 +49,12 @@ pub const ROUNDING: f64 = STEPS * f64::EPSILON;
 ///
 /// `scale` is the largest vector (or rate) of its level; `magnification` is the factor by which the
 /// worst crossing magnifies rounding there (see
-/// [`hodograph_board::construct::Drawing::magnified`]).
-pub fn compare(drawn: Value, computed: Value, scale: f64, magnification: f64) -> Agreement {
+/// [`hodograph_board::construct::PlanDrawing::magnified`]).
+pub fn compare(drawn: AnswerValue, computed: AnswerValue, scale: f64, magnification: f64) -> Agreement {
     let difference = drawn.apart(&computed).unwrap_or(f64::INFINITY);
     // A place is counted from a chosen origin: its distance from there has no relation to its
     // error.
-    let least = if computed.form() == Form::Point { scale } else { scale * 1e-3 };
+    let least = if computed.form() == ValueForm::Point { scale } else { scale * 1e-3 };
     let reference = computed.magnitude().max(least);
     let difference = if difference == 0.0 { 0.0 } else { difference / reference };
     Agreement { difference, bound: WELL_CONDITIONED.max(STEPS * f64::EPSILON * magnification), noise: ROUNDING * scale }
@@ -67,23 +67,23 @@ mod tests {
 
     #[test]
     fn zero_answers_are_judged_by_their_polygon() {
-        let a = compare(Value::Scalar(1e-15), Value::Scalar(0.0), 1.0, 1.0);
+        let a = compare(AnswerValue::Scalar(1e-15), AnswerValue::Scalar(0.0), 1.0, 1.0);
         assert!(a.holds() && (a.difference - 1e-12).abs() < 1e-20);
-        assert!(!compare(Value::Scalar(1.0), Value::Scalar(1.0 + 1e-9), 1.0, 10.0).holds());
+        assert!(!compare(AnswerValue::Scalar(1.0), AnswerValue::Scalar(1.0 + 1e-9), 1.0, 10.0).holds());
         // Without a common digit there is no agreement, for any crossing.
-        assert!(!compare(Value::Scalar(1.0), Value::Scalar(1.1), 1.0, 1e18).holds());
-        assert!(!compare(Value::Scalar(f64::NAN), Value::Scalar(1.0), 1.0, 10.0).holds());
+        assert!(!compare(AnswerValue::Scalar(1.0), AnswerValue::Scalar(1.1), 1.0, 1e18).holds());
+        assert!(!compare(AnswerValue::Scalar(f64::NAN), AnswerValue::Scalar(1.0), 1.0, 10.0).holds());
     }
 
     #[test]
     fn places_agree_by_their_distance() {
         let agree = |off: f64| {
-            let (a, b) = (Value::Point(Point::new(1e-9, off)), Value::Point(Point::new(1e-9, 0.0)));
+            let (a, b) = (AnswerValue::Point(Point::new(1e-9, off)), AnswerValue::Point(Point::new(1e-9, 0.0)));
             compare(a, b, 0.5, 1.0)
         };
         // A place near the origin is as certain as elsewhere.
         assert!(agree(1e-13).holds() && !agree(1e-10).holds());
         assert_eq!(agree(1e-3).difference, 2e-3);
-        assert!(!compare(Value::Point(Point::ORIGIN), Value::Scalar(0.0), 1.0, 1.0).holds());
+        assert!(!compare(AnswerValue::Point(Point::ORIGIN), AnswerValue::Scalar(0.0), 1.0, 1.0).holds());
     }
 }

@@ -1,13 +1,13 @@
 //! Crossings under a bad angle, and the remedies in each case: only remedies that a trial found to
 //! help are proposed.
 
-use super::drafting::{CrossingTolerance, Drawn, Tolerance, crossings, drafting};
+use super::drafting::{CrossingTolerance, DraftedConstruction, Tolerance, crossings, drafting};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::{shortest, significant};
 use hodograph_board::construct::pencil::Exact;
-use hodograph_board::construct::{Action, Acts, Drawing, Layout};
+use hodograph_board::construct::{Action, Acts, Layout, PlanDrawing};
 use hodograph_board::plan::text::{held_by, vertex_name};
-use hodograph_board::plan::{Spot, Step, VertexId};
+use hodograph_board::plan::{PlanStep, VertexId, VertexPlace};
 use hodograph_mechanism::position::Configuration;
 use hodograph_mechanism::position::newton::{driver_values, moved};
 use hodograph_scene::{DiagramKind, Kind};
@@ -72,7 +72,7 @@ pub struct NearbyPose {
 
 /// Returns the crossings under a bad angle, in drawing order, each vertex once; without remedies in
 /// a construction of more than a hundred crossings.
-pub fn bad_angles(drawn: &Drawn, pencil_mm: f64) -> Vec<BadAngle> {
+pub fn bad_angles(drawn: &DraftedConstruction, pencil_mm: f64) -> Vec<BadAngle> {
     let mut bad: Vec<CrossingTolerance> = Vec::new();
     for c in crossings(drawn.construction, pencil_mm) {
         if c.angle_deg() < BAD_DEG && bad.iter().all(|b| b.target != c.target) {
@@ -87,7 +87,7 @@ pub fn bad_angles(drawn: &Drawn, pencil_mm: f64) -> Vec<BadAngle> {
     }
     let tolerances = drafting(drawn, pencil_mm).tolerances;
     let larger = larger(&tolerances);
-    let mut search = Search::new(drawn);
+    let mut search = BadAngleSearch::new(drawn);
     bad.into_iter()
         .map(|crossing| BadAngle {
             crossing,
@@ -114,15 +114,15 @@ fn worst(tolerances: &[Option<Tolerance>]) -> f64 {
 
 /// The velocities drawn exactly in a configuration; their lines cross under the same angles as
 /// those of the accelerations.
-fn redrawn(drawn: &Drawn, at: &Configuration, layout: &Layout) -> Option<Drawing> {
+fn redrawn(drawn: &DraftedConstruction, at: &Configuration, layout: &Layout) -> Option<PlanDrawing> {
     let layout = Layout { scales: layout.scales.clone().with(Kind::Acceleration, None), ..layout.clone() };
     drawn.construction.acts.draw(drawn.scene, at, drawn.plan, &layout, &mut Exact).ok()
 }
 
-fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) -> Option<OtherPoint> {
+fn other_point(drawn: &DraftedConstruction, target: VertexId, pencil_mm: f64, present: f64) -> Option<OtherPoint> {
     let layout = Layout::of(drawn.construction);
-    let finds = |steps: &[Step], v: VertexId| {
-        steps.iter().any(|s| matches!(s, Step::Equation { target, .. } | Step::Trials { target, .. } if *target == v))
+    let finds = |steps: &[PlanStep], v: VertexId| {
+        steps.iter().any(|s| matches!(s, PlanStep::Equation { target, .. } | PlanStep::Trials { target, .. } if *target == v))
     };
     let chosen = |g: usize| drawn.construction.acts.chosen[g];
     let steps =
@@ -137,13 +137,14 @@ fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) ->
         let own = crossings(&paper, 0.0).into_iter().filter(|c| finds(alternative, c.target));
         let worst_deg = own.map(|c| c.angle_deg()).fold(90.0, f64::min);
         let legs = alternative.iter().find_map(|s| match s {
-            Step::Equation { target, .. } => drawn.plan.special(*target)?.legs,
-            Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
+            PlanStep::Equation { target, .. } => drawn.plan.special(*target)?.legs,
+            PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
         });
         if let Some(legs) = legs
             && worst_deg >= BAD_DEG
             && best.is_none_or(|b| worst_deg > b.worst_deg)
-            && worst(&drafting(&Drawn { construction: &paper, equilibrium: None, ..drawn.clone() }, pencil_mm).tolerances) < present
+            && worst(&drafting(&DraftedConstruction { construction: &paper, equilibrium: None, ..drawn.clone() }, pencil_mm).tolerances)
+                < present
         {
             best = Some(OtherPoint { group, legs, worst_deg });
         }
@@ -152,7 +153,7 @@ fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) ->
 }
 
 /// A pose of the search, with all its crossings.
-struct Tried {
+struct SearchPose {
     driver: usize,
     turn_deg: f64,
     crossings: Vec<CrossingTolerance>,
@@ -160,21 +161,21 @@ struct Tried {
 
 /// The state of the search for nearby poses: the drivers one after the other, each turned step by
 /// step, alternating between the two senses. All crossings under a bad angle share the poses.
-struct Search<'a> {
-    drawn: &'a Drawn<'a>,
+struct BadAngleSearch<'a> {
+    drawn: &'a DraftedConstruction<'a>,
     /// The sine of each crossing in the drawing. It changes its sign only through a dead centre;
     /// beyond it, or in another assembly, the problem is not the same.
     was: BTreeMap<(DiagramKind, usize), f64>,
     ahead: Vec<(usize, usize, usize)>,
     ways: Vec<[Option<Configuration>; 2]>,
-    tried: Vec<Tried>,
+    tried: Vec<SearchPose>,
 }
 
 /// The senses in which a driver is turned.
 const SENSES: [f64; 2] = [1.0, -1.0];
 
-impl<'a> Search<'a> {
-    fn new(drawn: &'a Drawn<'a>) -> Search<'a> {
+impl<'a> BadAngleSearch<'a> {
+    fn new(drawn: &'a DraftedConstruction<'a>) -> BadAngleSearch<'a> {
         let was = crossings(drawn.construction, 0.0).into_iter().map(|c| ((c.on, c.target.0), c.sine)).collect();
         let turning = |driver: &usize| drawn.scene.drivers[*driver].kind.turns();
         let steps = (SEARCH_DEG / SEARCH_STEP_DEG) as usize;
@@ -183,7 +184,7 @@ impl<'a> Search<'a> {
             drivers.flat_map(|d| (1..=steps).flat_map(move |k| (0..SENSES.len()).map(move |way| (d, k, way)))).collect();
         ahead.reverse();
         let ways = drawn.scene.drivers.iter().map(|_| SENSES.map(|_| Some(drawn.configuration.clone()))).collect();
-        Search { drawn, was, ahead, ways, tried: Vec::new() }
+        BadAngleSearch { drawn, was, ahead, ways, tried: Vec::new() }
     }
 
     /// The first pose in which a crossing is good and no other bad.
@@ -193,10 +194,10 @@ impl<'a> Search<'a> {
             while k == self.tried.len() {
                 let (driver, step, way) = self.ahead.pop()?;
                 let turn_deg = SENSES[way] * step as f64 * SEARCH_STEP_DEG;
-                let there = self.step(driver, way).map(|crossings| Tried { driver, turn_deg, crossings });
+                let there = self.step(driver, way).map(|crossings| SearchPose { driver, turn_deg, crossings });
                 self.tried.extend(there);
             }
-            let Tried { driver, turn_deg, crossings } = &self.tried[k];
+            let SearchPose { driver, turn_deg, crossings } = &self.tried[k];
             let here = crossings.iter().find(|c| (c.on, c.target) == (crossing.on, crossing.target)).map(|c| c.angle_deg());
             if let Some(crossing_deg) = here.filter(|here| *here >= GOOD_DEG)
                 && crossings.iter().all(|c| c.angle_deg() >= BAD_DEG)
@@ -228,7 +229,7 @@ impl<'a> Search<'a> {
 
 /// The pairs that are nearly at a dead centre, as the beginning of a clause; empty for a special
 /// point on the diagram.
-fn near(drawn: &Drawn, c: &CrossingTolerance) -> Both {
+fn near(drawn: &DraftedConstruction, c: &CrossingTolerance) -> Both {
     let Some(polygon) = drawn.construction.polygon(c.on) else { return Both::default() };
     let edges = polygon.actions.iter().find_map(|a| {
         let Action::Cross { target, edges, .. } = a else { return None };
@@ -244,7 +245,7 @@ fn near(drawn: &Drawn, c: &CrossingTolerance) -> Both {
 
 impl BadAngle {
     /// Returns the crossing as a warning.
-    pub fn diagnostic(&self, drawn: &Drawn) -> Diagnostic {
+    pub fn diagnostic(&self, drawn: &DraftedConstruction) -> Diagnostic {
         let name = vertex_name(drawn.scene, drawn.plan, self.crossing.target);
         let moves = match self.crossing.moves_on_paper_mm() {
             Some(mm) => both!("by {} mm", "偏移 {} mm", significant(mm, 2)),
@@ -293,8 +294,8 @@ impl BadAngle {
         }
         let d = Diagnostic::warning("bad-angle", message);
         let d = match drawn.plan.vertex(self.crossing.target).spot {
-            Spot::Point(p) => d.at(drawn.scene.points[p.0].span),
-            Spot::Special(_) => d,
+            VertexPlace::Point(p) => d.at(drawn.scene.points[p.0].span),
+            VertexPlace::Special(_) => d,
         };
         if help.is_empty() { d } else { d.help(Both::join(&help, "; or ", "；或")) }
     }

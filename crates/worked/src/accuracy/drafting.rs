@@ -11,10 +11,10 @@ use super::larger::{Larger, larger};
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::pencil::{Pencil, WITHIN, radius_in_deviations};
-use hodograph_board::construct::{Drawing, Layout, by_hand, read_by_hand, scale, source};
+use hodograph_board::construct::{Layout, PlanDrawing, by_hand, read_by_hand, scale, source};
 use hodograph_board::equilibrium::Equilibrium;
 use hodograph_board::plan::{Plan, VertexId};
-use hodograph_mechanism::answer::{Source, Value, evaluate};
+use hodograph_mechanism::answer::{AnswerValue, MotionSource, evaluate};
 use hodograph_mechanism::mechanism::{Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::Forces;
@@ -22,7 +22,7 @@ use hodograph_scene::{Asked, ByKind, DiagramKind, Kind, LinkId, PointId, Scene};
 
 /// A finished construction with everything that is needed to draw it again.
 #[derive(Clone, Debug)]
-pub struct Drawn<'a> {
+pub struct DraftedConstruction<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// The topology.
@@ -32,14 +32,14 @@ pub struct Drawn<'a> {
     /// The equations.
     pub plan: &'a Plan,
     /// The exact drawing.
-    pub construction: &'a Drawing,
+    pub construction: &'a PlanDrawing,
     /// The exact drawing of the forces, if they are drawn.
     pub equilibrium: Option<&'a Equilibrium>,
     /// The true answers, one for each question; `None` for questions that are not drawn.
-    pub values: Vec<Option<Value>>,
+    pub values: Vec<Option<AnswerValue>>,
 }
 
-impl Drawn<'_> {
+impl DraftedConstruction<'_> {
     /// Returns width and height of a drawing (mm).
     pub fn size_mm(&self, on: DiagramKind) -> [f64; 2] {
         if on == DiagramKind::Force {
@@ -56,7 +56,7 @@ impl Drawn<'_> {
     ///
     /// # Errors
     /// Two lines that the pencil made parallel.
-    pub fn read_with<P: Pencil>(&self, layout: &Layout, pencil: &mut P) -> Result<Vec<Option<Value>>, Faults> {
+    pub fn read_with<P: Pencil>(&self, layout: &Layout, pencil: &mut P) -> Result<Vec<Option<AnswerValue>>, Faults> {
         let (scene, m, plan) = (self.scene, self.mechanism, self.plan);
         let (paper, shown) = by_hand(&self.construction.acts, scene, self.configuration, plan, layout, pencil)?;
         let mut read = read_by_hand(scene, m, &shown, plan, &paper, pencil);
@@ -74,7 +74,7 @@ impl Drawn<'_> {
 /// The forces of one drawing as a source of answers.
 struct Reactions(Forces);
 
-impl Source<f64> for Reactions {
+impl MotionSource<f64> for Reactions {
     fn vector(&self, _: Level, _: PointId, _: Option<LinkId>) -> Option<Vec2> {
         None
     }
@@ -150,7 +150,7 @@ impl CrossingTolerance {
 
 /// Returns every crossing of a construction with the effect of a pencil error (mm) on it, in
 /// drawing order.
-pub fn crossings(paper: &Drawing, pencil_mm: f64) -> Vec<CrossingTolerance> {
+pub fn crossings(paper: &PlanDrawing, pencil_mm: f64) -> Vec<CrossingTolerance> {
     let mut all = Vec::new();
     for on in DiagramKind::OF_MOTION {
         let mu = paper.polygon(on).map_or(paper.diagram.mu, |p| p.mu);
@@ -166,7 +166,7 @@ pub fn crossings(paper: &Drawing, pencil_mm: f64) -> Vec<CrossingTolerance> {
 ///
 /// The cost is four drawings for each mark: some hundred microseconds for a four-bar, some
 /// milliseconds for ten links.
-pub fn drafting(drawn: &Drawn, pencil_mm: f64) -> Drafting {
+pub fn drafting(drawn: &DraftedConstruction, pencil_mm: f64) -> Drafting {
     let layout = Layout::of(drawn.construction);
     let spreads = spreads(drawn, &layout, pencil_mm / radius_in_deviations());
     let tolerances = drawn.values.iter().enumerate().map(|(find, value)| {
@@ -187,13 +187,13 @@ pub fn drafting(drawn: &Drawn, pencil_mm: f64) -> Drafting {
 }
 
 /// A pencil that displaces one mark, or only records the drawing of each mark.
-struct Slip {
+struct DisplacedPencil {
     marks: Vec<DiagramKind>,
     count: usize,
     displaced: Option<(usize, Vec2)>,
 }
 
-impl Pencil for Slip {
+impl Pencil for DisplacedPencil {
     const EXACT: bool = false;
 
     fn mark(&mut self, on: DiagramKind, at: Point) -> Point {
@@ -221,8 +221,8 @@ const MOST_MARKS: usize = 1000;
 
 /// The covariances of the answers for marks that miss by `deviation_mm` in x and in y; `None` if a
 /// displaced mark undoes the drawing, or if there are more than [`MOST_MARKS`].
-fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Option<Spread>>> {
-    let mut first = Slip { marks: Vec::new(), count: 0, displaced: None };
+fn spreads(drawn: &DraftedConstruction, layout: &Layout, deviation_mm: f64) -> Option<Vec<Option<Spread>>> {
+    let mut first = DisplacedPencil { marks: Vec::new(), count: 0, displaced: None };
     let base = drawn.read_with(layout, &mut first).ok()?;
     if first.marks.len() > MOST_MARKS {
         return None;
@@ -241,7 +241,7 @@ fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Opti
         }
         for axis in [Vec2::new(h, 0.0), Vec2::new(0.0, h)] {
             let at = |by: Vec2| {
-                let mut pencil = Slip { marks: Vec::new(), count: 0, displaced: Some((mark, by)) };
+                let mut pencil = DisplacedPencil { marks: Vec::new(), count: 0, displaced: Some((mark, by)) };
                 drawn.read_with(layout, &mut pencil).ok()
             };
             let (ahead, behind) = (at(axis)?, at(-axis)?);
@@ -257,13 +257,13 @@ fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Opti
 }
 
 /// The difference of two answers, a number as a vector along x; angles by the shorter way round.
-pub(super) fn difference(what: &Asked, a: Value, b: Value) -> Vec2 {
+pub(super) fn difference(what: &Asked, a: AnswerValue, b: AnswerValue) -> Vec2 {
     match (a, b) {
-        (Value::Vector(a), Value::Vector(b)) => a - b,
-        (Value::Point(a), Value::Point(b)) => a - b,
-        (Value::Scalar(a), Value::Scalar(b)) if what.kind() == Kind::Angle => Vec2::new(Vec2::from_angle(a - b).angle(), 0.0),
-        (Value::Scalar(a), Value::Scalar(b)) => Vec2::new(a - b, 0.0),
-        (Value::Vector(_) | Value::Scalar(_) | Value::Point(_), _) => Vec2::new(f64::INFINITY, 0.0),
+        (AnswerValue::Vector(a), AnswerValue::Vector(b)) => a - b,
+        (AnswerValue::Point(a), AnswerValue::Point(b)) => a - b,
+        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) if what.kind() == Kind::Angle => Vec2::new(Vec2::from_angle(a - b).angle(), 0.0),
+        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => Vec2::new(a - b, 0.0),
+        (AnswerValue::Vector(_) | AnswerValue::Scalar(_) | AnswerValue::Point(_), _) => Vec2::new(f64::INFINITY, 0.0),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The enlargement of drawings for a wanted tolerance.
 
-use super::drafting::Drawn;
+use super::drafting::DraftedConstruction;
 use hodograph_board::construct::Layout;
 use hodograph_board::construct::scale::finer;
 use hodograph_board::equilibrium::Equilibrium;
@@ -49,7 +49,7 @@ impl Larger {
 }
 
 /// The enlargement for a relative tolerance; `parts` is positive for the drawings that matter.
-pub(super) fn larger(paper: &Paper, drawn: &Drawn, layout: &Layout, relative: f64, parts: &ByKind) -> Larger {
+pub(super) fn larger(paper: &Paper, drawn: &DraftedConstruction, layout: &Layout, relative: f64, parts: &ByKind) -> Larger {
     let factor = relative / WANTED;
     let mut present = layout.scales.clone().with(Kind::Length, Some(layout.mu));
     present.set(Kind::Force, drawn.equilibrium.map(Equilibrium::mu));

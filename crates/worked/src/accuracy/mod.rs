@@ -13,10 +13,10 @@ mod written;
 
 pub use agreement::{Agreement, ROUNDING, compare};
 pub use bad_angle::{BAD_DEG, BadAngle, NearbyPose, OtherPoint, bad_angles};
-pub use drafting::{CrossingTolerance, Drafting, Drawn, Tolerance, crossings, drafting};
+pub use drafting::{CrossingTolerance, DraftedConstruction, Drafting, Tolerance, crossings, drafting};
 pub use larger::Larger;
-pub use near::{Kept, Ways, estimated, kept};
+pub use near::{ComparedMethods, KeptDigits, estimated, kept};
 pub use places::{settled, settled_finely};
 pub use rung::{Climb, Rung};
-pub use simulate::{Errors, simulate};
+pub use simulate::{DrawingErrors, simulate};
 pub use written::{Regular, groups_of_question, regular};

@@ -7,10 +7,10 @@
 
 use super::agreement::{Agreement, compare};
 use super::written::{Regular, regular};
-use hodograph_analytic::{Near, Solution};
+use hodograph_analytic::{NearSingular, Solution};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::digits::significant;
-use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::Scene;
@@ -20,7 +20,7 @@ const PRINTED: f64 = 6.0;
 
 /// The answers of longer numbers, and the errors of the loop equations relative to them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Kept {
+pub struct KeptDigits {
     /// The answers of longer numbers.
     pub truth: Regular,
     /// The error of the loop equations for each question, or that of the drawing if it is greater,
@@ -31,36 +31,36 @@ pub struct Kept {
 }
 
 /// The two ways to measure, and the size against which an answer is judged.
-pub struct Ways<'a, S> {
+pub struct ComparedMethods<'a, S> {
     /// The solution of the loop equations.
     pub solution: &'a Solution,
     /// The values read off the paper, for each question.
-    pub drawn: &'a [Option<Value>],
+    pub drawn: &'a [Option<AnswerValue>],
     /// The function that returns the reference size for an answer of a level.
     pub scale: S,
 }
 
 /// Measures the digits that the two ways keep of a scene's answers; `None` if no rung of the ladder
 /// has them all. `truth` are the answers, if they are known already.
-pub fn kept<S: Fn(Level, &Value) -> f64>(
+pub fn kept<S: Fn(Level, &AnswerValue) -> f64>(
     scene: &Scene,
     (m, demand): (&Mechanism, &Demand),
     at: &Configuration,
-    ways: &Ways<S>,
+    ways: &ComparedMethods<S>,
     truth: Option<Regular>,
-) -> Option<Kept> {
+) -> Option<KeptDigits> {
     let truth = truth.or_else(|| regular(scene, m, demand, at, &scene.find))?;
-    let error = |i: usize, value: Option<Value>| {
+    let error = |i: usize, value: Option<AnswerValue>| {
         let (level, true_value) = (scene.find[i].what.level(), truth.values[i]?);
         (level > Level::Position).then_some(compare(value?, true_value, (ways.scale)(level, &true_value), 1.0).difference)
     };
     let computed: Vec<Option<f64>> =
         (0..scene.find.len()).map(|i| error(i, ways.solution.answer(scene, at, &scene.find[i].what))).collect();
     let errors = (0..scene.find.len()).map(|i| computed[i].into_iter().chain(error(i, ways.drawn[i])).reduce(f64::max)).collect();
-    Some(Kept { truth, errors, computed })
+    Some(KeptDigits { truth, errors, computed })
 }
 
-impl Kept {
+impl KeptDigits {
     /// Limits the agreement of a question's two ways to the digits that they were measured to keep.
     pub fn promised(&self, question: usize, agreement: Agreement) -> Agreement {
         let off = self.errors[question].unwrap_or(0.0);
@@ -75,7 +75,7 @@ impl Kept {
     }
 
     /// Returns the note of a pose in which all answers are kept, with the number of their digits.
-    pub fn note(&self, near: &Near, condition: f64) -> Diagnostic {
+    pub fn note(&self, near: &NearSingular, condition: f64) -> Diagnostic {
         let worst = self.errors.iter().flatten().copied().fold(f64::EPSILON, f64::max);
         let digits = (-libm::log10(worst)).floor();
         let said = both!(
@@ -97,7 +97,7 @@ impl Kept {
 
 /// Returns the warning if only an estimate is available; `None` if the estimate leaves the digits
 /// that are printed.
-pub fn estimated(near: &Near, condition: f64) -> Option<Diagnostic> {
+pub fn estimated(near: &NearSingular, condition: f64) -> Option<Diagnostic> {
     let digits = (-libm::log10(10.0 * near.loss)).floor();
     let left = if digits < 1.0 { both!("no digit", "不到一位") } else { both!("about {digits} digits", "约 {digits} 位") };
     (digits < PRINTED).then(|| {

@@ -9,7 +9,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_base::number::decimal::Certain;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
-use hodograph_mechanism::motion::Moved;
+use hodograph_mechanism::motion::MotionNumber;
 use hodograph_mechanism::position::{self, Configuration, Path, Pose};
 use hodograph_scene::Scene;
 
@@ -42,7 +42,7 @@ pub fn settled_finely(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configu
 /// The configuration for the thresholds `plain` and `least`, see [`PLAIN`] and [`OFF`].
 fn settled_beyond(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration, [plain, least]: [f64; 2]) -> Configuration {
     let extent = at.extent();
-    let places = Places { scene, m, demand, at: &at, extent };
+    let places = PlaceRounding { scene, m, demand, at: &at, extent };
     let mut last = None;
     for rung in Rung::LADDER {
         let Some(found) = rung.climb(&places) else { continue };
@@ -63,7 +63,7 @@ fn settled_beyond(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configurati
 }
 
 /// The positions of a rung.
-struct Found {
+struct RoundedPlaces {
     /// The rounded positions; a number of `f64` that the rung does not contradict is kept.
     at: Configuration,
     /// The largest bound of a place's error, with directions counted at the mechanism's size (m).
@@ -72,7 +72,7 @@ struct Found {
     off: f64,
 }
 
-struct Places<'a> {
+struct PlaceRounding<'a> {
     scene: &'a Scene,
     m: &'a Mechanism,
     demand: &'a Demand,
@@ -80,10 +80,10 @@ struct Places<'a> {
     extent: f64,
 }
 
-impl Climb for Places<'_> {
-    type Found = Option<Found>;
+impl Climb for PlaceRounding<'_> {
+    type Found = Option<RoundedPlaces>;
 
-    fn with<N: Certain + Moved>(&self) -> Self::Found {
+    fn with<N: Certain + MotionNumber>(&self) -> Self::Found {
         let there = position::recompute::<N>(self.scene, self.m, self.demand, self.at).ok()?;
         let mut r = Rounding { bound: 0.0, off: 0.0, extent: self.extent };
         let mut at = self.at.clone();
@@ -105,7 +105,7 @@ impl Climb for Places<'_> {
             r.option(here, there, Rounding::path)?;
         }
         at.closures = there.closures;
-        Some(Found { at, bound: r.bound, off: r.off })
+        Some(RoundedPlaces { at, bound: r.bound, off: r.off })
     }
 }
 

@@ -4,7 +4,7 @@
 use hodograph_base::budget::spend;
 use hodograph_base::number::decimal::Certain;
 use hodograph_base::number::{Ball, Big, Dd, within};
-use hodograph_mechanism::motion::Moved;
+use hodograph_mechanism::motion::MotionNumber;
 
 /// A rung of the ladder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -52,5 +52,5 @@ pub trait Climb {
     type Found;
 
     /// Does the work in numbers of type `N`.
-    fn with<N: Certain + Moved>(&self) -> Self::Found;
+    fn with<N: Certain + MotionNumber>(&self) -> Self::Found;
 }

@@ -9,17 +9,17 @@
 use super::rung::{Climb, Rung};
 use hodograph_base::number::Real;
 use hodograph_base::number::decimal::Certain;
-use hodograph_mechanism::answer::{Value, evaluate};
+use hodograph_mechanism::answer::{AnswerValue, evaluate};
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
-use hodograph_mechanism::motion::{self, Moved};
+use hodograph_mechanism::motion::{self, MotionNumber};
 use hodograph_mechanism::position::{self, Configuration};
-use hodograph_scene::{Find, Place, Scene};
+use hodograph_scene::{Find, PointPlace, Scene};
 
 /// A pose that is not singular as written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regular {
     /// The answer to each question, to `f64`; `None` if it has none.
-    pub values: Vec<Option<Value>>,
+    pub values: Vec<Option<AnswerValue>>,
     /// The rung that distinguished the pose from a singular one, or the one that gave the answers
     /// to the last digit of an `f64`.
     pub rung: Rung,
@@ -31,13 +31,13 @@ pub struct Regular {
 pub fn regular(scene: &Scene, m: &Mechanism, demand: &Demand, at: &Configuration, questions: &[Find]) -> Option<Regular> {
     let extent = at.extent();
     let given = |p: usize| match &scene.points[p].place {
-        Place::At([x, y]) => at.points[p].is_none_or(|here| libm::hypot(here.x - x.value, here.y - y.value) <= SAME_POSE * extent),
-        Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => true,
+        PointPlace::At([x, y]) => at.points[p].is_none_or(|here| libm::hypot(here.x - x.value, here.y - y.value) <= SAME_POSE * extent),
+        PointPlace::Unknown | PointPlace::InLink { .. } | PointPlace::Polar { .. } => true,
     };
     if !(0..scene.points.len()).all(given) {
         return None;
     }
-    let written = Written { scene, m, demand, at, questions, extent };
+    let written = RungAnswers { scene, m, demand, at, questions, extent };
     let mut found = None;
     for rung in Rung::LADDER {
         let Some((values, known)) = rung.climb(&written) else { continue };
@@ -60,7 +60,7 @@ const KNOWN: f64 = f64::EPSILON / 2.0;
 /// The part of the largest answer of its kind below which a possible zero is zero.
 const NOTHING: f64 = 1e-30;
 
-struct Written<'a> {
+struct RungAnswers<'a> {
     scene: &'a Scene,
     m: &'a Mechanism,
     demand: &'a Demand,
@@ -69,11 +69,11 @@ struct Written<'a> {
     extent: f64,
 }
 
-impl Climb for Written<'_> {
+impl Climb for RungAnswers<'_> {
     /// The answers, and `true` if all are known to the last digit.
-    type Found = Option<(Vec<Option<Value>>, bool)>;
+    type Found = Option<(Vec<Option<AnswerValue>>, bool)>;
 
-    fn with<N: Certain + Moved>(&self) -> Self::Found {
+    fn with<N: Certain + MotionNumber>(&self) -> Self::Found {
         let at = position::recompute::<N>(self.scene, self.m, self.demand, self.at).ok()?;
         let near = |p: usize| match (at.points[p], self.at.points[p]) {
             (Some(there), Some(here)) => (there.approx() - here).norm() <= SAME_POSE * self.extent,
@@ -86,7 +86,7 @@ impl Climb for Written<'_> {
         if !motion.singular.is_empty() {
             return None;
         }
-        let answers: Vec<Option<Value<N>>> = self.questions.iter().map(|f| evaluate(self.scene, &at, &motion, &f.what)).collect();
+        let answers: Vec<Option<AnswerValue<N>>> = self.questions.iter().map(|f| evaluate(self.scene, &at, &motion, &f.what)).collect();
         let form = |i: usize| answers[i].map(|v| v.form());
         let largest = |i: usize| {
             let of_kind = (0..answers.len()).filter(|k| form(*k) == form(i));
@@ -105,8 +105,8 @@ impl Climb for Written<'_> {
             // The components of a vector are known relative to its length, other numbers each by
             // itself.
             values.push(answer.map(|value| match value {
-                Value::Vector(v) => value.map(|x| number(x, v.approx().norm())),
-                Value::Scalar(_) | Value::Point(_) => value.map(|x| number(x, x.approx().abs())),
+                AnswerValue::Vector(v) => value.map(|x| number(x, v.approx().norm())),
+                AnswerValue::Scalar(_) | AnswerValue::Point(_) => value.map(|x| number(x, x.approx().abs())),
             }));
         }
         let decided = values.iter().flatten().all(|v| v.magnitude().is_finite());
@@ -114,7 +114,7 @@ impl Climb for Written<'_> {
     }
 }
 
-fn approx<N: Real>(value: &Value<N>) -> Value {
+fn approx<N: Real>(value: &AnswerValue<N>) -> AnswerValue {
     value.map(|x| x.approx())
 }
 

@@ -1,22 +1,22 @@
 //! Evaluates answers together although some of them may depend on a group that does not close.
 
-use super::ladder::Why;
+use super::ladder::MissingDigits;
 use hodograph_base::diag::Diagnostic;
 use hodograph_mechanism::mechanism::Demand;
 
 /// A function that evaluates some answers together.
-type Look<'a, T> = &'a dyn Fn(&[usize]) -> Result<Vec<Result<T, Why>>, Diagnostic>;
+type AnswerEvaluation<'a, T> = &'a dyn Fn(&[usize]) -> Result<Vec<Result<T, MissingDigits>>, Diagnostic>;
 
 /// Evaluates some answers together. One group that does not close must not remove the answers of
 /// the others: the first such group is found by halving, because those before it close; answers
 /// that depend on it are refused, and the rest is evaluated again.
 pub(super) fn apart<T>(
     open: &[usize],
-    look: Look<T>,
+    look: AnswerEvaluation<T>,
     demand: &dyn Fn(&[usize]) -> Demand,
     closes: &dyn Fn(&Demand) -> Result<(), Diagnostic>,
-) -> Vec<Result<T, Why>> {
-    let mut out: Vec<Option<Result<T, Why>>> = open.iter().map(|_| None).collect();
+) -> Vec<Result<T, MissingDigits>> {
+    let mut out: Vec<Option<Result<T, MissingDigits>>> = open.iter().map(|_| None).collect();
     let mut left: Vec<usize> = (0..open.len()).collect();
     while !left.is_empty() {
         let these: Vec<usize> = left.iter().map(|k| open[*k]).collect();
@@ -50,9 +50,9 @@ pub(super) fn apart<T>(
         } else {
             left = rest;
         }
-        lost.into_iter().for_each(|k| out[k] = Some(Err(Why::Refused(why.clone()))));
+        lost.into_iter().for_each(|k| out[k] = Some(Err(MissingDigits::Refused(why.clone()))));
     }
-    out.into_iter().map(|seen| seen.unwrap_or(Err(Why::NoValue))).collect()
+    out.into_iter().map(|seen| seen.unwrap_or(Err(MissingDigits::NoValue))).collect()
 }
 
 #[cfg(test)]
@@ -86,7 +86,7 @@ mod tests {
                 for (k, seen) in seen.iter().enumerate() {
                     match seen {
                         Ok(_) => assert!(k < bad, "{n} groups, {bad} does not close: {k} is told"),
-                        Err(Why::Refused(d)) => assert!(k >= bad && d.message.en == format!("group {bad}"), "{d}"),
+                        Err(MissingDigits::Refused(d)) => assert!(k >= bad && d.message.en == format!("group {bad}"), "{d}"),
                         Err(why) => panic!("{why:?}"),
                     }
                 }

@@ -6,7 +6,7 @@
 //! take part; their agreement is a separate statement.
 
 use super::apart::apart;
-pub use super::printed::Part;
+pub use super::printed::AnswerPart;
 use super::printed::with_printed;
 use crate::accuracy::{Climb, Rung};
 use crate::worked::{Outcome, Worked};
@@ -16,29 +16,29 @@ use hodograph_base::geom::Vec2;
 use hodograph_base::number::Real;
 use hodograph_base::number::decimal::{Certain, Enclosure};
 use hodograph_board::construct::scale;
-use hodograph_mechanism::answer::{Value, evaluate};
+use hodograph_mechanism::answer::{AnswerValue, evaluate};
 use hodograph_mechanism::mechanism::Demand;
-use hodograph_mechanism::motion::Moved;
+use hodograph_mechanism::motion::MotionNumber;
 use hodograph_mechanism::position::Configuration;
 use hodograph_mechanism::{motion, position};
 use hodograph_scene::{Kind, Lang, Scene};
 
 /// A number with an interval that certainly contains it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Number {
+pub struct CertifiedNumber {
     enclosure: Enclosure,
     /// True if it is zero, or so small a part of its reference size that it is printed as zero.
     pub zero: bool,
 }
 
-impl Number {
-    pub(super) fn new(enclosure: Enclosure) -> Number {
-        Number { enclosure, zero: false }
+impl CertifiedNumber {
+    pub(super) fn new(enclosure: Enclosure) -> CertifiedNumber {
+        CertifiedNumber { enclosure, zero: false }
     }
 
     /// Returns the number, marked as zero if `zero` is true.
-    pub(super) fn or_zero(self, zero: bool) -> Number {
-        Number { zero, ..self }
+    pub(super) fn or_zero(self, zero: bool) -> CertifiedNumber {
+        CertifiedNumber { zero, ..self }
     }
 
     /// Returns the number with at most `digits` significant digits, all of them true, in common
@@ -89,21 +89,21 @@ pub struct Certified {
     /// The rung that sufficed, or the last.
     pub rung: Rung,
     /// The numbers of the answer; empty if no rung gave any.
-    pub parts: Vec<(Part, Number)>,
+    pub parts: Vec<(AnswerPart, CertifiedNumber)>,
     /// The reading of the ruler on the drawing.
-    pub reading: Option<Reading>,
+    pub reading: Option<CertifiedReading>,
     /// The reason why not all requested digits are certain; `None` if they are.
-    pub why: Option<Why>,
+    pub why: Option<MissingDigits>,
 }
 
 /// A length on the drawing: the answer through its scale.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reading {
+pub struct CertifiedReading {
     /// The length on the polygon (mm).
-    pub length_mm: Number,
+    pub length_mm: CertifiedNumber,
     /// The arm of an angular rate, in the unit in which lengths are printed (m, or that of the
     /// book).
-    pub arm: Option<Number>,
+    pub arm: Option<CertifiedNumber>,
 }
 
 /// The number of digits to which readings are printed: one more than a ruler gives.
@@ -111,7 +111,7 @@ pub const READING_DIGITS: usize = 4;
 
 /// The reason why digits are missing.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Why {
+pub enum MissingDigits {
     /// The rung has too few digits for this pose.
     TooClose,
     /// A tie, or a value that cannot be distinguished from zero, even in the longest numbers.
@@ -129,31 +129,31 @@ pub enum Why {
     Refused(Diagnostic),
 }
 
-impl Why {
+impl MissingDigits {
     /// Returns the reason in words, for brackets after the number.
     pub fn words(&self, lang: Lang) -> String {
         match (self, lang) {
-            (Why::TooClose, Lang::En) => "the pose is too close to a dead centre for more".into(),
-            (Why::TooClose, Lang::Zh) => "该位置过于接近死点".into(),
-            (Why::Tie, Lang::En) => "the next digit is a tie, or the value cannot be told from zero".into(),
-            (Why::Tie, Lang::Zh) => "下一位恰在舍入分界上，或数值与零无法区分".into(),
-            (Why::Singular(links), Lang::En) => format!("the equations of links {} may be singular in this pose", links.en),
-            (Why::Singular(links), Lang::Zh) => format!("构件 {} 的方程在该位置可能奇异", links.zh),
-            (Why::NextOrder(_), Lang::En) => "singular pose, from the next order of the loop equations".into(),
-            (Why::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶封闭矢量方程求得".into(),
-            (Why::NoValue, Lang::En) => "it has no value in this pose".into(),
-            (Why::NoValue, Lang::Zh) => "该位置无确定值".into(),
-            (Why::Double, Lang::En) => "it is computed in double precision only".into(),
-            (Why::Double, Lang::Zh) => "仅按双精度计算".into(),
-            (Why::Refused(d), Lang::En) => d.message.en.clone(),
-            (Why::Refused(d), Lang::Zh) => format!("按所给数值未能证明：{}", d.message.zh),
+            (MissingDigits::TooClose, Lang::En) => "the pose is too close to a dead centre for more".into(),
+            (MissingDigits::TooClose, Lang::Zh) => "该位置过于接近死点".into(),
+            (MissingDigits::Tie, Lang::En) => "the next digit is a tie, or the value cannot be told from zero".into(),
+            (MissingDigits::Tie, Lang::Zh) => "下一位恰在舍入分界上，或数值与零无法区分".into(),
+            (MissingDigits::Singular(links), Lang::En) => format!("the equations of links {} may be singular in this pose", links.en),
+            (MissingDigits::Singular(links), Lang::Zh) => format!("构件 {} 的方程在该位置可能奇异", links.zh),
+            (MissingDigits::NextOrder(_), Lang::En) => "singular pose, from the next order of the loop equations".into(),
+            (MissingDigits::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶封闭矢量方程求得".into(),
+            (MissingDigits::NoValue, Lang::En) => "it has no value in this pose".into(),
+            (MissingDigits::NoValue, Lang::Zh) => "该位置无确定值".into(),
+            (MissingDigits::Double, Lang::En) => "it is computed in double precision only".into(),
+            (MissingDigits::Double, Lang::Zh) => "仅按双精度计算".into(),
+            (MissingDigits::Refused(d), Lang::En) => d.message.en.clone(),
+            (MissingDigits::Refused(d), Lang::Zh) => format!("按所给数值未能证明：{}", d.message.zh),
         }
     }
 }
 
 impl Certified {
     /// Returns one of the answer's numbers.
-    pub fn part(&self, part: Part) -> Option<&Number> {
+    pub fn part(&self, part: AnswerPart) -> Option<&CertifiedNumber> {
         self.parts.iter().find(|(p, _)| *p == part).map(|(_, n)| n)
     }
 
@@ -162,7 +162,7 @@ impl Certified {
     /// the latter case.
     pub fn rough_digits(&self, digits: usize) -> (usize, bool) {
         match self.why {
-            Some(Why::NextOrder(known)) => (digits.min(known), true),
+            Some(MissingDigits::NextOrder(known)) => (digits.min(known), true),
             _ => (2, false),
         }
     }
@@ -181,22 +181,22 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
     let mut out: Vec<Certified> = worked
         .results
         .iter()
-        .map(|_| Certified { rung: Rung::Double, parts: Vec::new(), reading: None, why: Some(Why::NoValue) })
+        .map(|_| Certified { rung: Rung::Double, parts: Vec::new(), reading: None, why: Some(MissingDigits::NoValue) })
         .collect();
     // Longer numbers do not help in a singular pose; if it is singular within the rounding of its
     // lengths, the ladder would give the motion of another pose.
     for (c, known) in out.iter_mut().zip(&worked.results).filter_map(|(c, r)| Some((c, r.next_order?))) {
-        c.why = Some(Why::NextOrder(known));
+        c.why = Some(MissingDigits::NextOrder(known));
     }
     let m = &worked.mechanism;
-    let mut open: Vec<usize> = (0..out.len()).filter(|i| !matches!(out[*i].why, Some(Why::NextOrder(_)))).collect();
+    let mut open: Vec<usize> = (0..out.len()).filter(|i| !matches!(out[*i].why, Some(MissingDigits::NextOrder(_)))).collect();
     for rung in Rung::LADDER {
         let last = rung == Rung::LAST;
         let find = |i: &usize| &scene.find[worked.results[*i].find];
         // Only the open answers, and only their groups: the other groups are neither placed nor
         // solved again.
         let demand = |open: &[usize]| Demand::of_questions(scene, m, open.iter().map(find));
-        let look = |open: &[usize]| rung.climb(&Look { scene, worked, demand: &demand(open), open, digits });
+        let look = |open: &[usize]| rung.climb(&RungEvaluation { scene, worked, demand: &demand(open), open, digits });
         let closes = |demand: &Demand| rung.climb(&Closes { scene, worked, demand });
         let seen = apart(&open, &look, &demand, &closes);
         for (i, seen) in open.iter().zip(seen) {
@@ -208,8 +208,8 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
                     let whole = parts.iter().all(|(_, n)| n.holds(digits, last)) && read.all(|n| n.holds(READING_DIGITS, last));
                     c.why = match whole {
                         true => None,
-                        false if last => Some(Why::Tie),
-                        false => Some(Why::TooClose),
+                        false if last => Some(MissingDigits::Tie),
+                        false => Some(MissingDigits::TooClose),
                     };
                     (c.parts, c.reading) = (parts, reading);
                 }
@@ -226,7 +226,7 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
     // An answer that does not close as written, in the longest numbers, has no digits, whatever a
     // shorter rung gave.
     for c in &mut out {
-        if let Some(Why::Refused(Diagnostic { code: "cannot-assemble", .. })) = c.why {
+        if let Some(MissingDigits::Refused(Diagnostic { code: "cannot-assemble", .. })) = c.why {
             (c.parts, c.reading) = (Vec::new(), None);
         }
     }
@@ -243,7 +243,7 @@ struct Closes<'a> {
 impl Climb for Closes<'_> {
     type Found = Result<(), Diagnostic>;
 
-    fn with<N: Certain + Moved>(&self) -> Self::Found {
+    fn with<N: Certain + MotionNumber>(&self) -> Self::Found {
         let placed = position::recompute::<N>(self.scene, &self.worked.mechanism, self.demand, &self.worked.configuration);
         placed.map(drop).map_err(not_closed)
     }
@@ -257,7 +257,7 @@ fn not_closed(faults: Faults) -> Diagnostic {
 }
 
 /// The evaluation of some answers in one kind of number.
-struct Look<'a> {
+struct RungEvaluation<'a> {
     scene: &'a Scene,
     worked: &'a Worked,
     demand: &'a Demand,
@@ -266,10 +266,10 @@ struct Look<'a> {
     digits: usize,
 }
 
-impl Climb for Look<'_> {
-    type Found = Result<Vec<Seen>, Diagnostic>;
+impl Climb for RungEvaluation<'_> {
+    type Found = Result<Vec<CertifiedParts>, Diagnostic>;
 
-    fn with<N: Certain + Moved>(&self) -> Self::Found {
+    fn with<N: Certain + MotionNumber>(&self) -> Self::Found {
         let (scene, m) = (self.scene, &self.worked.mechanism);
         let at = position::recompute::<N>(scene, m, self.demand, &self.worked.configuration).map_err(not_closed)?;
         let motion = motion::solve(scene, m, &at, self.demand);
@@ -284,9 +284,9 @@ impl Climb for Look<'_> {
                 None => Err(match motion.singular.first() {
                     Some(&g) => {
                         let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
-                        Why::Singular(Both::names(&names))
+                        MissingDigits::Singular(Both::names(&names))
                     }
-                    None => Why::Double,
+                    None => MissingDigits::Double,
                 }),
             }
         };
@@ -295,40 +295,40 @@ impl Climb for Look<'_> {
 }
 
 /// The parts of an answer, or the reason why it has none.
-pub type Parts = Result<Vec<(Part, Number)>, Why>;
+pub type AnswerParts = Result<Vec<(AnswerPart, CertifiedNumber)>, MissingDigits>;
 
 /// The parts of an answer with the reading.
-type Seen = Result<(Vec<(Part, Number)>, Option<Reading>), Why>;
+type CertifiedParts = Result<(Vec<(AnswerPart, CertifiedNumber)>, Option<CertifiedReading>), MissingDigits>;
 
 /// True if an answer is certainly no more than the size that drawing and loop equations cannot
 /// distinguish from zero next to the largest of its kind. A place has no such size: it is counted
 /// from a chosen origin.
-fn is_nothing<N: Certain>(noise: f64, value: Value<N>) -> bool {
+fn is_nothing<N: Certain>(noise: f64, value: AnswerValue<N>) -> bool {
     let size = match value {
-        Value::Vector(v) => v.norm(),
-        Value::Scalar(s) => s,
-        Value::Point(_) => return false,
+        AnswerValue::Vector(v) => v.norm(),
+        AnswerValue::Scalar(s) => s,
+        AnswerValue::Point(_) => return false,
     };
     size.enclosure().is_some_and(|e| e.largest() <= noise)
 }
 
 /// The numbers of an answer, all zero if the answer is; a zero vector has no direction.
-fn none_of_nothing(nothing: bool, mut list: Vec<(Part, Number)>) -> Vec<(Part, Number)> {
+fn none_of_nothing(nothing: bool, mut list: Vec<(AnswerPart, CertifiedNumber)>) -> Vec<(AnswerPart, CertifiedNumber)> {
     if nothing {
-        list.retain(|(part, _)| *part != Part::Direction);
+        list.retain(|(part, _)| *part != AnswerPart::Direction);
         list.iter_mut().for_each(|(_, n)| n.zero = true);
     }
     list
 }
 
 /// The reading of the ruler: |v|/μ, or |ω| l/μ for an angular rate measured on a line of length l.
-fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value: Value<N>) -> Option<Reading> {
+fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value: AnswerValue<N>) -> Option<CertifiedReading> {
     let m = r.drawn.as_ref()?.measured.as_ref()?;
     let mu: N = scale::number(m.mu);
-    let number = |x: N| x.enclosure().map(Number::new);
+    let number = |x: N| x.enclosure().map(CertifiedNumber::new);
     let (size, arm) = match (value, m.arm_m) {
-        (Value::Vector(v), None) => (v.norm(), None),
-        (Value::Scalar(s), Some(_)) => {
+        (AnswerValue::Vector(v), None) => (v.norm(), None),
+        (AnswerValue::Scalar(s), Some(_)) => {
             let (a, b) = m.arm_of?;
             let arm = at.points[a.0]?.distance(at.points[b.0]?);
             (s.magnitude() * arm, Some(arm))
@@ -339,7 +339,7 @@ fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value:
     // Less than a thousandth of a millimetre is no reading of a ruler; if the interval excludes
     // zero, it is given.
     length_mm.zero = length_mm.enclosure.contains_zero() && length_mm.enclosure.largest() < 1e-3 || is_nothing(r.noise, value);
-    Some(Reading { length_mm, arm: arm.and_then(|arm| number(scene.book.in_chosen(Kind::Length, arm))) })
+    Some(CertifiedReading { length_mm, arm: arm.and_then(|arm| number(scene.book.in_chosen(Kind::Length, arm))) })
 }
 
 /// Returns the numbers of one answer in their printed form; `scale` is the size against which it is
@@ -347,28 +347,28 @@ fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value:
 ///
 /// # Errors
 /// An answer whose equations may be singular.
-pub fn parts<N: Certain>(kind: Kind, value: Value<N>, scale: f64, digits: usize) -> Parts {
+pub fn parts<N: Certain>(kind: Kind, value: AnswerValue<N>, scale: f64, digits: usize) -> AnswerParts {
     // Ten digits below the last requested one.
     let nothing = libm::exp10(-(digits as f64 + 10.0));
-    let number = |x: N, against: f64| -> Result<Number, Why> {
-        let enclosure = x.enclosure().ok_or(Why::TooClose)?;
+    let number = |x: N, against: f64| -> Result<CertifiedNumber, MissingDigits> {
+        let enclosure = x.enclosure().ok_or(MissingDigits::TooClose)?;
         // Without a driver in motion nothing moves: a possible zero is zero.
         let zero = enclosure.contains_zero() && (against == 0.0 || enclosure.largest() <= nothing * against);
-        Ok(Number { enclosure, zero })
+        Ok(CertifiedNumber { enclosure, zero })
     };
     match value {
-        Value::Scalar(s) => {
-            let mut list = vec![(Part::Scalar, number(s, scale)?)];
+        AnswerValue::Scalar(s) => {
+            let mut list = vec![(AnswerPart::Scalar, number(s, scale)?)];
             if kind == Kind::Angle {
-                list.push((Part::Degrees, number(s * N::from_f64(180.0) / N::pi(), 360.0)?));
+                list.push((AnswerPart::Degrees, number(s * N::from_f64(180.0) / N::pi(), 360.0)?));
             }
             Ok(list)
         }
-        Value::Point(p) => Ok(vec![(Part::X, number(p.x, scale)?), (Part::Y, number(p.y, scale)?)]),
-        Value::Vector(v) => {
+        AnswerValue::Point(p) => Ok(vec![(AnswerPart::X, number(p.x, scale)?), (AnswerPart::Y, number(p.y, scale)?)]),
+        AnswerValue::Vector(v) => {
             let magnitude = number(v.norm(), scale)?;
             let size = magnitude.enclosure.approx;
-            let mut list = vec![(Part::X, number(v.x, size)?), (Part::Y, number(v.y, size)?)];
+            let mut list = vec![(AnswerPart::X, number(v.x, size)?), (AnswerPart::Y, number(v.y, size)?)];
             if magnitude.zero {
                 for (_, n) in &mut list {
                     n.zero = true;
@@ -379,9 +379,9 @@ pub fn parts<N: Certain>(kind: Kind, value: Value<N>, scale: f64, digits: usize)
                 // decimal is zero.
                 direction.zero =
                     direction.enclosure.contains_zero() && direction.enclosure.largest() <= libm::exp10(-(digits as f64 + 4.0));
-                list.push((Part::Direction, direction));
+                list.push((AnswerPart::Direction, direction));
             }
-            list.push((Part::Magnitude, magnitude));
+            list.push((AnswerPart::Magnitude, magnitude));
             Ok(list)
         }
     }

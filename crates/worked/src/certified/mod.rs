@@ -8,4 +8,4 @@ pub mod printed;
 pub mod steps;
 
 pub use ladder::{Certified, certify};
-pub use steps::{Steps, steps};
+pub use steps::{CertifiedSteps, steps};

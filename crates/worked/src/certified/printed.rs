@@ -1,14 +1,14 @@
 //! The numbers of an answer, and the ones to print: if the scene asks for a unit of the book, the
 //! number in this unit, certified there and rounded once.
 
-use super::ladder::{Certified, Number, Why};
+use super::ladder::{Certified, CertifiedNumber, MissingDigits};
 use hodograph_base::number::decimal::Certain;
-use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_scene::{Asked, Book};
 
 /// The kinds of numbers of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum AnswerPart {
     /// The length of a vector (SI).
     Magnitude,
     /// The direction of a vector, degrees in (−180, 180].
@@ -29,19 +29,19 @@ pub enum Part {
     PrintedY,
 }
 
-impl Part {
+impl AnswerPart {
     /// Returns the key for programs.
     pub fn key(self) -> &'static str {
         match self {
-            Part::Magnitude => "magnitude",
-            Part::Direction => "angle_deg",
-            Part::X => "x",
-            Part::Y => "y",
-            Part::Scalar => "value",
-            Part::Degrees => "value_deg",
-            Part::Printed => "in_unit",
-            Part::PrintedX => "in_unit_x",
-            Part::PrintedY => "in_unit_y",
+            AnswerPart::Magnitude => "magnitude",
+            AnswerPart::Direction => "angle_deg",
+            AnswerPart::X => "x",
+            AnswerPart::Y => "y",
+            AnswerPart::Scalar => "value",
+            AnswerPart::Degrees => "value_deg",
+            AnswerPart::Printed => "in_unit",
+            AnswerPart::PrintedX => "in_unit_x",
+            AnswerPart::PrintedY => "in_unit_y",
         }
     }
 }
@@ -54,22 +54,22 @@ impl Part {
 pub fn with_printed<N: Certain>(
     book: &Book,
     what: &Asked,
-    value: Value<N>,
-    mut list: Vec<(Part, Number)>,
-) -> Result<Vec<(Part, Number)>, Why> {
+    value: AnswerValue<N>,
+    mut list: Vec<(AnswerPart, CertifiedNumber)>,
+) -> Result<Vec<(AnswerPart, CertifiedNumber)>, MissingDigits> {
     let Some(unit) = book.chosen(what.kind()) else { return Ok(list) };
-    let mut add = |si: N, part: Part, printed: Part| {
+    let mut add = |si: N, part: AnswerPart, printed: AnswerPart| {
         let zero = list.iter().any(|(p, n)| *p == part && n.zero);
-        let number = Number::new(unit.of(si).enclosure().ok_or(Why::TooClose)?);
+        let number = CertifiedNumber::new(unit.of(si).enclosure().ok_or(MissingDigits::TooClose)?);
         list.push((printed, number.or_zero(zero)));
         Ok(())
     };
     match value {
-        Value::Vector(v) => add(v.norm(), Part::Magnitude, Part::Printed)?,
-        Value::Scalar(s) => add(s, Part::Scalar, Part::Printed)?,
-        Value::Point(p) => {
-            add(p.x, Part::X, Part::PrintedX)?;
-            add(p.y, Part::Y, Part::PrintedY)?;
+        AnswerValue::Vector(v) => add(v.norm(), AnswerPart::Magnitude, AnswerPart::Printed)?,
+        AnswerValue::Scalar(s) => add(s, AnswerPart::Scalar, AnswerPart::Printed)?,
+        AnswerValue::Point(p) => {
+            add(p.x, AnswerPart::X, AnswerPart::PrintedX)?;
+            add(p.y, AnswerPart::Y, AnswerPart::PrintedY)?;
         }
     }
     Ok(list)
@@ -78,13 +78,13 @@ pub fn with_printed<N: Certain>(
 impl Certified {
     /// Returns true if a number of the answer is printed: a vector by magnitude and direction, a
     /// place by its coordinates, an angle in degrees, and all in the unit that the scene asks for.
-    pub fn prints(&self, part: Part) -> bool {
+    pub fn prints(&self, part: AnswerPart) -> bool {
         let has = |part| self.part(part).is_some();
         match part {
-            Part::X | Part::Y => !has(Part::Magnitude) && !has(Part::PrintedX),
-            Part::Scalar => !has(Part::Degrees) && !has(Part::Printed),
-            Part::Magnitude | Part::Degrees => !has(Part::Printed),
-            Part::Direction | Part::Printed | Part::PrintedX | Part::PrintedY => true,
+            AnswerPart::X | AnswerPart::Y => !has(AnswerPart::Magnitude) && !has(AnswerPart::PrintedX),
+            AnswerPart::Scalar => !has(AnswerPart::Degrees) && !has(AnswerPart::Printed),
+            AnswerPart::Magnitude | AnswerPart::Degrees => !has(AnswerPart::Printed),
+            AnswerPart::Direction | AnswerPart::Printed | AnswerPart::PrintedX | AnswerPart::PrintedY => true,
         }
     }
 }

@@ -9,14 +9,14 @@ pub mod ways;
 
 use crate::certified::ladder::Certified;
 use crate::worked::Worked;
-use hodograph_board::construct::{Action, Mark, Polygon};
-use hodograph_board::plan::Step;
+use hodograph_board::construct::{Action, Polygon, PolygonMark};
+use hodograph_board::plan::PlanStep;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::DiagramKind;
 
 /// The work done at one level of motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Motion {
+pub struct MotionWork {
     /// The number of groups (driven links among them) with a motion from the loop equations.
     pub groups: usize,
     /// The number of vector equations written, in the alternative that was drawn.
@@ -40,9 +40,9 @@ pub struct Work {
     /// The number of groups (driven links among them) with a position.
     pub groups_placed: usize,
     /// The work for velocities.
-    pub velocity: Motion,
+    pub velocity: MotionWork,
     /// The work for accelerations.
-    pub acceleration: Motion,
+    pub acceleration: MotionWork,
     /// The number of evaluations of the construction: a trial and the drawing.
     pub drawings: usize,
     /// The number of questions answered.
@@ -93,7 +93,7 @@ fn printed(c: &Certified) -> usize {
     c.parts.iter().filter(|(part, number)| c.prints(*part) && number.text(1).is_some()).count()
 }
 
-fn motion(worked: &Worked, level: Level) -> Motion {
+fn motion(worked: &Worked, level: Level) -> MotionWork {
     let on = DiagramKind::of(level);
     let solution = &worked.solution;
     let paper = &worked.construction;
@@ -104,11 +104,11 @@ fn motion(worked: &Worked, level: Level) -> Motion {
         _ => g.links.iter().all(|l| solution.reaches(level, *l)),
     });
     let written = worked.plan.steps(on).iter().flat_map(|g| g.steps(g.drawn(paper.acts.chosen[g.group])));
-    let mut done = Motion {
+    let mut done = MotionWork {
         groups: solved.count(),
-        equations_planned: written.filter(|s| matches!(s, Step::Equation { .. })).count(),
+        equations_planned: written.filter(|s| matches!(s, PlanStep::Equation { .. })).count(),
         unknowns: solution.size[usize::from(level == Level::Acceleration)],
-        ..Motion::default()
+        ..MotionWork::default()
     };
     if let Some(p) = paper.polygon(on) {
         done.vectors = p.edges.len();
@@ -135,7 +135,7 @@ fn motion(worked: &Worked, level: Level) -> Motion {
 fn closes(p: &Polygon, action: &Action) -> bool {
     match action {
         Action::Cross { .. } | Action::Trials { .. } | Action::Reach(_) => true,
-        Action::LayOff(edge) => matches!(p.edges[*edge].to.0, Mark::Image(_)),
+        Action::LayOff(edge) => matches!(p.edges[*edge].to.0, PolygonMark::Image(_)),
         Action::Nothing { target, .. } => target.is_some(),
         Action::Line { .. }
         | Action::Copy { .. }

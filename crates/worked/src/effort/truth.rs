@@ -10,7 +10,7 @@ use crate::worked::Worked;
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::{Big, Real};
-use hodograph_mechanism::answer::{Source, Value, evaluate};
+use hodograph_mechanism::answer::{AnswerValue, MotionSource, evaluate};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::{self, Configuration};
 use hodograph_scene::{LinkId, PointId, Scene};
@@ -48,7 +48,7 @@ impl<N: Real> Differences<N> {
     }
 }
 
-impl<N: Real> Source<N> for Differences<N> {
+impl<N: Real> MotionSource<N> for Differences<N> {
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2<N>> {
         let places = match on {
             None => self.each(|c| c.points[p.0])?,
@@ -77,7 +77,7 @@ impl<N: Real> Source<N> for Differences<N> {
 /// # Errors
 /// Scenes whose pose is given by coordinates, or that do not close in longer numbers: see
 /// [`position::later`].
-pub fn answers(scene: &Scene, worked: &Worked) -> Result<Vec<Option<Value<Big>>>, Faults> {
+pub fn answers(scene: &Scene, worked: &Worked) -> Result<Vec<Option<AnswerValue<Big>>>, Faults> {
     let source = differences(scene, worked)?;
     Ok(worked.results.iter().map(|r| evaluate(scene, &source.now, &source, &scene.find[r.find].what)).collect())
 }

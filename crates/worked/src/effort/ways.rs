@@ -7,15 +7,15 @@
 
 use super::truth::Differences;
 use crate::accuracy::Rung;
-use crate::accuracy::{Errors, simulate};
+use crate::accuracy::{DrawingErrors, simulate};
 use crate::worked::{Scope, Worked, work};
 use hodograph_analytic as analytic;
 use hodograph_base::diag::{Diagnostic, Faults, both};
-use hodograph_base::number::{Ball, Big, Dd, Kept, Real, within};
+use hodograph_base::number::{Ball, Big, Dd, Real, RegionCopy, within};
 use hodograph_board::construct::pencil::Single;
 use hodograph_board::construct::scale::Boxes;
 use hodograph_board::construct::{self, Layout};
-use hodograph_mechanism::answer::{Source, Value, evaluate};
+use hodograph_mechanism::answer::{AnswerValue, MotionSource, evaluate};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::{Configuration, newton};
 use hodograph_mechanism::{motion, position};
@@ -26,7 +26,7 @@ use std::time::Duration;
 
 /// A way to the answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Way {
+pub enum AnswerMethod {
     /// On paper with a pencil of this error (mm): the median, and the error that 95 % of the
     /// drawings stay within.
     Paper(f64),
@@ -53,9 +53,9 @@ pub enum Way {
 
 /// The measurement of one way.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measured {
+pub struct MethodMeasurement {
     /// The way.
-    pub way: Way,
+    pub way: AnswerMethod,
     /// The worst relative error of the requested velocities and accelerations; `None` if nothing of
     /// that level is requested, infinite if the way failed.
     pub errors: [Option<f64>; 2],
@@ -66,8 +66,8 @@ pub struct Measured {
 }
 
 /// All ways, in the order of the table.
-const WAYS: [Way; 31] = {
-    use Way::*;
+const WAYS: [AnswerMethod; 31] = {
+    use AnswerMethod::*;
     [
         Paper(0.5),
         Paper(0.1),
@@ -107,7 +107,7 @@ const WAYS: [Way; 31] = {
 const TRUTH_BITS: usize = 512;
 
 /// An answer to more digits than an `f64` holds: one or two components.
-type Long = Vec<Kept>;
+type LongAnswer = Vec<RegionCopy>;
 
 /// The number of drawings simulated for each pencil.
 const DRAWINGS: usize = 400;
@@ -140,25 +140,25 @@ pub struct Watch<'a> {
 ///
 /// # Errors
 /// A pose without a truth: it is singular as written, or a group is not proved.
-pub fn measure(scene: &Scene, worked: &Worked, watch: Watch) -> Result<Vec<Measured>, Faults> {
+pub fn measure(scene: &Scene, worked: &Worked, watch: Watch) -> Result<Vec<MethodMeasurement>, Faults> {
     of_ways(scene, worked, &WAYS, watch)
 }
 
 /// The ways that a series of poses compares.
-const SERIES: [Way; 7] = {
-    use Way::*;
+const SERIES: [AnswerMethod; 7] = {
+    use AnswerMethod::*;
     [Drawing, Loops(1e-8), Differences(1e-5), Closed, Certified(Rung::Double), ClosedDouble, Certified(Rung::DoubleDouble)]
 };
 
 /// One pose of a series.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Near {
+pub struct TogglePose {
     /// The distance before the toggle (rad, or m for sliders and cylinders).
     pub distance: f64,
     /// The driver's position in the pose (rad or m).
     pub position: f64,
     /// The measurements; empty if the pose has no truth.
-    pub ways: Vec<Measured>,
+    pub ways: Vec<MethodMeasurement>,
 }
 
 /// Measures some ways on poses that approach the toggle of the first driver: a tenth before it, a
@@ -166,7 +166,7 @@ pub struct Near {
 ///
 /// # Errors
 /// Nothing stops the driver, or the pose is given by coordinates.
-pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<Near>, Faults> {
+pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<TogglePose>, Faults> {
     let start = driver_position(scene, 0);
     let ends = ends(scene, 0)?.into_iter().flatten();
     let nearest = start.and_then(|s| ends.min_by(|a, b| (a - s).abs().total_cmp(&(b - s).abs())));
@@ -193,12 +193,12 @@ pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<Near>, Faults> {
             Ok(worked) => of_ways(&there, &worked.value, &SERIES, watch).unwrap_or_default(),
             Err(_) => Vec::new(),
         };
-        series.push(Near { distance, position, ways });
+        series.push(TogglePose { distance, position, ways });
     }
     Ok(series)
 }
 
-fn of_ways(scene: &Scene, worked: &Worked, ways: &[Way], watch: Watch) -> Result<Vec<Measured>, Faults> {
+fn of_ways(scene: &Scene, worked: &Worked, ways: &[AnswerMethod], watch: Watch) -> Result<Vec<MethodMeasurement>, Faults> {
     let truth = truth(scene, worked)?;
     if truth.iter().all(Option::is_none) {
         return Err(Diagnostic::error("no-truth", both!("no answer has a value in this pose", "该位置各量都无确定值")).into());
@@ -206,7 +206,7 @@ fn of_ways(scene: &Scene, worked: &Worked, ways: &[Way], watch: Watch) -> Result
     Ok(ways.iter().map(|way| one(scene, worked, &truth, *way, watch)).collect())
 }
 
-fn truth(scene: &Scene, worked: &Worked) -> Result<Vec<Option<Long>>, Faults> {
+fn truth(scene: &Scene, worked: &Worked) -> Result<Vec<Option<LongAnswer>>, Faults> {
     within(TRUTH_BITS, || {
         let answers = closed::<Ball<Big>>(scene, worked)?;
         let plain = |x: Ball<Big>| x.is_decided().then(|| x.middle());
@@ -220,26 +220,26 @@ fn truth(scene: &Scene, worked: &Worked) -> Result<Vec<Option<Long>>, Faults> {
     })
 }
 
-fn kept(value: Value<Big>) -> Option<Long> {
+fn kept(value: AnswerValue<Big>) -> Option<LongAnswer> {
     let (x, y) = value.numbers();
     std::iter::once(x).chain(y).map(|x| x.keep()).collect()
 }
 
-type Answers<N> = Vec<Option<Value<N>>>;
+type AnswerValues<N> = Vec<Option<AnswerValue<N>>>;
 
 /// Positions, motions and answers group by group.
-fn closed<N: motion::Moved>(scene: &Scene, worked: &Worked) -> Result<Answers<N>, Faults> {
+fn closed<N: motion::MotionNumber>(scene: &Scene, worked: &Worked) -> Result<AnswerValues<N>, Faults> {
     let at = position::recompute::<N>(scene, &worked.mechanism, &worked.demand, &worked.configuration)?;
     let motion = motion::solve(scene, &worked.mechanism, &at, &worked.demand);
     Ok(asked(scene, worked, &at, &motion))
 }
 
-fn asked<N: Real>(scene: &Scene, worked: &Worked, at: &Configuration<N>, source: &impl Source<N>) -> Answers<N> {
+fn asked<N: Real>(scene: &Scene, worked: &Worked, at: &Configuration<N>, source: &impl MotionSource<N>) -> AnswerValues<N> {
     worked.results.iter().map(|r| evaluate(scene, at, source, &scene.find[r.find].what)).collect()
 }
 
 /// The values read for the questions that have an answer in the pose.
-fn of_results(worked: &Worked, read: Answers<f64>) -> Answers<f64> {
+fn of_results(worked: &Worked, read: AnswerValues<f64>) -> AnswerValues<f64> {
     worked.results.iter().map(|r| read[r.find]).collect()
 }
 
@@ -258,18 +258,18 @@ fn timed<T>(watch: Watch, mut run: impl FnMut() -> T) -> (T, f64) {
     (last, times[times.len() / 2].as_secs_f64())
 }
 
-fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, watch: Watch) -> Measured {
-    let lift = |answers: Option<Answers<f64>>| answers.map(|list| list.into_iter().map(lifted).collect::<Vec<_>>());
+fn one(scene: &Scene, worked: &Worked, truth: &[Option<LongAnswer>], way: AnswerMethod, watch: Watch) -> MethodMeasurement {
+    let lift = |answers: Option<AnswerValues<f64>>| answers.map(|list| list.into_iter().map(lifted).collect::<Vec<_>>());
     let mut within_95 = [None, None];
-    let in_double = |f: &dyn Fn() -> Option<Answers<f64>>| {
+    let in_double = |f: &dyn Fn() -> Option<AnswerValues<f64>>| {
         let (answers, seconds) = timed(watch, f);
         (worst(scene, worked, truth, within(TRUTH_BITS, || lift(answers))), Some(seconds))
     };
     let (errors, seconds) = match way {
-        Way::Paper(mm) => {
+        AnswerMethod::Paper(mm) => {
             let drawn = worked.drawn(scene);
             let errors = simulate(&drawn, mm, DRAWINGS, 1);
-            let of = |pick: fn(&Errors) -> f64| {
+            let of = |pick: fn(&DrawingErrors) -> f64| {
                 by_level(scene, worked, |i| {
                     errors[worked.results[i].find].as_ref().map(|e| pick(e) / size(worked, i)).unwrap_or(f64::INFINITY)
                 })
@@ -277,38 +277,38 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, watch: 
             within_95 = of(|e| e.within_95);
             (of(|e| e.median), None)
         }
-        Way::DrawingSingle => {
+        AnswerMethod::DrawingSingle => {
             let drawn = worked.drawn(scene);
             in_double(&|| Some(of_results(worked, drawn.read_with(&Layout::of(&worked.construction), &mut Single).ok()?)))
         }
-        Way::Drawing => in_double(&|| {
+        AnswerMethod::Drawing => in_double(&|| {
             let at = position::recompute::<f64>(scene, &worked.mechanism, &worked.demand, &worked.configuration).ok()?;
             let boxes = Boxes::of(&scene.paper, &worked.plan);
             let paper = construct::construct(scene, &worked.mechanism, &at, &worked.plan, &boxes).ok()?;
             let read = construct::read(scene, &worked.mechanism, &at, &worked.plan, &paper);
             Some(of_results(worked, read.into_iter().map(|a| a.map(|a| a.value)).collect()))
         }),
-        Way::ClosedSingle => {
+        AnswerMethod::ClosedSingle => {
             let (answers, seconds) = timed(watch, || closed::<f32>(scene, worked).ok());
-            let wide = |v: Value<f32>| v.map(f64::from);
+            let wide = |v: AnswerValue<f32>| v.map(f64::from);
             let answers = answers.map(|l| l.into_iter().map(|v| v.map(wide)).collect());
             (worst(scene, worked, truth, within(TRUTH_BITS, || lift(answers))), Some(seconds))
         }
-        Way::Closed => in_double(&|| closed::<f64>(scene, worked).ok()),
-        Way::ClosedDouble => {
+        AnswerMethod::Closed => in_double(&|| closed::<f64>(scene, worked).ok()),
+        AnswerMethod::ClosedDouble => {
             let (answers, seconds) = timed(watch, || closed::<Dd>(scene, worked).ok());
             let long = |x: Dd| Big::from_f64(x.parts().0) + Big::from_f64(x.parts().1);
             let answers =
                 within(TRUTH_BITS, || answers.map(|l| l.into_iter().map(|v| v.and_then(|v| kept(v.map(long)))).collect::<Vec<_>>()));
             (worst(scene, worked, truth, answers), Some(seconds))
         }
-        Way::ClosedLong(bits) => {
+        AnswerMethod::ClosedLong(bits) => {
             let (answers, seconds) = timed(watch, || {
                 within(bits, || closed::<Big>(scene, worked).ok().map(|l| l.into_iter().map(|v| v.and_then(kept)).collect::<Vec<_>>()))
             });
             (worst(scene, worked, truth, answers), Some(seconds))
         }
-        Way::Loops(tolerance) => match off(scene, worked, -OFF) {
+        AnswerMethod::Loops(tolerance) => match off(scene, worked, -OFF) {
             Some(start) => in_double(&|| {
                 let drivers = newton::driver_values(scene, &worked.configuration);
                 let at = newton::moved_to(scene, &worked.mechanism, &start, &drivers, tolerance)?;
@@ -317,28 +317,28 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, watch: 
             }),
             None => (by_level(scene, worked, |_| f64::INFINITY), None),
         },
-        Way::Differences(h) => in_double(&|| {
+        AnswerMethod::Differences(h) => in_double(&|| {
             let [before, after] = [off(scene, worked, -h)?, off(scene, worked, h)?];
             let source = Differences { before, now: worked.configuration.clone(), after, step: h / pace(scene)? };
             Some(asked(scene, worked, &source.now, &source))
         }),
-        Way::Certified(rung) => {
+        AnswerMethod::Certified(rung) => {
             let mut bounds: Vec<Option<f64>> = Vec::new();
             let (_, seconds) = timed(watch, || bounds = certified(scene, worked, rung));
             let bound = |i: usize| bounds.get(i).copied().flatten().map_or(f64::INFINITY, |b| b / size(worked, i));
             (by_level(scene, worked, bound), Some(seconds))
         }
     };
-    Measured { way, errors, within_95, seconds }
+    MethodMeasurement { way, errors, within_95, seconds }
 }
 
 /// The radius of each answer in one rung.
 fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
     fn radii<M: hodograph_base::number::ball::Middle>(scene: &Scene, worked: &Worked) -> Vec<Option<f64>>
     where
-        Ball<M>: motion::Moved,
+        Ball<M>: motion::MotionNumber,
     {
-        let radius = |v: Value<Ball<M>>| match v.numbers() {
+        let radius = |v: AnswerValue<Ball<M>>| match v.numbers() {
             (s, None) => s.radius(),
             (x, Some(y)) => libm::hypot(x.radius(), y.radius()),
         };
@@ -369,7 +369,7 @@ fn off(scene: &Scene, worked: &Worked, h: f64) -> Option<Configuration> {
     newton::moved(scene, &worked.mechanism, &worked.configuration, &drivers)
 }
 
-fn lifted(v: Option<Value>) -> Option<Long> {
+fn lifted(v: Option<AnswerValue>) -> Option<LongAnswer> {
     kept(v?.map(Big::from_f64))
 }
 
@@ -388,7 +388,7 @@ fn by_level(scene: &Scene, worked: &Worked, error: impl Fn(usize) -> f64) -> [Op
     })
 }
 
-fn worst(scene: &Scene, worked: &Worked, truth: &[Option<Long>], answers: Option<Vec<Option<Long>>>) -> [Option<f64>; 2] {
+fn worst(scene: &Scene, worked: &Worked, truth: &[Option<LongAnswer>], answers: Option<Vec<Option<LongAnswer>>>) -> [Option<f64>; 2] {
     let answers = answers.unwrap_or_default();
     within(TRUTH_BITS, || {
         by_level(scene, worked, |i| {

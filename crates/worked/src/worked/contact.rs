@@ -8,7 +8,7 @@ use crate::worked::{Worked, work_placed};
 use hodograph_base::geom::Point;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::{LinkId, Place, PointId, Scene};
+use hodograph_scene::{LinkId, PointId, PointPlace, Scene};
 
 /// Returns the name of the point of contact: that of the scene, or E, or the next free letter.
 pub fn name(scene: &Scene, cam: usize) -> String {
@@ -33,7 +33,7 @@ pub fn with_contact(
     let pose = at.poses[owner.0]?;
     let (name, span) = (name(&scene, index), scene.cams[index].span);
     let own = scene.cams[index].touch.take().unwrap_or_else(|| {
-        scene.points.push(hodograph_scene::Point { name, place: Place::Unknown, sketch: None, span });
+        scene.points.push(hodograph_scene::NamedPoint { name, place: PointPlace::Unknown, sketch: None, span });
         at.points.push(None);
         PointId(scene.points.len() - 1)
     });

@@ -2,9 +2,9 @@
 
 use crate::accuracy::crossings;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
-use hodograph_board::construct::Drawing;
-use hodograph_board::plan::{Plan, Step, VertexId};
-use hodograph_mechanism::mechanism::{Core, Group, Item, Mechanism};
+use hodograph_board::construct::PlanDrawing;
+use hodograph_board::plan::{Plan, PlanStep, VertexId};
+use hodograph_mechanism::mechanism::{Core, Group, Mechanism, PairItem};
 use hodograph_scene::{DiagramKind, Scene};
 
 /// The groups without a core that a plan draws.
@@ -15,9 +15,9 @@ pub(super) fn drawn(mechanism: &Mechanism, plan: &Plan) -> Vec<usize> {
 
 /// The sine of the flattest crossing in the drawing of a group; 0 for a drawing that cannot be
 /// made.
-pub(super) fn worst_sine(g: usize, plan: &Plan, drawing: &Result<Drawing, Faults>) -> f64 {
+pub(super) fn worst_sine(g: usize, plan: &Plan, drawing: &Result<PlanDrawing, Faults>) -> f64 {
     let Ok(drawing) = drawing else { return 0.0 };
-    let steps: Vec<&Step> = plan.steps(DiagramKind::Velocity).iter().filter(|s| s.group == g).flat_map(|s| s.steps(0)).collect();
+    let steps: Vec<&PlanStep> = plan.steps(DiagramKind::Velocity).iter().filter(|s| s.group == g).flat_map(|s| s.steps(0)).collect();
     let own = |v: VertexId| plan.special(v).is_some_and(|s| s.group == g) || steps.iter().any(|s| s.target() == v);
     crossings(drawing, 0.0).iter().filter(|c| own(c.target)).map(|c| c.sine.abs()).fold(1.0, f64::min)
 }
@@ -25,8 +25,8 @@ pub(super) fn worst_sine(g: usize, plan: &Plan, drawing: &Result<Drawing, Faults
 /// The wheels of a group that roll on one another while neither is known.
 fn contacts(scene: &Scene, mechanism: &Mechanism, group: &Group) -> Vec<Both> {
     let pairs = group.constraints.iter().filter_map(|c| match mechanism.constraints[*c].item() {
-        Item::Rolling(r) => scene.rolling[r.0].contact().map(|_| scene.rolling[r.0].links),
-        Item::Pin(..) | Item::Guide(_) | Item::Driver(_) => None,
+        PairItem::Rolling(r) => scene.rolling[r.0].contact().map(|_| scene.rolling[r.0].links),
+        PairItem::Pin(..) | PairItem::Guide(_) | PairItem::Driver(_) => None,
     });
     let inner = pairs.filter(|links| links.iter().all(|l| group.links.contains(l)));
     inner.map(|[a, b]| both!("{} and {}", "{} 与 {} ", scene.link_name(a), scene.link_name(b))).collect()

@@ -10,7 +10,7 @@
 use hodograph_analytic::{self as analytic, Solution};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
 use hodograph_base::digits::significant;
-use hodograph_mechanism::answer::{Source, Value};
+use hodograph_mechanism::answer::{AnswerValue, MotionSource};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::{self, Configuration, pieces};
 use hodograph_scene::{Cam, Find, Kind, Pieces, Scene};
@@ -23,18 +23,18 @@ const ON_THE_JOINT: f64 = 1e-9;
 const ONE: f64 = 1e-9;
 
 /// A scene in motion at its instant.
-struct Moving {
+struct InstantMotion {
     at: Configuration,
     solution: Solution,
 }
 
-impl Moving {
-    fn of(scene: &Scene) -> Option<Moving> {
+impl InstantMotion {
+    fn of(scene: &Scene) -> Option<InstantMotion> {
         let m = Mechanism::new(scene).ok()?.value;
         let demand = Demand { groups: vec![Some(Level::Acceleration); m.groups.len()], level: Level::Acceleration, needs: Vec::new() };
         let at = position::configure(scene, &m, &demand).ok()?.value;
         let solution = analytic::solve(scene, &m, &at, &demand).ok()?;
-        Some(Moving { at, solution })
+        Some(InstantMotion { at, solution })
     }
 
     /// The piece next to the one in contact, if the two meet in the pose, and `true` if the contact
@@ -61,8 +61,8 @@ impl Moving {
 /// returns the scene itself.
 pub fn instant(scene: Scene) -> Warned<Scene> {
     match at_joint(&scene) {
-        Some(Joint { next: Some(next), note }) => Warned { value: next, notes: vec![note] },
-        Some(Joint { next: None, note }) => Warned { value: scene, notes: vec![note] },
+        Some(ProfileJunction { next: Some(next), note }) => Warned { value: next, notes: vec![note] },
+        Some(ProfileJunction { next: None, note }) => Warned { value: scene, notes: vec![note] },
         None => Warned { value: scene, notes: Vec::new() },
     }
 }
@@ -72,13 +72,13 @@ pub fn instant(scene: Scene) -> Warned<Scene> {
 /// # Errors
 /// `joint`: the scene must pass [`instant`] first.
 pub(super) fn goes_on(scene: &Scene) -> Result<(), Faults> {
-    let Some(Joint { next: Some(_), note }) = at_joint(scene) else { return Ok(()) };
+    let Some(ProfileJunction { next: Some(_), note }) = at_joint(scene) else { return Ok(()) };
     let d = Diagnostic { severity: Severity::Error, ..note };
     Err(d.help(both!("take the scene by `worked::instant`, which chooses the piece", "请先用 `worked::instant` 取定所接触的廓线段")).into())
 }
 
 /// A pose in which two pieces of a profile meet.
-struct Joint {
+struct ProfileJunction {
     /// The scene on the other piece, if that is the one that follows.
     next: Option<Scene>,
     /// The note on both accelerations.
@@ -86,14 +86,14 @@ struct Joint {
 }
 
 /// The junction in contact in the pose, if there is one and the accelerations jump there.
-fn at_joint(scene: &Scene) -> Option<Joint> {
+fn at_joint(scene: &Scene) -> Option<ProfileJunction> {
     let told = |c: &Cam| c.posed.as_ref().is_some_and(|p| !p.others.is_empty());
     let (index, cam) = scene.cams.iter().enumerate().find(|(_, c)| told(c))?;
     let pieces = cam.posed.as_ref()?;
-    let here = Moving::of(scene)?;
+    let here = InstantMotion::of(scene)?;
     let (beside, onward) = here.joint(scene, cam, pieces)?;
     let other = pieces.on(beside)?;
-    let there = Moving::of(other)?;
+    let there = InstantMotion::of(other)?;
     let jumps = match onward {
         true => jumps(&[(scene, &here), (other, &there)]),
         false => jumps(&[(other, &there), (scene, &here)]),
@@ -108,7 +108,7 @@ fn at_joint(scene: &Scene) -> Option<Joint> {
         Both::join(&jumps, ", ", "、")
     );
     let note = Diagnostic::note("joint", message).at(cam.span);
-    Some(Joint { next: if onward { Some(taken_over(scene, index, beside)?) } else { None }, note })
+    Some(ProfileJunction { next: if onward { Some(taken_over(scene, index, beside)?) } else { None }, note })
 }
 
 /// The scene on another piece of a cam, with the rest of the pieces.
@@ -123,8 +123,8 @@ fn taken_over(scene: &Scene, cam: usize, piece: usize) -> Option<Scene> {
 }
 
 /// The requested accelerations that differ before and after the instant.
-fn jumps([before, after]: &[(&Scene, &Moving); 2]) -> Vec<Both> {
-    let value = |(scene, moving): &(&Scene, &Moving), text: &str| {
+fn jumps([before, after]: &[(&Scene, &InstantMotion); 2]) -> Vec<Both> {
+    let value = |(scene, moving): &(&Scene, &InstantMotion), text: &str| {
         let find = scene.find.iter().find(|f| f.text == text)?;
         moving.solution.answer(scene, &moving.at, &find.what)
     };
@@ -132,9 +132,9 @@ fn jumps([before, after]: &[(&Scene, &Moving); 2]) -> Vec<Both> {
     let jump = |f: &Find| {
         let (was, is) = (value(before, &f.text)?, value(after, &f.text)?);
         let (off, size) = match (was, is) {
-            (Value::Scalar(a), Value::Scalar(b)) => ((a - b).abs(), a.abs().max(b.abs())),
-            (Value::Vector(a), Value::Vector(b)) => ((a - b).norm(), a.norm().max(b.norm())),
-            (Value::Scalar(_) | Value::Vector(_) | Value::Point(_), _) => return None,
+            (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => ((a - b).abs(), a.abs().max(b.abs())),
+            (AnswerValue::Vector(a), AnswerValue::Vector(b)) => ((a - b).norm(), a.norm().max(b.norm())),
+            (AnswerValue::Scalar(_) | AnswerValue::Vector(_) | AnswerValue::Point(_), _) => return None,
         };
         let [was, is] = [was, is].map(|v| words(after.0, f.what.kind(), v));
         (off > ONE * size).then(|| both!("{} jumps from {} to {}", "{} 由 {} 跃变为 {}", f.text, was, is))
@@ -143,11 +143,11 @@ fn jumps([before, after]: &[(&Scene, &Moving); 2]) -> Vec<Both> {
 }
 
 /// A value in the units of the scene; a vector by its magnitude and direction.
-fn words(scene: &Scene, kind: Kind, value: Value) -> String {
+fn words(scene: &Scene, kind: Kind, value: AnswerValue) -> String {
     let text = |x: f64| scene.book.text(kind, &significant(scene.book.value(kind, x), 4));
     match value {
-        Value::Scalar(x) => text(x),
-        Value::Vector(v) => format!("{} ({}°)", text(v.norm()), significant(v.angle().to_degrees(), 4)),
-        Value::Point(p) => format!("({}, {})", text(p.x), text(p.y)),
+        AnswerValue::Scalar(x) => text(x),
+        AnswerValue::Vector(v) => format!("{} ({}°)", text(v.norm()), significant(v.angle().to_degrees(), 4)),
+        AnswerValue::Point(p) => format!("({}, {})", text(p.x), text(p.y)),
     }
 }

@@ -6,39 +6,41 @@
 //! still lose their digits are left out of the drawing.
 
 use super::higher;
-use super::sizes::Sizes;
-use crate::accuracy::{self, Agreement, BAD_DEG, Kept, Regular, compare, estimated, groups_of_question, kept, regular, settled_finely};
+use super::sizes::PoseSizes;
+use crate::accuracy::{
+    self, Agreement, BAD_DEG, KeptDigits, Regular, compare, estimated, groups_of_question, kept, regular, settled_finely,
+};
 use hodograph_analytic::{self as analytic, Solution};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_board::construct::scale::Boxes;
-use hodograph_board::construct::{self, Answer, Drawing};
-use hodograph_board::plan::{self, Plan, Ways};
-use hodograph_mechanism::answer::Value;
+use hodograph_board::construct::{self, FindAnswer, PlanDrawing};
+use hodograph_board::plan::{self, GroupChoices, Plan};
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{DiagramKind, LinkId, PointId, Scene};
 
 /// The input of the stages from positions on.
 #[derive(Clone, Copy)]
-pub(super) struct Given<'a> {
+pub(super) struct PoseInput<'a> {
     pub scene: &'a Scene,
     pub mechanism: &'a Mechanism,
     pub demand: &'a Demand,
 }
 
 /// A drawing with its plan, and the answers read off it.
-pub(super) struct Sheet {
+pub(super) struct DrawnAnswers {
     pub plan: Plan,
-    pub construction: Drawing,
+    pub construction: PlanDrawing,
     /// The answers, one for each question; `None` for questions that are not drawn.
-    pub answers: Vec<Option<Answer>>,
+    pub answers: Vec<Option<FindAnswer>>,
 }
 
 /// The number of evaluations of a construction: a trial for its scales, and the drawing.
 const TRIAL_AND_DRAWING: usize = 2;
 
 /// A pose with everything decided.
-pub(super) struct Posed {
+pub(super) struct DecidedPose {
     /// The positions, as fine as necessary.
     pub configuration: Configuration,
     /// The solution of the loop equations.
@@ -48,9 +50,9 @@ pub(super) struct Posed {
     /// The answers of longer numbers, if the pose is nearly singular.
     pub written: Option<Regular>,
     /// The digits that drawing and loop equations keep, if they were measured.
-    pub near: Option<Kept>,
+    pub near: Option<KeptDigits>,
     /// The drawing without the groups that are not drawn.
-    pub drawing: Sheet,
+    pub drawing: DrawnAnswers,
     /// The number of evaluations of constructions: two, but more for poses that lose digits, or
     /// with special points.
     pub drawings: usize,
@@ -63,7 +65,7 @@ pub(super) struct Posed {
 ///
 /// # Errors
 /// Those of the loop equations and of the drawing.
-pub(super) fn pose(given: Given, configuration: Configuration, measured: bool) -> Result<Posed, Faults> {
+pub(super) fn pose(given: PoseInput, configuration: Configuration, measured: bool) -> Result<DecidedPose, Faults> {
     let mut posed = trial(given, configuration)?;
     let mut lost = if measured { posed.judge(given) } else { Vec::new() };
     if !lost.is_empty() {
@@ -88,8 +90,8 @@ pub(super) fn pose(given: Given, configuration: Configuration, measured: bool) -
 }
 
 /// Loop equations and drawing with the given positions.
-fn trial(given: Given, configuration: Configuration) -> Result<Posed, Faults> {
-    let Given { scene, mechanism, demand } = given;
+fn trial(given: PoseInput, configuration: Configuration) -> Result<DecidedPose, Faults> {
+    let PoseInput { scene, mechanism, demand } = given;
     let mut solution = analytic::solve(scene, mechanism, &configuration, demand)?;
     let singular = singular_groups(scene, mechanism, &solution);
     let written = if singular.is_empty() { None } else { regular(scene, mechanism, demand, &configuration, &scene.find) };
@@ -98,22 +100,22 @@ fn trial(given: Given, configuration: Configuration) -> Result<Posed, Faults> {
     }
     let mut drawings = 0;
     let drawing = draw(given, &configuration, &singular, &mut drawings)?;
-    Ok(Posed { configuration, solution, singular, written, near: None, drawing, drawings, notes: Vec::new() })
+    Ok(DecidedPose { configuration, solution, singular, written, near: None, drawing, drawings, notes: Vec::new() })
 }
 
 /// The drawing without some groups; adds the number of evaluations to `drawings`.
 ///
 /// A group of higher class is drawn by the first way in which no lines cross under a bad angle,
 /// else by the way with the best angles. If none can be drawn, it is left to the loop equations.
-fn draw(given: Given, configuration: &Configuration, without: &[usize], drawings: &mut usize) -> Result<Sheet, Faults> {
-    let Given { scene, mechanism, demand } = given;
-    let mut constructed = |ways: &Ways| {
+fn draw(given: PoseInput, configuration: &Configuration, without: &[usize], drawings: &mut usize) -> Result<DrawnAnswers, Faults> {
+    let PoseInput { scene, mechanism, demand } = given;
+    let mut constructed = |ways: &GroupChoices| {
         *drawings += TRIAL_AND_DRAWING;
         let plan = plan::plan_with(scene, mechanism, demand, ways);
         let drawing = construct::construct(scene, mechanism, configuration, &plan, &Boxes::of(&scene.paper, &plan));
         (plan, drawing)
     };
-    let mut ways = Ways { left_out: without.to_vec(), ..Ways::default() };
+    let mut ways = GroupChoices { left_out: without.to_vec(), ..GroupChoices::default() };
     let (mut plan, mut drawing) = constructed(&ways);
     for g in higher::drawn(mechanism, &plan) {
         let mut best = higher::worst_sine(g, &plan, &drawing);
@@ -138,17 +140,17 @@ fn draw(given: Given, configuration: &Configuration, without: &[usize], drawings
                 return Err(faults);
             }
             let drawing;
-            (plan, drawing) = constructed(&Ways { left_out: [without, &higher].concat(), ..Ways::default() });
+            (plan, drawing) = constructed(&GroupChoices { left_out: [without, &higher].concat(), ..GroupChoices::default() });
             drawing?
         }
     };
     let answers = construct::read(scene, mechanism, configuration, &plan, &construction);
-    Ok(Sheet { plan, construction, answers })
+    Ok(DrawnAnswers { plan, construction, answers })
 }
 
-impl Sheet {
+impl DrawnAnswers {
     /// The values read off the drawing.
-    fn values(&self) -> Vec<Option<Value>> {
+    fn values(&self) -> Vec<Option<AnswerValue>> {
         self.answers.iter().map(|a| a.as_ref().map(|a| a.value)).collect()
     }
 
@@ -158,16 +160,16 @@ impl Sheet {
     }
 }
 
-impl Posed {
+impl DecidedPose {
     /// Measures the digits that both ways keep next to a singular pose. Returns the groups whose digits are lost.
-    fn judge(&mut self, given: Given) -> Vec<usize> {
+    fn judge(&mut self, given: PoseInput) -> Vec<usize> {
         if self.written.is_none() && self.solution.near.is_empty() {
             return Vec::new();
         }
         self.measure(given);
         let Some(near) = &self.near else { return Vec::new() };
-        let Given { scene, mechanism, .. } = given;
-        let sizes = Sizes::of(scene, &self.drawing.construction, &self.configuration);
+        let PoseInput { scene, mechanism, .. } = given;
+        let sizes = PoseSizes::of(scene, &self.drawing.construction, &self.configuration);
         let read = self.drawing.values();
         let agreed = |i: usize| -> Option<Agreement> {
             let (level, read) = (scene.find[i].what.level(), read[i]?);
@@ -180,17 +182,17 @@ impl Posed {
         lost_groups(scene, mechanism, &self.solution, &lost)
     }
 
-    fn measure(&mut self, given: Given) {
-        let Given { scene, mechanism, demand } = given;
-        let sizes = Sizes::of(scene, &self.drawing.construction, &self.configuration);
-        let scale = |level, value: &Value| sizes.against(level, value);
-        let ways = accuracy::Ways { solution: &self.solution, drawn: &self.drawing.values(), scale };
+    fn measure(&mut self, given: PoseInput) {
+        let PoseInput { scene, mechanism, demand } = given;
+        let sizes = PoseSizes::of(scene, &self.drawing.construction, &self.configuration);
+        let scale = |level, value: &AnswerValue| sizes.against(level, value);
+        let ways = accuracy::ComparedMethods { solution: &self.solution, drawn: &self.drawing.values(), scale };
         self.near = kept(scene, (mechanism, demand), &self.configuration, &ways, self.written.clone());
     }
 
     /// Leaves groups out of the drawing, with the answers of longer numbers; the other groups are
     /// judged by the remaining drawing.
-    fn leave_out(&mut self, given: Given, lost: &[usize]) -> Result<(), Faults> {
+    fn leave_out(&mut self, given: PoseInput, lost: &[usize]) -> Result<(), Faults> {
         if let Some(near) = &self.near {
             let words = self
                 .solution

@@ -3,7 +3,7 @@
 use hodograph_analytic::Solution;
 use hodograph_base::diag::{Both, Diagnostic, Severity, both};
 use hodograph_base::digits::significant;
-use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::force::{Cause, Load, faults_of_strokes, is_determined, loads, rubbing};
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::motion;

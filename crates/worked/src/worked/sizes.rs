@@ -3,33 +3,33 @@
 //! This module decides which size counts as large in a pose. The sizes are found once for a
 //! construction, because a sheet may need thousands of answers.
 
-use hodograph_board::construct::{self, Drawing};
-use hodograph_mechanism::answer::Value;
+use hodograph_board::construct::{self, PlanDrawing};
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{DiagramKind, Driver, Scene};
 
 /// The sizes of a pose and of its polygons.
-pub(super) struct Sizes {
+pub(super) struct PoseSizes {
     /// The size of the mechanism (m).
     pub extent: f64,
-    velocity: Size,
-    acceleration: Size,
+    velocity: LevelSize,
+    acceleration: LevelSize,
 }
 
 /// The sizes of a level, in SI.
-struct Size {
+struct LevelSize {
     vector: f64,
     turning: f64,
 }
 
-impl Sizes {
+impl PoseSizes {
     /// Finds the sizes. That of vectors is the longest one of the polygon, or, if all vectors
     /// vanish, the effect of the drivers at the size of the mechanism. That of angular rates is the
     /// largest rate, or that vector divided by the shortest arm on which a rate was measured (ω of
     /// a short link is a small difference of vectors divided by a small length, and α may vanish
     /// where ω² l does not).
-    pub fn of(scene: &Scene, paper: &Drawing, at: &Configuration) -> Sizes {
+    pub fn of(scene: &Scene, paper: &PlanDrawing, at: &Configuration) -> PoseSizes {
         let extent = at.extent();
         // A driver that starts from rest has no speed yet; its speed after a radian, or after the
         // mechanism's size, is the measure.
@@ -45,18 +45,18 @@ impl Sizes {
             let rates = paper.rates.iter().filter(|r| r.on == on);
             let largest = rates.clone().map(|r| r.value.abs()).fold(0.0, f64::max);
             let arm = rates.filter_map(|r| r.measured).map(|m| m.arm).fold(extent, f64::min);
-            Size { vector, turning: if arm > 0.0 { largest.max(vector / arm) } else { largest } }
+            LevelSize { vector, turning: if arm > 0.0 { largest.max(vector / arm) } else { largest } }
         };
-        Sizes { extent, velocity: size(DiagramKind::Velocity, speed), acceleration: size(DiagramKind::Acceleration, acceleration) }
+        PoseSizes { extent, velocity: size(DiagramKind::Velocity, speed), acceleration: size(DiagramKind::Acceleration, acceleration) }
     }
 
     /// Returns the reference size for an answer of a level.
-    pub fn against(&self, level: Level, value: &Value) -> f64 {
+    pub fn against(&self, level: Level, value: &AnswerValue) -> f64 {
         let size = if level == Level::Acceleration { &self.acceleration } else { &self.velocity };
         match value {
-            Value::Point(_) => self.extent,
-            Value::Vector(_) => size.vector,
-            Value::Scalar(_) => size.turning,
+            AnswerValue::Point(_) => self.extent,
+            AnswerValue::Vector(_) => size.vector,
+            AnswerValue::Scalar(_) => size.turning,
         }
     }
 }

@@ -3,10 +3,10 @@
 use super::{Scope, work};
 use hodograph_analytic::SingularKind;
 use hodograph_base::diag::Diagnostic;
-use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::answer::AnswerValue;
 use hodograph_scene::{read, templates};
 
-fn values(source: &str) -> Vec<Value> {
+fn values(source: &str) -> Vec<AnswerValue> {
     let scene = read(source).unwrap_or_else(|f| panic!("{f}")).value;
     work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}")).value.results.iter().map(|r| r.value()).collect()
 }
@@ -94,8 +94,8 @@ fn another_assembly_is_tried_where_the_first_does_not_close() {
     let scene = read(text).unwrap().value;
     let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}"));
     // P moves on a straight line square to OQ, at k²/(2·OQ) from O with k² = OA² − AC².
-    let Value::Vector(v) = worked.value.results[0].value() else { panic!("a velocity is a vector") };
-    let Value::Scalar(x) = worked.value.results[1].value() else { panic!("a coordinate is a number") };
+    let AnswerValue::Vector(v) = worked.value.results[0].value() else { panic!("a velocity is a vector") };
+    let AnswerValue::Scalar(x) = worked.value.results[1].value() else { panic!("a coordinate is a number") };
     assert!(v.x.abs() < 1e-12 * v.norm() && (x - (0.18f64.powi(2) - 0.08f64.powi(2)) / 0.12).abs() < 1e-12, "{v:?} {x}");
     assert!(worked.notes.iter().any(|d| d.code == "assembly-by-default"), "what was chosen is said: {:?}", worked.notes);
     assert!(worked.value.solution.singular.iter().all(|s| s.kind != SingularKind::ChangePoint));
@@ -135,7 +135,7 @@ fn ratios_are_those_of_the_teeth() {
         let worked = work(&scene, Scope::Questions).unwrap().value;
         let outcome = worked.results.iter().find(|r| r.find == 0).unwrap_or_else(|| panic!("{find} is not answered"));
         for value in [outcome.drawn.as_ref().map(|d| d.value), Some(outcome.computed)] {
-            let Some(Value::Scalar(i)) = value else { panic!("{find}: {value:?}") };
+            let Some(AnswerValue::Scalar(i)) = value else { panic!("{find}: {value:?}") };
             assert!((i - expected).abs() < 1e-13, "{find}: {i}");
         }
     }

@@ -13,27 +13,27 @@ mod elementary;
 mod modified;
 mod polynomial;
 
-use super::jet::Jet;
+use super::jet::CamJet;
 use crate::number::Real;
 
 /// A coefficient: (a + bπ + c/π)/(d + eπ).
 #[derive(Clone, Copy, Debug)]
-pub struct Exact {
+pub struct LawCoefficient {
     over: [f64; 3],
     under: [f64; 2],
     /// The number as an expression.
     pub text: &'static str,
 }
 
-impl Exact {
+impl LawCoefficient {
     /// Returns a coefficient that is a binary fraction.
-    const fn plain(value: f64, text: &'static str) -> Exact {
-        Exact { over: [value, 0.0, 0.0], under: [1.0, 0.0], text }
+    const fn plain(value: f64, text: &'static str) -> LawCoefficient {
+        LawCoefficient { over: [value, 0.0, 0.0], under: [1.0, 0.0], text }
     }
 
     /// Returns the coefficient (a + bπ + c/π)/(d + eπ).
-    const fn of(over: [f64; 3], under: [f64; 2], text: &'static str) -> Exact {
-        Exact { over, under, text }
+    const fn of(over: [f64; 3], under: [f64; 2], text: &'static str) -> LawCoefficient {
+        LawCoefficient { over, under, text }
     }
 
     /// Returns true if the coefficient is zero.
@@ -56,21 +56,21 @@ impl Exact {
 
 /// A piece of a law: a polynomial and a wave, valid up to its end.
 #[derive(Debug)]
-pub struct Piece {
+pub struct LawPiece {
     /// End of the piece on x.
     pub end: f64,
     /// Coefficients of 1, x, x², …
-    pub polynomial: &'static [Exact],
+    pub polynomial: &'static [LawCoefficient],
     /// Amplitude, degrees per unit of x, phase in degrees.
-    pub wave: Option<(Exact, f64, f64)>,
+    pub wave: Option<(LawCoefficient, f64, f64)>,
 }
 
-impl Piece {
+impl LawPiece {
     /// Returns S and its first three derivatives by x.
-    pub fn at<N: Real>(&self, x: N) -> Jet<N> {
+    pub fn at<N: Real>(&self, x: N) -> CamJet<N> {
         let zero = N::from_f64(0.0);
         let mut out = [zero; 4];
-        let mut c: Vec<N> = self.polynomial.iter().map(Exact::value).collect();
+        let mut c: Vec<N> = self.polynomial.iter().map(LawCoefficient::value).collect();
         for value in &mut out {
             *value = c.iter().rev().fold(zero, |sum, c| sum * x + *c);
             c = c.iter().enumerate().skip(1).map(|(i, c)| N::from_f64(i as f64) * *c).collect();
@@ -84,7 +84,7 @@ impl Piece {
                 factor = factor * rate;
             }
         }
-        Jet(out)
+        CamJet(out)
     }
 
     /// Returns the derivative of an order as an expression in a variable.
@@ -103,7 +103,7 @@ impl Piece {
                 n => format!("{head}*{x}^{n}"),
             });
         }
-        if let Some((Exact { text: amplitude, .. }, k, phase)) = &self.wave {
+        if let Some((LawCoefficient { text: amplitude, .. }, k, phase)) = &self.wave {
             let rate = if order == 0 { String::new() } else { format!("*({k}/180*pi)^{order}") };
             let shift = (phase + 90.0 * order as f64) % 360.0;
             terms.push(format!("({amplitude}){rate}*sin({k} deg*{x}+{shift} deg)"));
@@ -115,7 +115,7 @@ impl Piece {
 /// A motion law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum Law {
+pub enum MotionLaw {
     /// Constant velocity 等速: rigid shocks at both ends.
     Uniform,
     /// Constant acceleration, then equal retardation 等加速等减速: soft shocks.
@@ -134,80 +134,80 @@ pub enum Law {
     ModifiedTrapezoidal,
 }
 
-impl Law {
+impl MotionLaw {
     /// All laws.
-    pub const ALL: [Law; 8] = [
-        Law::Uniform,
-        Law::Parabolic,
-        Law::Harmonic,
-        Law::Cycloidal,
-        Law::Poly345,
-        Law::Poly4567,
-        Law::ModifiedSine,
-        Law::ModifiedTrapezoidal,
+    pub const ALL: [MotionLaw; 8] = [
+        MotionLaw::Uniform,
+        MotionLaw::Parabolic,
+        MotionLaw::Harmonic,
+        MotionLaw::Cycloidal,
+        MotionLaw::Poly345,
+        MotionLaw::Poly4567,
+        MotionLaw::ModifiedSine,
+        MotionLaw::ModifiedTrapezoidal,
     ];
 
     /// Returns the name in a scene.
     pub const fn name(self) -> &'static str {
         match self {
-            Law::Uniform => "uniform",
-            Law::Parabolic => "parabolic",
-            Law::Harmonic => "harmonic",
-            Law::Cycloidal => "cycloidal",
-            Law::Poly345 => "3-4-5",
-            Law::Poly4567 => "4-5-6-7",
-            Law::ModifiedSine => "modified-sine",
-            Law::ModifiedTrapezoidal => "modified-trapezoidal",
+            MotionLaw::Uniform => "uniform",
+            MotionLaw::Parabolic => "parabolic",
+            MotionLaw::Harmonic => "harmonic",
+            MotionLaw::Cycloidal => "cycloidal",
+            MotionLaw::Poly345 => "3-4-5",
+            MotionLaw::Poly4567 => "4-5-6-7",
+            MotionLaw::ModifiedSine => "modified-sine",
+            MotionLaw::ModifiedTrapezoidal => "modified-trapezoidal",
         }
     }
 
     /// Returns the Chinese name.
     pub const fn name_zh(self) -> &'static str {
         match self {
-            Law::Uniform => "等速",
-            Law::Parabolic => "等加速等减速",
-            Law::Harmonic => "简谐（余弦加速度）",
-            Law::Cycloidal => "摆线（正弦加速度）",
-            Law::Poly345 => "3-4-5 次多项式",
-            Law::Poly4567 => "4-5-6-7 次多项式",
-            Law::ModifiedSine => "修正正弦",
-            Law::ModifiedTrapezoidal => "修正梯形",
+            MotionLaw::Uniform => "等速",
+            MotionLaw::Parabolic => "等加速等减速",
+            MotionLaw::Harmonic => "简谐（余弦加速度）",
+            MotionLaw::Cycloidal => "摆线（正弦加速度）",
+            MotionLaw::Poly345 => "3-4-5 次多项式",
+            MotionLaw::Poly4567 => "4-5-6-7 次多项式",
+            MotionLaw::ModifiedSine => "修正正弦",
+            MotionLaw::ModifiedTrapezoidal => "修正梯形",
         }
     }
 
     /// Returns the law with a name.
-    pub fn named(name: &str) -> Option<Law> {
-        Law::ALL.into_iter().find(|l| l.name() == name)
+    pub fn named(name: &str) -> Option<MotionLaw> {
+        MotionLaw::ALL.into_iter().find(|l| l.name() == name)
     }
 
     /// Returns the pieces of the law, in order.
-    pub fn pieces(self) -> &'static [Piece] {
+    pub fn pieces(self) -> &'static [LawPiece] {
         match self {
-            Law::Uniform => elementary::UNIFORM,
-            Law::Parabolic => elementary::PARABOLIC,
-            Law::Harmonic => elementary::HARMONIC,
-            Law::Cycloidal => elementary::CYCLOIDAL,
-            Law::Poly345 => polynomial::POLY_345,
-            Law::Poly4567 => polynomial::POLY_4567,
-            Law::ModifiedSine => modified::SINE,
-            Law::ModifiedTrapezoidal => modified::TRAPEZOIDAL,
+            MotionLaw::Uniform => elementary::UNIFORM,
+            MotionLaw::Parabolic => elementary::PARABOLIC,
+            MotionLaw::Harmonic => elementary::HARMONIC,
+            MotionLaw::Cycloidal => elementary::CYCLOIDAL,
+            MotionLaw::Poly345 => polynomial::POLY_345,
+            MotionLaw::Poly4567 => polynomial::POLY_4567,
+            MotionLaw::ModifiedSine => modified::SINE,
+            MotionLaw::ModifiedTrapezoidal => modified::TRAPEZOIDAL,
         }
     }
 
     /// Returns the index of the piece that contains x; at a joint the following piece, or with
     /// `before` the preceding one.
     pub fn place(self, x: f64, before: bool) -> usize {
-        let on = |p: &Piece| if before { x <= p.end } else { x < p.end };
+        let on = |p: &LawPiece| if before { x <= p.end } else { x < p.end };
         self.pieces().iter().position(on).unwrap_or(self.pieces().len() - 1)
     }
 
-    fn piece(self, x: f64, before: bool) -> &'static Piece {
+    fn piece(self, x: f64, before: bool) -> &'static LawPiece {
         &self.pieces()[self.place(x, before)]
     }
 
     /// Returns S, S′, S″, S‴ at x from 0 to 1.
-    pub fn at(self, x: f64, side: super::Side) -> [f64; 4] {
-        self.piece(x, side == super::Side::Before).at(x).0
+    pub fn at(self, x: f64, side: super::PieceSide) -> [f64; 4] {
+        self.piece(x, side == super::PieceSide::Before).at(x).0
     }
 
     /// Returns S, S′ and S″ of the piece that contains x, as expressions in a variable.
@@ -236,18 +236,18 @@ impl Law {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Side;
+    use super::super::PieceSide;
     use super::*;
 
     #[test]
     fn a_law_begins_at_zero_and_ends_at_one_without_a_gap() {
-        for law in Law::ALL {
-            let ends = [law.at(0.0, Side::After)[0], law.at(1.0, Side::Before)[0]];
+        for law in MotionLaw::ALL {
+            let ends = [law.at(0.0, PieceSide::After)[0], law.at(1.0, PieceSide::Before)[0]];
             assert!(ends[0].abs() < 1e-15 && (ends[1] - 1.0).abs() < 1e-14, "{}: {ends:?}", law.name());
             for joint in law.pieces().iter().map(|p| p.end).filter(|e| *e < 1.0) {
-                let [before, after] = [Side::Before, Side::After].map(|s| law.at(joint, s));
+                let [before, after] = [PieceSide::Before, PieceSide::After].map(|s| law.at(joint, s));
                 // S and S′ are continuous; S″ jumps inside for the parabolic law only.
-                let orders = if law == Law::Parabolic { 2 } else { 3 };
+                let orders = if law == MotionLaw::Parabolic { 2 } else { 3 };
                 for k in 0..orders {
                     assert!((before[k] - after[k]).abs() < 1e-12, "{} at {joint}, order {k}: {before:?} {after:?}", law.name());
                 }
@@ -258,9 +258,9 @@ mod tests {
     #[test]
     fn derivatives_are_those_of_differences() {
         let h = 1e-6;
-        for law in Law::ALL {
+        for law in MotionLaw::ALL {
             for x in [0.03, 0.111, 0.2, 0.3, 0.47, 0.52, 0.7, 0.8, 0.93] {
-                let [low, here, high] = [x - h, x, x + h].map(|x| law.at(x, Side::After));
+                let [low, here, high] = [x - h, x, x + h].map(|x| law.at(x, PieceSide::After));
                 for k in 0..3 {
                     let slope = (high[k] - low[k]) / (2.0 * h);
                     assert!((slope - here[k + 1]).abs() < 1e-6 * (1.0 + slope.abs()), "{} {x} {k}: {slope} {here:?}", law.name());
@@ -273,14 +273,14 @@ mod tests {
     #[test]
     fn peaks_are_those_of_the_tables() {
         for (law, v, a, j) in [
-            (Law::Uniform, 1.0, 0.0, 0.0),
-            (Law::Parabolic, 2.0, 4.0, 0.0),
-            (Law::Harmonic, std::f64::consts::FRAC_PI_2, 4.934_802_200_544_68, 15.503_138_340_149_9),
-            (Law::Cycloidal, 2.0, std::f64::consts::TAU, 39.478_417_604_357_4),
-            (Law::Poly345, 1.875, 5.773_502_691_896_26, 60.0),
-            (Law::Poly4567, 2.1875, 7.513_188_404_399_29, 52.5),
-            (Law::ModifiedSine, 1.759_603_385_953_77, 5.527_957_070_544_09, 69.466_357_288_724_3),
-            (Law::ModifiedTrapezoidal, 2.0, 4.888_123_762_813_26, 61.425_974_812_367_3),
+            (MotionLaw::Uniform, 1.0, 0.0, 0.0),
+            (MotionLaw::Parabolic, 2.0, 4.0, 0.0),
+            (MotionLaw::Harmonic, std::f64::consts::FRAC_PI_2, 4.934_802_200_544_68, 15.503_138_340_149_9),
+            (MotionLaw::Cycloidal, 2.0, std::f64::consts::TAU, 39.478_417_604_357_4),
+            (MotionLaw::Poly345, 1.875, 5.773_502_691_896_26, 60.0),
+            (MotionLaw::Poly4567, 2.1875, 7.513_188_404_399_29, 52.5),
+            (MotionLaw::ModifiedSine, 1.759_603_385_953_77, 5.527_957_070_544_09, 69.466_357_288_724_3),
+            (MotionLaw::ModifiedTrapezoidal, 2.0, 4.888_123_762_813_26, 61.425_974_812_367_3),
         ] {
             for (got, exact) in law.peaks().into_iter().zip([v, a, j]) {
                 assert!((got - exact).abs() <= 1e-7 * exact.max(1.0), "{}: {got} {exact}", law.name());

@@ -2,16 +2,16 @@
 //! distance of the axes: relative to that link both turn as two wheels that roll on each other, in
 //! an open belt as one inside the other.
 
-use super::{Demands, Kind};
+use super::{Demands, PairKind};
 use hodograph_base::diag::both;
 use hodograph_scene::RollingKind;
 
-pub(super) const BELT: Kind = Kind {
+pub(super) const BELT: PairKind = PairKind {
     form: Demands::Rolling { kind: RollingKind::Belt, told: |a, b| both!("a belt runs round {a} and {b}", "带绕过带轮 {a} 与 {b}") },
     words: |scene, a, b| both!("the belt between links {} and {}", "构件 {} 与 {} 之间的带传动", a.name(scene), b.name(scene)),
 };
 
-pub(super) const CHAIN: Kind = Kind {
+pub(super) const CHAIN: PairKind = PairKind {
     form: Demands::Rolling {
         kind: RollingKind::Chain, told: |a, b| both!("a chain runs round {a} and {b}", "链条绕过链轮 {a} 与 {b}")
     },

@@ -1,13 +1,13 @@
 //! A cylinder: a driver of the distance of two pins. Barrel and rod follow the line of the pins.
 
-use super::{Demands, DriverForm, Form, Kind};
+use super::{Demands, DriverForm, PairForm, PairKind};
 use hodograph_base::diag::both;
 
-pub(super) const CYLINDER: Kind = Kind {
+pub(super) const CYLINDER: PairKind = PairKind {
     form: Demands::Driver(DriverForm {
         form: |driver, kind, _| {
             let [from, to] = kind.ends()?;
-            Some(Form::Distance { from, to, driver })
+            Some(PairForm::Distance { from, to, driver })
         },
         mover: |scene, from, to| both!("cylinder {}{}", "液压缸 {}{} ", from.name(scene), to.name(scene)),
         moved: |scene, from, to| both!("cylinder {}{}", "液压缸 {}{}", from.name(scene), to.name(scene)),

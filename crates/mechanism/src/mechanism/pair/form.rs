@@ -6,12 +6,12 @@
 //! agreement of two of them is evidence. This module also derives what follows from a form alone:
 //! the nodes that it joins, its number of equations, and the guide that a link must contain for it.
 
-use super::super::Node;
+use super::super::GraphNode;
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
 /// A statement about the positions of points and links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum PairForm {
     /// A pin and the point of the same name on a link meet: two equations.
     Meet {
         /// The pin.
@@ -78,81 +78,97 @@ pub enum Runner {
     Link(LinkId),
 }
 
-impl Form {
+impl PairForm {
     /// Returns the two nodes that it joins.
-    pub fn ends(&self) -> (Node, Node) {
+    pub fn ends(&self) -> (GraphNode, GraphNode) {
         match *self {
-            Form::Meet { pin, link } => (Node::Pin(pin), Node::Link(link)),
-            Form::Angles { of, against, .. } => (Node::Link(of), Node::Link(against)),
-            Form::OnPath { runner, on, .. } | Form::AlongPath { runner, on, .. } => (runner.node(), Node::Link(on)),
-            Form::Distance { from, to, .. } => (Node::Pin(from), Node::Pin(to)),
-            Form::Related { links: [a, b], .. } => (Node::Link(a), Node::Link(b)),
+            PairForm::Meet { pin, link } => (GraphNode::Pin(pin), GraphNode::Link(link)),
+            PairForm::Angles { of, against, .. } => (GraphNode::Link(of), GraphNode::Link(against)),
+            PairForm::OnPath { runner, on, .. } | PairForm::AlongPath { runner, on, .. } => (runner.node(), GraphNode::Link(on)),
+            PairForm::Distance { from, to, .. } => (GraphNode::Pin(from), GraphNode::Pin(to)),
+            PairForm::Related { links: [a, b], .. } => (GraphNode::Link(a), GraphNode::Link(b)),
         }
     }
 
     /// Returns true if a link is one of the two nodes.
     pub fn joins(&self, link: LinkId) -> bool {
         let (a, b) = self.ends();
-        a == Node::Link(link) || b == Node::Link(link)
+        a == GraphNode::Link(link) || b == GraphNode::Link(link)
     }
 
     /// Returns the pin that it puts on a link, and the link.
     pub fn meets(&self) -> Option<(PointId, LinkId)> {
         match *self {
-            Form::Meet { pin, link } => Some((pin, link)),
-            Form::Angles { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Related { .. } => None,
+            PairForm::Meet { pin, link } => Some((pin, link)),
+            PairForm::Angles { .. }
+            | PairForm::OnPath { .. }
+            | PairForm::AlongPath { .. }
+            | PairForm::Distance { .. }
+            | PairForm::Related { .. } => None,
         }
     }
 
     /// Returns the number of its scalar equations.
     pub fn equations(&self) -> usize {
         match self {
-            Form::Meet { .. } => 2,
-            Form::Angles { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Related { .. } => 1,
+            PairForm::Meet { .. } => 2,
+            PairForm::Angles { .. }
+            | PairForm::OnPath { .. }
+            | PairForm::AlongPath { .. }
+            | PairForm::Distance { .. }
+            | PairForm::Related { .. } => 1,
         }
     }
 
     /// Returns the driver that gives its value.
     pub fn driver(&self) -> Option<usize> {
         match *self {
-            Form::Angles { driver, .. } => driver,
-            Form::AlongPath { driver, .. } | Form::Distance { driver, .. } => Some(driver),
-            Form::Meet { .. } | Form::OnPath { .. } | Form::Related { .. } => None,
+            PairForm::Angles { driver, .. } => driver,
+            PairForm::AlongPath { driver, .. } | PairForm::Distance { driver, .. } => Some(driver),
+            PairForm::Meet { .. } | PairForm::OnPath { .. } | PairForm::Related { .. } => None,
         }
     }
 
     /// Returns the two links of which the first keeps its direction relative to the second.
     pub fn locks(&self) -> Option<(LinkId, LinkId)> {
         match *self {
-            Form::Angles { of, against, driver: None } => Some((of, against)),
-            Form::Angles { driver: Some(_), .. } => None,
-            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Related { .. } => None,
+            PairForm::Angles { of, against, driver: None } => Some((of, against)),
+            PairForm::Angles { driver: Some(_), .. } => None,
+            PairForm::Meet { .. }
+            | PairForm::OnPath { .. }
+            | PairForm::AlongPath { .. }
+            | PairForm::Distance { .. }
+            | PairForm::Related { .. } => None,
         }
     }
 
     /// Returns the guide on whose path it holds a point, and the link that carries the guide.
-    pub fn lies_on(&self) -> Option<(GuideId, LinkId)> {
+    pub fn point_guide(&self) -> Option<(GuideId, LinkId)> {
         match *self {
-            Form::OnPath { guide, on, .. } => Some((guide, on)),
-            Form::Meet { .. } | Form::Angles { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Related { .. } => None,
+            PairForm::OnPath { guide, on, .. } => Some((guide, on)),
+            PairForm::Meet { .. }
+            | PairForm::Angles { .. }
+            | PairForm::AlongPath { .. }
+            | PairForm::Distance { .. }
+            | PairForm::Related { .. } => None,
         }
     }
 
     /// Returns the guide that its link must contain.
     pub fn path(&self) -> Option<GuideId> {
         match *self {
-            Form::OnPath { guide, .. } | Form::AlongPath { guide, .. } => Some(guide),
-            Form::Meet { .. } | Form::Angles { .. } | Form::Distance { .. } | Form::Related { .. } => None,
+            PairForm::OnPath { guide, .. } | PairForm::AlongPath { guide, .. } => Some(guide),
+            PairForm::Meet { .. } | PairForm::Angles { .. } | PairForm::Distance { .. } | PairForm::Related { .. } => None,
         }
     }
 }
 
 impl Runner {
     /// Returns the node of the runner.
-    pub fn node(self) -> Node {
+    pub fn node(self) -> GraphNode {
         match self {
-            Runner::Pin(p) => Node::Pin(p),
-            Runner::Link(l) => Node::Link(l),
+            Runner::Pin(p) => GraphNode::Pin(p),
+            Runner::Link(l) => GraphNode::Link(l),
         }
     }
 }

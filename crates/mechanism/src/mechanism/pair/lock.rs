@@ -3,13 +3,13 @@
 //! A block that only follows its pin is no node of the graph: its constraint is omitted with it. On
 //! an arc there are only such blocks, which turn with the tangent.
 
-use super::{Demands, Form, Kind};
+use super::{Demands, PairForm, PairKind};
 use hodograph_base::diag::both;
 use hodograph_scene::GuidePath;
 
-pub(super) const LOCK: Kind = Kind {
+pub(super) const LOCK: PairKind = PairKind {
     form: Demands::Guide(|_, g| match g.path {
-        GuidePath::Line { .. } => Some(Form::Angles { of: g.slider?, against: g.on, driver: None }),
+        GuidePath::Line { .. } => Some(PairForm::Angles { of: g.slider?, against: g.on, driver: None }),
         GuidePath::Arc { .. } => None,
     }),
     words: |scene, slider, on| both!("slider {} on link {}", "构件 {1} 上的滑块 {0}", slider.name(scene), on.name(scene)),

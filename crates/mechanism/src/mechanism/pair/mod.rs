@@ -1,6 +1,6 @@
 //! Pairs and drivers as values: one file for each kind, and the list of kinds.
 //!
-//! Each kind defines its items of the scene, the [`Form`] that it demands there, and its name.
+//! Each kind defines its items of the scene, the [`PairForm`] that it demands there, and its name.
 //! Everything else follows from the form: the nodes that a constraint joins and its number of
 //! equations ([`form`]), the leg that it becomes in a group ([`super::groups`]), its equations of
 //! position, motion and sweep. A new pair therefore needs one file here, a line in [`KINDS`], its
@@ -19,15 +19,15 @@ mod sliding;
 mod slot;
 mod turning;
 
-pub use form::{Form, Runner};
+pub use form::{PairForm, Runner};
 
-use super::Node;
+use super::GraphNode;
 use hodograph_base::diag::{Both, Span};
 use hodograph_scene::{DriverKind, Guide, GuideId, LinkId, PointId, RollingId, RollingKind, Scene};
 
 /// An item of a scene that constrains: a point on a link, a guide, a driver, a rolling pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Item {
+pub enum PairItem {
     /// A joint, on one of its links.
     Pin(PointId, LinkId),
     /// A guide.
@@ -40,15 +40,15 @@ pub enum Item {
 
 /// A kind of pair or driver: the form that it demands of an item of this kind, and its name in a
 /// message, from the two nodes that it joins.
-struct Kind {
+struct PairKind {
     form: Demands,
-    words: fn(&Scene, Node, Node) -> Both,
+    words: fn(&Scene, GraphNode, GraphNode) -> Both,
 }
 
 /// The items of a kind, with the form that it demands.
 enum Demands {
-    Pin(fn(PointId, LinkId) -> Option<Form>),
-    Guide(fn(GuideId, &Guide) -> Option<Form>),
+    Pin(fn(PointId, LinkId) -> Option<PairForm>),
+    Guide(fn(GuideId, &Guide) -> Option<PairForm>),
     Driver(DriverForm),
     /// All of them relate rotations, or rotation and sliding, linearly; `told` names the links in a
     /// list of pairs.
@@ -61,13 +61,13 @@ enum Demands {
 /// The additional data of a kind of driver: its name as a mover, and the name of the part that it
 /// moves.
 struct DriverForm {
-    form: fn(usize, &DriverKind, &Scene) -> Option<Form>,
-    mover: fn(&Scene, Node, Node) -> Both,
-    moved: fn(&Scene, Node, Node) -> Both,
+    form: fn(usize, &DriverKind, &Scene) -> Option<PairForm>,
+    mover: fn(&Scene, GraphNode, GraphNode) -> Both,
+    moved: fn(&Scene, GraphNode, GraphNode) -> Both,
 }
 
 /// All kinds, in the order of the constraints of one item.
-const KINDS: &[Kind] = &[
+const KINDS: &[PairKind] = &[
     pin::PIN,
     slot::SLOT,
     lock::LOCK,
@@ -86,19 +86,19 @@ const KINDS: &[Kind] = &[
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Constraint {
     kind: usize,
-    item: Item,
-    form: Form,
+    item: PairItem,
+    form: PairForm,
 }
 
 /// Returns the constraints of an item of a scene.
-pub fn constraints_of(scene: &Scene, item: Item) -> impl Iterator<Item = Constraint> {
-    let demanded = move |kind: &Kind| match (&kind.form, item) {
-        (Demands::Pin(form), Item::Pin(p, l)) => form(p, l),
-        (Demands::Guide(form), Item::Guide(g)) => form(g, &scene.guides[g.0]),
-        (Demands::Driver(driver), Item::Driver(d)) => (driver.form)(d, &scene.drivers[d].kind, scene),
-        (Demands::Rolling { kind, .. }, Item::Rolling(pair)) => {
+pub fn constraints_of(scene: &Scene, item: PairItem) -> impl Iterator<Item = Constraint> {
+    let demanded = move |kind: &PairKind| match (&kind.form, item) {
+        (Demands::Pin(form), PairItem::Pin(p, l)) => form(p, l),
+        (Demands::Guide(form), PairItem::Guide(g)) => form(g, &scene.guides[g.0]),
+        (Demands::Driver(driver), PairItem::Driver(d)) => (driver.form)(d, &scene.drivers[d].kind, scene),
+        (Demands::Rolling { kind, .. }, PairItem::Rolling(pair)) => {
             let of = &scene.rolling[pair.0];
-            (of.kind == *kind).then_some(Form::Related { pair, links: of.links })
+            (of.kind == *kind).then_some(PairForm::Related { pair, links: of.links })
         }
         (Demands::Pin(_) | Demands::Guide(_) | Demands::Driver(_) | Demands::Rolling { .. }, _) => None,
     };
@@ -106,14 +106,14 @@ pub fn constraints_of(scene: &Scene, item: Item) -> impl Iterator<Item = Constra
 }
 
 /// Returns the name of an item with one constraint.
-pub fn words_of(scene: &Scene, item: Item) -> Both {
+pub fn words_of(scene: &Scene, item: PairItem) -> Both {
     constraints_of(scene, item).next().map_or_else(|| Both::same(""), |c| c.words(scene))
 }
 
 /// Returns the description of a rolling pair in a list of pairs.
-pub fn told_words(scene: &Scene, pair: RollingId) -> Both {
+pub fn rolling_pair_words(scene: &Scene, pair: RollingId) -> Both {
     let [a, b] = scene.rolling[pair.0].links.map(|l| scene.link_name(l));
-    let told = |kind: &Kind| match kind.form {
+    let told = |kind: &PairKind| match kind.form {
         Demands::Rolling { kind, told } if kind == scene.rolling[pair.0].kind => Some(told(a, b)),
         Demands::Pin(_) | Demands::Guide(_) | Demands::Driver(_) | Demands::Rolling { .. } => None,
     };
@@ -130,33 +130,33 @@ pub fn moved_words(scene: &Scene, driver: usize) -> Both {
     driver_words(scene, driver, |d| d.moved)
 }
 
-fn driver_words(scene: &Scene, driver: usize, words: impl Fn(&DriverForm) -> fn(&Scene, Node, Node) -> Both) -> Both {
+fn driver_words(scene: &Scene, driver: usize, words: impl Fn(&DriverForm) -> fn(&Scene, GraphNode, GraphNode) -> Both) -> Both {
     let of = |c: Constraint| match &KINDS[c.kind].form {
         Demands::Driver(driver) => Some(words(driver)(scene, c.ends().0, c.ends().1)),
         Demands::Pin(_) | Demands::Guide(_) | Demands::Rolling { .. } => None,
     };
-    constraints_of(scene, Item::Driver(driver)).find_map(of).unwrap_or_else(|| Both::same(""))
+    constraints_of(scene, PairItem::Driver(driver)).find_map(of).unwrap_or_else(|| Both::same(""))
 }
 
 impl Constraint {
     /// Returns the form.
-    pub fn form(&self) -> Form {
+    pub fn form(&self) -> PairForm {
         self.form
     }
 
     /// Returns the lock applied to another pair of links: if `a` turns with `b` and `b` with `c`, a
     /// lock of `a` and `b` is equivalent to a lock of `a` and `c`.
     pub(super) fn locking(self, of: LinkId, against: LinkId) -> Constraint {
-        Constraint { form: Form::Angles { of, against, driver: None }, ..self }
+        Constraint { form: PairForm::Angles { of, against, driver: None }, ..self }
     }
 
     /// Returns the item of the scene.
-    pub fn item(&self) -> Item {
+    pub fn item(&self) -> PairItem {
         self.item
     }
 
     /// Returns the two nodes that it joins.
-    pub fn ends(&self) -> (Node, Node) {
+    pub fn ends(&self) -> (GraphNode, GraphNode) {
         self.form.ends()
     }
 
@@ -169,20 +169,20 @@ impl Constraint {
     /// Returns the span in the file.
     pub fn span(&self, scene: &Scene) -> Span {
         match self.item {
-            Item::Pin(_, l) => scene.links[l.0].span,
-            Item::Guide(g) => scene.guides[g.0].span,
-            Item::Driver(d) => scene.drivers[d].span,
-            Item::Rolling(r) => scene.rolling[r.0].span,
+            PairItem::Pin(_, l) => scene.links[l.0].span,
+            PairItem::Guide(g) => scene.guides[g.0].span,
+            PairItem::Driver(d) => scene.drivers[d].span,
+            PairItem::Rolling(r) => scene.rolling[r.0].span,
         }
     }
 }
 
-impl Node {
+impl GraphNode {
     /// Returns the name in the file.
     pub fn name(self, scene: &Scene) -> &str {
         match self {
-            Node::Link(l) => scene.link_name(l),
-            Node::Pin(p) => scene.point_name(p),
+            GraphNode::Link(l) => scene.link_name(l),
+            GraphNode::Pin(p) => scene.point_name(p),
         }
     }
 }

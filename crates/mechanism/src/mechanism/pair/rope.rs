@@ -1,10 +1,10 @@
 //! A rope between a drum and the load that it pulls: it neither stretches nor slips.
 
-use super::{Demands, Kind};
+use super::{Demands, PairKind};
 use hodograph_base::diag::both;
 use hodograph_scene::RollingKind;
 
-pub(super) const ROPE: Kind = Kind {
+pub(super) const ROPE: PairKind = PairKind {
     form: Demands::Rolling {
         kind: RollingKind::Rope,
         told: |load, drum| both!("a rope wound on drum {drum} draws {load}", "卷筒 {drum} 上的绳牵引 {load}"),

@@ -1,22 +1,22 @@
 //! A driver that slides a pin or a slider along its guide.
 
-use super::{Demands, DriverForm, Form, Kind, Node, Runner};
+use super::{Demands, DriverForm, GraphNode, PairForm, PairKind, Runner};
 use hodograph_base::diag::both;
 
-pub(super) const SLIDING: Kind = Kind {
+pub(super) const SLIDING: PairKind = PairKind {
     form: Demands::Driver(DriverForm {
         form: |driver, kind, scene| {
             let (guide, g) = kind.guide().map(|g| (g, &scene.guides[g.0]))?;
-            Some(Form::AlongPath { runner: Runner::of(g)?, guide, on: g.on, driver })
+            Some(PairForm::AlongPath { runner: Runner::of(g)?, guide, on: g.on, driver })
         },
         mover: |scene, runner, _| match runner {
-            Node::Pin(_) => both!("the drive of {}", "{} 处的原动件", runner.name(scene)),
-            Node::Link(_) => both!("the drive of link {}", "构件 {} 的原动件", runner.name(scene)),
+            GraphNode::Pin(_) => both!("the drive of {}", "{} 处的原动件", runner.name(scene)),
+            GraphNode::Link(_) => both!("the drive of link {}", "构件 {} 的原动件", runner.name(scene)),
         },
         moved: |scene, runner, _| both!("slider {}", "滑块 {}", runner.name(scene)),
     }),
     words: |scene, runner, _| match runner {
-        Node::Pin(_) => both!("the sliding driver at {}", "{} 处的移动原动件", runner.name(scene)),
-        Node::Link(_) => both!("the sliding driver of link {}", "构件 {} 的移动原动件", runner.name(scene)),
+        GraphNode::Pin(_) => both!("the sliding driver at {}", "{} 处的移动原动件", runner.name(scene)),
+        GraphNode::Link(_) => both!("the sliding driver of link {}", "构件 {} 的移动原动件", runner.name(scene)),
     },
 };

@@ -1,9 +1,9 @@
 //! A pin in a guide, straight or along an arc.
 
-use super::{Demands, Form, Kind, Runner};
+use super::{Demands, PairForm, PairKind, Runner};
 use hodograph_base::diag::both;
 
-pub(super) const SLOT: Kind = Kind {
-    form: Demands::Guide(|guide, g| Some(Form::OnPath { runner: Runner::Pin(g.pin?), guide, on: g.on })),
+pub(super) const SLOT: PairKind = PairKind {
+    form: Demands::Guide(|guide, g| Some(PairForm::OnPath { runner: Runner::Pin(g.pin?), guide, on: g.on })),
     words: |scene, pin, on| both!("pin {} in the guide on link {}", "构件 {1} 导路中的销 {0}", pin.name(scene), on.name(scene)),
 };

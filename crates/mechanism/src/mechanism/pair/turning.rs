@@ -1,13 +1,13 @@
 //! A rotary driver: a crank relative to ground or to another link.
 
-use super::{Demands, DriverForm, Form, Kind};
+use super::{Demands, DriverForm, PairForm, PairKind};
 use hodograph_base::diag::both;
 
-pub(super) const TURNING: Kind = Kind {
+pub(super) const TURNING: PairKind = PairKind {
     form: Demands::Driver(DriverForm {
         form: |d, kind, _| {
             let (of, against) = kind.turned()?;
-            Some(Form::Angles { of, against, driver: Some(d) })
+            Some(PairForm::Angles { of, against, driver: Some(d) })
         },
         mover: |scene, link, _| both!("driver link {}", "原动件 {} ", link.name(scene)),
         moved: |scene, link, _| both!("link {}", "构件 {}", link.name(scene)),

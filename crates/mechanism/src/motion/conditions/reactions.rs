@@ -4,8 +4,8 @@
 //! rate only, so its reaction on the unknown k is λ_i c_ik, and equilibrium is Cᵀ λ = −Q with the
 //! loads Q of the group.
 
-use super::{Condition, Conditions, Handle, Lu, own_point};
-use crate::mechanism::Node;
+use super::{ConditionPoint, Conditions, Lu, MotionCondition, own_point};
+use crate::mechanism::GraphNode;
 use crate::position::Configuration;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
@@ -14,21 +14,21 @@ use hodograph_scene::{LinkId, PointId, Scene};
 
 /// Forces that act on links and pins.
 #[derive(Clone)]
-pub(in crate::motion) struct Acting<N> {
+pub(in crate::motion) struct ActingForces<N> {
     /// For each link one of its own points, about which its couple is taken.
     base: Vec<Point<N>>,
     pub links: Vec<Wrench<N>>,
     pub pins: Vec<Vec2<N>>,
 }
 
-impl<N: Real> Acting<N> {
+impl<N: Real> ActingForces<N> {
     /// Returns zero forces.
-    pub fn none(scene: &Scene, at: &Configuration<N>) -> Acting<N> {
+    pub fn none(scene: &Scene, at: &Configuration<N>) -> ActingForces<N> {
         let base = |l: usize| match LinkId(l) == scene.ground || at.poses[l].is_none() {
             true => Point::origin(),
             false => own_point(scene, at, LinkId(l)),
         };
-        Acting {
+        ActingForces {
             base: (0..scene.links.len()).map(base).collect(),
             links: vec![Wrench::zero(); scene.links.len()],
             pins: vec![Vec2::zero(); scene.points.len()],
@@ -65,7 +65,7 @@ impl<N: Real> Conditions<N> {
     /// the reactions upstream is added to `acting`.
     ///
     /// `None` if a pivot may be zero: the reactions are unbounded or not determined.
-    pub(in crate::motion) fn reactions(&self, acting: &mut Acting<N>) -> Option<Vec<(usize, Reaction<N>)>> {
+    pub(in crate::motion) fn reactions(&self, acting: &mut ActingForces<N>) -> Option<Vec<(usize, Reaction<N>)>> {
         let (n, zero, scale) = (self.unknowns, N::from_f64(0.0), N::from_f64(self.scale));
         if self.list.len() != n {
             return None;
@@ -89,15 +89,15 @@ impl<N: Real> Conditions<N> {
         let mut out = Vec::with_capacity(n);
         for ((condition, of), l) in self.list.iter().zip(&self.of).zip(lambda) {
             let reaction = match condition {
-                Condition::Along { p, q, k: u, .. } | Condition::Distance { p, q, u, .. } => {
+                MotionCondition::Along { p, q, k: u, .. } | MotionCondition::Distance { p, q, u, .. } => {
                     let force = *u * (l * scale);
                     p.passed_on(force, acting);
                     q.passed_on(-force, acting);
                     Reaction::Force(force)
                 }
-                Condition::Turning { bodies, .. } => {
+                MotionCondition::Turning { bodies, .. } => {
                     for (body, factor) in bodies {
-                        if let Handle::Known(_, Node::Link(link)) = body {
+                        if let ConditionPoint::Known(_, GraphNode::Link(link)) = body {
                             acting.links[link.0].couple = acting.links[link.0].couple + *factor * l;
                         }
                     }
@@ -111,7 +111,7 @@ impl<N: Real> Conditions<N> {
 
     /// Returns −Q, in the order of the unknowns: a force divided by the scale of lengths, a couple
     /// about the reference point of its link.
-    fn loads(&self, acting: &Acting<N>) -> Vec<N> {
+    fn loads(&self, acting: &ActingForces<N>) -> Vec<N> {
         let back = N::from_f64(1.0 / self.scale);
         let of_links = self.links.iter().flat_map(|(l, at)| {
             let wrench = acting.about(*l, *at);
@@ -122,13 +122,13 @@ impl<N: Real> Conditions<N> {
     }
 }
 
-impl<N: Real> Handle<N> {
+impl<N: Real> ConditionPoint<N> {
     /// Adds a force on the point to the forces that act upstream.
-    fn passed_on(&self, force: Vec2<N>, acting: &mut Acting<N>) {
+    fn passed_on(&self, force: Vec2<N>, acting: &mut ActingForces<N>) {
         match *self {
-            Handle::Known(at, Node::Link(link)) => acting.on_link(link, at.at, Wrench { force, ..Wrench::zero() }),
-            Handle::Known(_, Node::Pin(pin)) => acting.on_pin(pin, force),
-            Handle::Link(..) | Handle::Pin(_) => {}
+            ConditionPoint::Known(at, GraphNode::Link(link)) => acting.on_link(link, at.at, Wrench { force, ..Wrench::zero() }),
+            ConditionPoint::Known(_, GraphNode::Pin(pin)) => acting.on_pin(pin, force),
+            ConditionPoint::Link(..) | ConditionPoint::Pin(_) => {}
         }
     }
 }

@@ -5,8 +5,8 @@
 //! ρ(φ₂ − φ₁) for a straight track. Angles known up to whole turns are taken closest to those of
 //! the known pose.
 
-use super::{Coupled, Placed};
-use crate::position::equations::View;
+use super::{CoupledGroup, PlacedGroup};
+use crate::position::equations::PartPositions;
 use crate::position::rolling::whole;
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::{Point, Vec2};
@@ -20,9 +20,9 @@ pub(super) struct Slip<N> {
     pub row: Vec<N>,
 }
 
-impl<N: Real> Coupled<'_, N> {
+impl<N: Real> CoupledGroup<'_, N> {
     /// Returns the equation of a rolling pair; `None` if only a rough sketch determines it.
-    pub(super) fn slip(&self, view: &Placed<N>, r: RollingId) -> Option<Slip<N>> {
+    pub(super) fn slip(&self, view: &PlacedGroup<N>, r: RollingId) -> Option<Slip<N>> {
         match (self.assembly.scene.rolling[r.0].relation(), self.assembly.instant) {
             (Relation::Turnings(centres), Some(then)) => self.turned_since(view, r, centres, then),
             (Relation::Turnings(centres), None) => self.in_phase(view, r, centres),
@@ -32,7 +32,7 @@ impl<N: Real> Coupled<'_, N> {
     }
 
     /// Returns the equation of two circles since the instant.
-    fn turned_since(&self, view: &Placed<N>, r: RollingId, centres: [PointId; 2], then: &Configuration<N>) -> Option<Slip<N>> {
+    fn turned_since(&self, view: &PlacedGroup<N>, r: RollingId, centres: [PointId; 2], then: &Configuration<N>) -> Option<Slip<N>> {
         let pair = &self.assembly.scene.rolling[r.0];
         let [a, b] = self.turned(view, r, then)?;
         let line = self.line(view, pair.links, centres)?;
@@ -42,7 +42,7 @@ impl<N: Real> Coupled<'_, N> {
     }
 
     /// Returns the equation of two circles in their phase.
-    fn in_phase(&self, view: &Placed<N>, r: RollingId, centres: [PointId; 2]) -> Option<Slip<N>> {
+    fn in_phase(&self, view: &PlacedGroup<N>, r: RollingId, centres: [PointId; 2]) -> Option<Slip<N>> {
         let a = self.assembly;
         let pair = &a.scene.rolling[r.0];
         let (s, c) = a.inputs.sin_cos(pair.phase.as_ref()?);
@@ -55,7 +55,7 @@ impl<N: Real> Coupled<'_, N> {
     }
 
     /// Returns the equation of (φ₂ − β) + (φ₁ − β) ρ₁/ρ₂.
-    fn of_circles(&self, view: &Placed<N>, r: RollingId, centres: [PointId; 2], [a, b, line]: [N; 3]) -> Option<Slip<N>> {
+    fn of_circles(&self, view: &PlacedGroup<N>, r: RollingId, centres: [PointId; 2], [a, b, line]: [N; 3]) -> Option<Slip<N>> {
         let pair = &self.assembly.scene.rolling[r.0];
         let [r1, r2] = pair.sizes(&self.assembly.inputs);
         let ratio = r1 / r2;
@@ -71,7 +71,13 @@ impl<N: Real> Coupled<'_, N> {
     }
 
     /// Returns the equation of a wheel on a straight track since the instant.
-    fn gone_since(&self, view: &Placed<N>, r: RollingId, (centre, guide): (PointId, GuideId), then: &Configuration<N>) -> Option<Slip<N>> {
+    fn gone_since(
+        &self,
+        view: &PlacedGroup<N>,
+        r: RollingId,
+        (centre, guide): (PointId, GuideId),
+        then: &Configuration<N>,
+    ) -> Option<Slip<N>> {
         let pair = &self.assembly.scene.rolling[r.0];
         let ([on, wheel], [_, radius]) = (pair.links, pair.sizes(&self.assembly.inputs));
         let Path::Line { through, direction } = view.path(guide)? else { return None };
@@ -90,7 +96,7 @@ impl<N: Real> Coupled<'_, N> {
     }
 
     /// Returns the rotations of both links since the instant.
-    fn turned(&self, view: &Placed<N>, r: RollingId, then: &Configuration<N>) -> Option<[N; 2]> {
+    fn turned(&self, view: &PlacedGroup<N>, r: RollingId, then: &Configuration<N>) -> Option<[N; 2]> {
         let links = self.assembly.scene.rolling[r.0].links;
         let of = |k: usize| Some(whole(view.pose(links[k])?.axis.divide_by(then.poses[links[k].0]?.axis).angle(), self.near(r)[k]));
         Some([of(0)?, of(1)?])
@@ -102,13 +108,13 @@ impl<N: Real> Coupled<'_, N> {
     }
 
     /// Returns the vector from the first centre to the second.
-    fn line(&self, view: &Placed<N>, links: [LinkId; 2], centres: [PointId; 2]) -> Option<Vec2<N>> {
+    fn line(&self, view: &PlacedGroup<N>, links: [LinkId; 2], centres: [PointId; 2]) -> Option<Vec2<N>> {
         Some(self.centre(view, links[1], centres[1])? - self.centre(view, links[0], centres[0])?)
     }
 
     /// Returns the position of a centre: it moves with its link; if the link has no such point, the
     /// centre's position in the plane is taken.
-    fn centre(&self, view: &Placed<N>, link: LinkId, centre: PointId) -> Option<Point<N>> {
+    fn centre(&self, view: &PlacedGroup<N>, link: LinkId, centre: PointId) -> Option<Point<N>> {
         match view.local(link, centre) {
             Some(local) => Some(view.pose(link)?.to_world(local)),
             None => view.point(centre),
@@ -116,7 +122,7 @@ impl<N: Real> Coupled<'_, N> {
     }
 
     /// Adds ±k·(motion of a centre).
-    fn add_centre(&self, view: &Placed<N>, row: &mut [N], link: LinkId, centre: PointId, k: Vec2<N>) -> Option<()> {
+    fn add_centre(&self, view: &PlacedGroup<N>, row: &mut [N], link: LinkId, centre: PointId, k: Vec2<N>) -> Option<()> {
         match view.local(link, centre) {
             Some(_) => self.add_link(view.at, row, link, self.centre(view, link, centre)?, k),
             None => self.add_pin(row, centre, k),

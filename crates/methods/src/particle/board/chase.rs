@@ -1,11 +1,11 @@
 //! A pursuit on the board: its integrated course, and velocities and acceleration at the instant.
 
-use super::super::ask::Asked;
+use super::super::ask::ParticleQuantity;
 use super::super::law::jet;
-use super::super::pursuit::{Chase, End};
+use super::super::pursuit::{Chase, PursuitEnd};
 use super::super::solve::course;
-use super::super::{Motion, Problem};
-use super::{Drawn, ROOM_MM, Told, Views, arrow, mm, most};
+use super::super::{ParticleMotion, ParticleProblem};
+use super::{InstantLaws, MotionDrawing, ROOM_MM, Views, arrow, mm, most};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
@@ -27,19 +27,19 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 const PROMISED: f64 = 1e-9;
 
 /// A pursuit from its start to its end.
-struct Whole {
+struct PursuitPaths {
     /// Pursuer and target at equal times (m).
     places: Vec<[Point; 2]>,
     until: f64,
     meets: bool,
 }
 
-impl Whole {
-    fn of(chase: &Chase, now: f64) -> Result<Whole, Diagnostic> {
+impl PursuitPaths {
+    fn of(chase: &Chase, now: f64) -> Result<PursuitPaths, Diagnostic> {
         let (until, meets) = match chase.end::<f64>() {
-            Ok(End::Meet { time, .. }) => (time.approx(), true),
+            Ok(PursuitEnd::Meet { time, .. }) => (time.approx(), true),
             // For a pursuit without an end, a sufficient time to show the course.
-            Ok(End::Apart { .. }) | Err(_) => {
+            Ok(PursuitEnd::Apart { .. }) | Err(_) => {
                 let speed = jet(chase.speed, 0.0)?.0[0];
                 ((2.0 * now).max(8.0 * chase.start::<f64>()?.distance() / speed), false)
             }
@@ -52,14 +52,14 @@ impl Whole {
             let b = Point::new(x.0[0], y.0[0]);
             places.push([b - Vec2::new(s.d[0], s.d[1]), b]);
         }
-        Ok(Whole { places, until, meets })
+        Ok(PursuitPaths { places, until, meets })
     }
 
     /// Returns the course of a drawing at another instant.
-    fn again(drawn: &Drawn) -> Option<Whole> {
+    fn again(drawn: &MotionDrawing) -> Option<PursuitPaths> {
         let Views::Chase { course, until, meets, .. } = &drawn.views else { return None };
         let places = course.iter().map(|pair| pair.map(|p| (p.to_vec2() * drawn.mu[0]).to_point())).collect();
-        Some(Whole { places, until: *until, meets: *meets })
+        Some(PursuitPaths { places, until: *until, meets: *meets })
     }
 
     /// Returns the scale (m per mm) at which the course and the two points at the instant fit, a
@@ -72,16 +72,21 @@ impl Whole {
     }
 }
 
-pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn>) -> Result<Option<Drawn>, Diagnostic> {
+pub(super) fn draw(
+    problem: &ParticleProblem,
+    k: usize,
+    m: &ParticleMotion,
+    known: Option<&MotionDrawing>,
+) -> Result<Option<MotionDrawing>, Diagnostic> {
     let Some((chase, target)) = problem.chase(m) else { return Ok(None) };
     let t = problem.instant();
     let Some(here) = course(&chase, &[t])?.pop() else { return Ok(None) };
-    let told = Told { time: &problem.time };
-    let [x, y] = told.way(chase.target)?;
-    let speed = told.law(chase.speed)?;
+    let laws = InstantLaws { time: &problem.time };
+    let [x, y] = laws.way(chase.target)?;
+    let speed = laws.law(chase.speed)?;
     let (b, v_b) = (Point::new(x[0], y[0]), Vec2::new(x[1], y[1]));
     let a = b - Vec2::new(here.d[0], here.d[1]);
-    let run = known.and_then(Whole::again).map_or_else(|| Whole::of(&chase, t), Ok)?;
+    let run = known.and_then(PursuitPaths::again).map_or_else(|| PursuitPaths::of(&chase, t), Ok)?;
     let mu_l = problem.paper.scale(scene::Kind::Length, |unit| run.scale([a, b], unit));
     let (on_paper_a, on_paper_b) = ((a.to_vec2() * (1.0 / mu_l)).to_point(), (b.to_vec2() * (1.0 / mu_l)).to_point());
     let Some(along) = (on_paper_b - on_paper_a).unit() else { return Ok(None) };
@@ -163,16 +168,16 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
         },
     ];
     let (v, acc) = (tip_a * mu_v, (tip_t + tip_n) * mu_a);
-    let mut readings = vec![(Asked::Distance(k), vec![arm * mu_l]), (Asked::Velocity(k), vec![v.x, v.y])];
+    let mut readings = vec![(ParticleQuantity::Distance(k), vec![arm * mu_l]), (ParticleQuantity::Velocity(k), vec![v.x, v.y])];
     if seen {
-        readings.push((Asked::LineOmega(k), vec![omega]));
-        readings.push((Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]));
+        readings.push((ParticleQuantity::LineOmega(k), vec![omega]));
+        readings.push((ParticleQuantity::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]));
     }
     // For an acceleration along the line, an invisible rotation of the line does not change the
     // reading.
     let lost = tip_a.norm() * mu_v * (lost * mu_v / (arm * mu_l));
     if lost <= PROMISED * whole.norm() {
-        readings.push((Asked::Acceleration(k), vec![acc.x, acc.y]));
+        readings.push((ParticleQuantity::Acceleration(k), vec![acc.x, acc.y]));
     }
     let unread = (!seen).then(|| nearly_straight(&m.point, target));
     let views = Views::Chase {
@@ -185,7 +190,7 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
         accelerations,
     };
     let steps = steps.into_iter().map(Both::sentence).collect();
-    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, calculated: false, unread, views }))
+    Ok(Some(MotionDrawing { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, calculated: false, unread, views }))
 }
 
 /// Returns the note for a target that moves along the line of sight, or deviates from it by less

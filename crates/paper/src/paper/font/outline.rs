@@ -13,7 +13,7 @@ const MOST_SEGMENTS: usize = 20_000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     /// Segments in em, y up, with the glyph's origin at 0; filled by the non-zero rule.
-    pub segments: Vec<Segment<f64>>,
+    pub segments: Vec<OutlineSegment<f64>>,
     /// The box around the segments.
     pub ink: Ink,
 }
@@ -52,7 +52,7 @@ impl Ink {
 
 /// A segment of a glyph's outline, in em, y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Segment<T> {
+pub enum OutlineSegment<T> {
     /// Starts a contour.
     Move([T; 2]),
     /// A straight line to a point.
@@ -65,15 +65,15 @@ pub enum Segment<T> {
     Close,
 }
 
-impl<T: Copy> Segment<T> {
+impl<T: Copy> OutlineSegment<T> {
     /// Returns the segment with each of its points mapped.
-    pub fn map<U>(self, mut f: impl FnMut([T; 2]) -> [U; 2]) -> Segment<U> {
+    pub fn map<U>(self, mut f: impl FnMut([T; 2]) -> [U; 2]) -> OutlineSegment<U> {
         match self {
-            Segment::Move(a) => Segment::Move(f(a)),
-            Segment::Line(a) => Segment::Line(f(a)),
-            Segment::Quad(a, b) => Segment::Quad(f(a), f(b)),
-            Segment::Cubic(a, b, c) => Segment::Cubic(f(a), f(b), f(c)),
-            Segment::Close => Segment::Close,
+            OutlineSegment::Move(a) => OutlineSegment::Move(f(a)),
+            OutlineSegment::Line(a) => OutlineSegment::Line(f(a)),
+            OutlineSegment::Quad(a, b) => OutlineSegment::Quad(f(a), f(b)),
+            OutlineSegment::Cubic(a, b, c) => OutlineSegment::Cubic(f(a), f(b), f(c)),
+            OutlineSegment::Close => OutlineSegment::Close,
         }
     }
 }
@@ -92,7 +92,7 @@ impl Outline {
 }
 
 struct Sink {
-    segments: Vec<Segment<f64>>,
+    segments: Vec<OutlineSegment<f64>>,
     ink: Ink,
     em: f64,
 }
@@ -104,7 +104,7 @@ impl Sink {
         p
     }
 
-    fn push(&mut self, segment: Segment<f64>) {
+    fn push(&mut self, segment: OutlineSegment<f64>) {
         if self.segments.len() <= MOST_SEGMENTS {
             self.segments.push(segment);
         }
@@ -114,21 +114,21 @@ impl Sink {
 impl OutlinePen for Sink {
     fn move_to(&mut self, x: f32, y: f32) {
         let to = self.at(x, y);
-        self.push(Segment::Move(to));
+        self.push(OutlineSegment::Move(to));
     }
     fn line_to(&mut self, x: f32, y: f32) {
         let to = self.at(x, y);
-        self.push(Segment::Line(to));
+        self.push(OutlineSegment::Line(to));
     }
     fn quad_to(&mut self, cx0: f32, cy0: f32, x: f32, y: f32) {
         let (control, to) = (self.at(cx0, cy0), self.at(x, y));
-        self.push(Segment::Quad(control, to));
+        self.push(OutlineSegment::Quad(control, to));
     }
     fn curve_to(&mut self, cx0: f32, cy0: f32, cx1: f32, cy1: f32, x: f32, y: f32) {
         let (one, other, to) = (self.at(cx0, cy0), self.at(cx1, cy1), self.at(x, y));
-        self.push(Segment::Cubic(one, other, to));
+        self.push(OutlineSegment::Cubic(one, other, to));
     }
     fn close(&mut self) {
-        self.push(Segment::Close);
+        self.push(OutlineSegment::Close);
     }
 }

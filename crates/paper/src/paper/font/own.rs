@@ -14,7 +14,7 @@ use skrifa::MetadataProvider;
 use skrifa::attribute::Style;
 use skrifa::string::StringId;
 
-use super::{Bytes, Cut, Face, Loaded, Slant};
+use super::{Bytes, Cut, Face, LoadedFont, Slant};
 use hodograph_base::diag::{Both, Diagnostic, both};
 
 /// Largest size of a font file in bytes: complete Chinese fonts are smaller.
@@ -24,11 +24,11 @@ const NAMED_MAX: usize = 12;
 
 /// A font of the author; two fonts are equal if their files are equal.
 #[derive(Clone)]
-pub struct Own(Arc<File>);
+pub struct Own(Arc<FontFile>);
 
-struct File {
+struct FontFile {
     cut: Cut,
-    loaded: Loaded,
+    loaded: LoadedFont,
     bytes: Bytes,
     family: String,
     key: u64,
@@ -47,7 +47,7 @@ impl Own {
         }
         let key = fingerprint(&bytes);
         let bytes: Bytes = Arc::new(bytes);
-        let Some(loaded) = Loaded::try_new(Arc::clone(&bytes)) else {
+        let Some(loaded) = LoadedFont::try_new(Arc::clone(&bytes)) else {
             return Err(fault(both!("{name} is no font that can be read", "{name} 不是可读的字体"))
                 .help(both!("give an OpenType or TrueType file (.otf, .ttf)", "请用 OpenType 或 TrueType 文件（.otf、.ttf）")));
         };
@@ -65,7 +65,7 @@ impl Own {
         let named = loaded.font().localized_strings(StringId::FAMILY_NAME).english_or_first();
         let letters = named.iter().flat_map(|n| n.chars().take(64)).filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-'));
         let family = letters.collect::<String>();
-        Ok(Own(Arc::new(File { cut, loaded, bytes, family, key })))
+        Ok(Own(Arc::new(FontFile { cut, loaded, bytes, family, key })))
     }
 
     /// Returns the cut of the font: upright or slanted.
@@ -88,7 +88,7 @@ impl Own {
         Arc::clone(&self.0.bytes)
     }
 
-    pub(super) fn loaded(&self) -> &Loaded {
+    pub(super) fn loaded(&self) -> &LoadedFont {
         &self.0.loaded
     }
 }
@@ -116,10 +116,10 @@ impl Eq for Own {}
 /// The author's fonts: an upright font for digits, words and upright letters, and a slanted one for
 /// the letters of quantities and points; either or both may be absent. Copies share the fonts.
 #[derive(Clone, Default)]
-pub struct Fonts(Option<Arc<Chosen>>);
+pub struct Fonts(Option<Arc<AuthorFonts>>);
 
 #[derive(Default)]
-struct Chosen {
+struct AuthorFonts {
     /// The upright and the slanted font.
     cuts: [Option<Own>; 2],
     /// Characters that were requested but are missing in these fonts.
@@ -145,7 +145,7 @@ impl Fonts {
 
     fn of(cuts: [Option<Own>; 2]) -> Fonts {
         let any = cuts.iter().any(Option::is_some);
-        Fonts(any.then(|| Arc::new(Chosen { cuts, ..Chosen::default() })))
+        Fonts(any.then(|| Arc::new(AuthorFonts { cuts, ..AuthorFonts::default() })))
     }
 
     /// Returns true if there are no such fonts, so that all text uses the embedded ones.

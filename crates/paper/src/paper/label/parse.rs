@@ -3,12 +3,12 @@
 use crate::paper::font::Slant;
 use hodograph_base::diag::{Both, Diagnostic, both};
 
-use super::{Node, Role};
+use super::{LabelNode, Role};
 
 /// A thin space, TeX's `\,`: 3/18 em.
 const THIN_EM: f64 = 0.167;
 /// Returns true if a number can end with the node: upright, without scripts, or a power of ten.
-fn ends_a_number(n: &Node) -> bool {
+fn ends_a_number(n: &LabelNode) -> bool {
     n.slant == Slant::Upright && n.sub.is_empty() && (n.sup.is_empty() || n.text == "10")
 }
 
@@ -17,7 +17,7 @@ fn ends_a_number(n: &Node) -> bool {
 const WORD_EM: f64 = 0.25;
 
 /// Parses a formula; unreadable characters are reported and kept upright.
-pub fn formula(source: &str) -> (Vec<Node>, Vec<Diagnostic>) {
+pub fn formula(source: &str) -> (Vec<LabelNode>, Vec<Diagnostic>) {
     let mut p = Parser { source, chars: source.chars().collect(), at: 0, faults: Vec::new() };
     let row = p.row(false);
     (row, p.faults)
@@ -52,8 +52,8 @@ impl Parser<'_> {
     }
 
     /// Parses a row up to the end of the input, or up to the closing brace.
-    fn row(&mut self, braced: bool) -> Vec<Node> {
-        let mut row: Vec<Node> = Vec::new();
+    fn row(&mut self, braced: bool) -> Vec<LabelNode> {
+        let mut row: Vec<LabelNode> = Vec::new();
         while let Some(c) = self.peek() {
             match c {
                 '}' if braced => {
@@ -84,15 +84,15 @@ impl Parser<'_> {
                         text.push('.');
                         text += &self.take_while(|c| c.is_ascii_digit());
                     }
-                    row.push(Node::new(text, Slant::Upright, Role::Ordinary));
+                    row.push(LabelNode::new(text, Slant::Upright, Role::Ordinary));
                 }
                 c if is_quantity_letter(c) => {
                     let text = self.take_while(is_quantity_letter);
-                    row.push(Node::new(text, Slant::Italic, Role::Ordinary));
+                    row.push(LabelNode::new(text, Slant::Italic, Role::Ordinary));
                 }
                 c if is_cjk(c) => {
                     let text = self.take_while(is_cjk);
-                    row.push(Node::new(text, Slant::Upright, Role::Ordinary));
+                    row.push(LabelNode::new(text, Slant::Upright, Role::Ordinary));
                 }
                 c => {
                     self.at += 1;
@@ -108,17 +108,17 @@ impl Parser<'_> {
 
     /// Returns the atom of a script or prime: the last letter of a run of letters, or a new empty
     /// atom.
-    fn host<'r>(&mut self, row: &'r mut Vec<Node>, mark: &str) -> &'r mut Node {
+    fn host<'r>(&mut self, row: &'r mut Vec<LabelNode>, mark: &str) -> &'r mut LabelNode {
         match row.last_mut() {
             None => {
                 self.fault(both!("{mark} stands on nothing", "{mark} 前面没有内容"));
-                row.push(Node::new("", Slant::Upright, Role::Ordinary));
+                row.push(LabelNode::new("", Slant::Upright, Role::Ordinary));
             }
             // A script belongs to one letter: in `AB_1` to B.
             Some(last) if last.slant == Slant::Italic && last.sub.is_empty() && last.sup.is_empty() && last.primes == 0 => {
                 if let Some((i, c)) = last.text.char_indices().next_back().filter(|&(i, _)| i > 0) {
                     last.text.truncate(i);
-                    row.push(Node::new(c, Slant::Italic, Role::Ordinary));
+                    row.push(LabelNode::new(c, Slant::Italic, Role::Ordinary));
                 }
             }
             Some(_) => {}
@@ -126,7 +126,7 @@ impl Parser<'_> {
         row.last_mut().expect("an atom was there or has just been pushed")
     }
 
-    fn script(&mut self, mark: char, row: &mut Vec<Node>) {
+    fn script(&mut self, mark: char, row: &mut Vec<LabelNode>) {
         self.at += 1;
         while self.peek().is_some_and(char::is_whitespace) {
             self.at += 1;
@@ -145,7 +145,7 @@ impl Parser<'_> {
                 self.at += 1;
                 let slant = if is_quantity_letter(c) { Slant::Italic } else { Slant::Upright };
                 let c = if c == '-' { '−' } else { c };
-                vec![Node::new(c, slant, Role::Ordinary)]
+                vec![LabelNode::new(c, slant, Role::Ordinary)]
             }
             _ => {
                 self.fault(both!("{mark} without a script", "{mark} 后面没有内容"));
@@ -167,27 +167,27 @@ impl Parser<'_> {
 
     /// Reads a space. It is significant beside Chinese, and after a number followed by letters,
     /// which are then its unit.
-    fn space(&mut self, row: &mut Vec<Node>) {
+    fn space(&mut self, row: &mut Vec<LabelNode>) {
         self.take_while(char::is_whitespace);
         let Some(last) = row.last().and_then(|n| n.text.chars().last()) else { return };
         let Some(next) = self.peek() else { return };
         if is_cjk(last) || is_cjk(next) {
-            row.push(Node::space(WORD_EM));
+            row.push(LabelNode::space(WORD_EM));
         } else if row.last().is_some_and(ends_a_number) && last.is_ascii_digit() {
             let micro = self.chars[self.at..].starts_with(&['\\', 'm', 'u', ' ']);
             if next.is_ascii_alphabetic() || matches!(next, '(' | '°' | 'µ' | 'μ' | '%') || micro {
-                row.push(Node::space(WORD_EM));
+                row.push(LabelNode::space(WORD_EM));
                 self.unit(row);
             }
         }
     }
 
-    fn unit(&mut self, row: &mut Vec<Node>) {
+    fn unit(&mut self, row: &mut Vec<LabelNode>) {
         let is_unit = |c: char| c.is_ascii_alphanumeric() || matches!(c, '/' | '(' | ')' | '·' | '⋅' | '°' | 'µ' | 'μ' | '%' | '²' | '³');
         loop {
             let text = self.take_while(is_unit);
             if !text.is_empty() {
-                row.push(Node::new(text, Slant::Upright, Role::Ordinary));
+                row.push(LabelNode::new(text, Slant::Upright, Role::Ordinary));
             }
             match self.peek() {
                 Some('^') => self.script('^', row),
@@ -196,14 +196,16 @@ impl Parser<'_> {
         }
     }
 
-    fn command(&mut self, row: &mut Vec<Node>) {
+    fn command(&mut self, row: &mut Vec<LabelNode>) {
         self.at += 1;
         let name = self.take_while(|c| c.is_ascii_alphabetic());
         if name.is_empty() {
             match self.peek() {
-                Some(',') => row.push(Node::space(THIN_EM)),
-                Some(' ') => row.push(Node::space(WORD_EM)),
-                Some(c @ ('{' | '}' | '_' | '^' | '\\' | '\'' | '%' | '#' | '&')) => row.push(Node::new(c, Slant::Upright, Role::Ordinary)),
+                Some(',') => row.push(LabelNode::space(THIN_EM)),
+                Some(' ') => row.push(LabelNode::space(WORD_EM)),
+                Some(c @ ('{' | '}' | '_' | '^' | '\\' | '\'' | '%' | '#' | '&')) => {
+                    row.push(LabelNode::new(c, Slant::Upright, Role::Ordinary))
+                }
                 _ => {
                     self.fault(both!("a \\ with no command after it", "\\ 后面没有命令"));
                     return;
@@ -215,14 +217,14 @@ impl Parser<'_> {
         match name.as_str() {
             "text" => {
                 let words = self.argument();
-                row.push(Node::new(words, Slant::Upright, Role::Ordinary));
+                row.push(LabelNode::new(words, Slant::Upright, Role::Ordinary));
             }
             "circled" => {
                 let n = self.argument();
                 match n.parse::<u32>() {
                     Ok(k @ 1..=20) => {
                         let c = char::from_u32(0x2460 + k - 1).expect("① to ⑳ are characters");
-                        row.push(Node::new(c, Slant::Symbol, Role::Ordinary));
+                        row.push(LabelNode::new(c, Slant::Symbol, Role::Ordinary));
                     }
                     _ => self.fault(both!(
                         "\\circled takes a number from 1 to 20, not `{n}`",
@@ -233,20 +235,20 @@ impl Parser<'_> {
             "bm" => {
                 let letters = self.argument();
                 if letters.chars().all(|c| c.is_ascii_alphabetic()) {
-                    row.push(Node::new(letters, Slant::Bold, Role::Ordinary));
+                    row.push(LabelNode::new(letters, Slant::Bold, Role::Ordinary));
                 } else {
                     self.fault(both!("\\bm takes letters, not `{letters}`", "\\bm 的参数应为字母，而不是 `{letters}`"));
                 }
             }
-            "quad" => row.push(Node::space(1.0)),
-            "sin" | "cos" | "tan" | "arctan" | "arcsin" | "arccos" => row.push(Node::new(name, Slant::Upright, Role::Function)),
+            "quad" => row.push(LabelNode::space(1.0)),
+            "sin" | "cos" | "tan" | "arctan" | "arcsin" | "arccos" => row.push(LabelNode::new(name, Slant::Upright, Role::Function)),
             _ => match named(&name) {
-                Some((c, Kind::Letter)) => row.push(Node::new(c, Slant::Italic, Role::Ordinary)),
-                Some((c, Kind::Capital)) => row.push(Node::new(c, Slant::Upright, Role::Ordinary)),
-                Some((c, Kind::Sign)) => row.push(symbol(c, row)),
+                Some((c, CharKind::Letter)) => row.push(LabelNode::new(c, Slant::Italic, Role::Ordinary)),
+                Some((c, CharKind::Capital)) => row.push(LabelNode::new(c, Slant::Upright, Role::Ordinary)),
+                Some((c, CharKind::Sign)) => row.push(symbol(c, row)),
                 None => {
                     self.fault(both!("unknown command \\{name}", "未知命令 \\{name}"));
-                    row.push(Node::new(name, Slant::Upright, Role::Ordinary));
+                    row.push(LabelNode::new(name, Slant::Upright, Role::Ordinary));
                 }
             },
         }
@@ -278,26 +280,26 @@ fn is_cjk(c: char) -> bool {
 
 /// Returns a sign as an atom; an operator with no operand before it is the sign of a number and
 /// gets no space.
-fn symbol(c: char, before: &[Node]) -> Node {
-    let opens = |n: &Node| matches!(n.role, Role::Binary | Role::Relation | Role::Punctuation) || n.text.ends_with(['(', '∠']);
+fn symbol(c: char, before: &[LabelNode]) -> LabelNode {
+    let opens = |n: &LabelNode| matches!(n.role, Role::Binary | Role::Relation | Role::Punctuation) || n.text.ends_with(['(', '∠']);
     let starts = before.last().is_none_or(opens);
     match c {
-        '+' | '-' | '−' | '±' if starts => Node::new(if c == '-' { '−' } else { c }, Slant::Symbol, Role::Ordinary),
-        '-' => Node::new('−', Slant::Symbol, Role::Binary),
-        '+' | '−' | '±' | '×' | '÷' | '·' | '⋅' => Node::new(c, Slant::Symbol, Role::Binary),
+        '+' | '-' | '−' | '±' if starts => LabelNode::new(if c == '-' { '−' } else { c }, Slant::Symbol, Role::Ordinary),
+        '-' => LabelNode::new('−', Slant::Symbol, Role::Binary),
+        '+' | '−' | '±' | '×' | '÷' | '·' | '⋅' => LabelNode::new(c, Slant::Symbol, Role::Binary),
         '=' | '<' | '>' | '≈' | '≠' | '≤' | '≥' | '→' | '←' | '↔' | '∝' | '≡' => {
-            Node::new(c, Slant::Symbol, Role::Relation)
+            LabelNode::new(c, Slant::Symbol, Role::Relation)
         }
-        ',' | ';' => Node::new(c, Slant::Upright, Role::Punctuation),
-        '✓' | '✔' => Node::new('✓', Slant::Symbol, Role::Ordinary),
-        '⟂' => Node::new('⊥', Slant::Symbol, Role::Ordinary),
-        '⊥' | '∥' | '∠' | '√' | '∞' | '∼' | '∽' => Node::new(c, Slant::Symbol, Role::Ordinary),
-        '①'..='⑳' => Node::new(c, Slant::Symbol, Role::Ordinary),
-        _ => Node::new(c, Slant::Upright, Role::Ordinary),
+        ',' | ';' => LabelNode::new(c, Slant::Upright, Role::Punctuation),
+        '✓' | '✔' => LabelNode::new('✓', Slant::Symbol, Role::Ordinary),
+        '⟂' => LabelNode::new('⊥', Slant::Symbol, Role::Ordinary),
+        '⊥' | '∥' | '∠' | '√' | '∞' | '∼' | '∽' => LabelNode::new(c, Slant::Symbol, Role::Ordinary),
+        '①'..='⑳' => LabelNode::new(c, Slant::Symbol, Role::Ordinary),
+        _ => LabelNode::new(c, Slant::Upright, Role::Ordinary),
     }
 }
 
-enum Kind {
+enum CharKind {
     Letter,
     Capital,
     Sign,
@@ -305,10 +307,10 @@ enum Kind {
 
 /// Returns the Greek letter of a name: `omega`, `Phi`.
 pub fn greek(name: &str) -> Option<char> {
-    named(name).filter(|(_, kind)| !matches!(kind, Kind::Sign)).map(|(letter, _)| letter)
+    named(name).filter(|(_, kind)| !matches!(kind, CharKind::Sign)).map(|(letter, _)| letter)
 }
 
-fn named(name: &str) -> Option<(char, Kind)> {
+fn named(name: &str) -> Option<(char, CharKind)> {
     let letter = match name {
         "alpha" => 'α',
         "beta" => 'β',
@@ -336,7 +338,7 @@ fn named(name: &str) -> Option<(char, Kind)> {
         _ => '\0',
     };
     if letter != '\0' {
-        return Some((letter, Kind::Letter));
+        return Some((letter, CharKind::Letter));
     }
     let capital = match name {
         "Gamma" => 'Γ',
@@ -351,7 +353,7 @@ fn named(name: &str) -> Option<(char, Kind)> {
         _ => '\0',
     };
     if capital != '\0' {
-        return Some((capital, Kind::Capital));
+        return Some((capital, CharKind::Capital));
     }
     let sign = match name {
         "to" | "rightarrow" => '→',
@@ -373,5 +375,5 @@ fn named(name: &str) -> Option<(char, Kind)> {
         "surd" => '√',
         _ => return None,
     };
-    Some((sign, Kind::Sign))
+    Some((sign, CharKind::Sign))
 }

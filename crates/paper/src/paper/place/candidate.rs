@@ -6,11 +6,11 @@ use std::sync::LazyLock;
 use crate::paper::extent::Rect;
 use hodograph_base::geom::{Point, Vec2};
 
-use super::{Reads, Target, Wanted};
+use super::{MeasuredRequest, Reads, Target};
 
 /// A candidate place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Candidate {
+pub(super) struct CandidatePlace {
     /// Box of the label's ink at this place.
     pub rect: Rect,
     /// Leader line from the label to its target.
@@ -26,15 +26,15 @@ pub(super) struct Candidate {
 /// Width of two letters: a number farther off is not read as a factor.
 pub(super) const FACTOR_MM: f64 = 4.0;
 
-impl Candidate {
+impl CandidatePlace {
     /// Returns a place.
-    pub fn new(rect: Rect, leader: Option<(Point, Point)>, base: f64) -> Candidate {
+    pub fn new(rect: Rect, leader: Option<(Point, Point)>, base: f64) -> CandidatePlace {
         let reach = leader.map_or(rect, |(a, b)| rect.union(Rect::new(a, b)));
-        Candidate { rect, leader, reach, base, reads: Reads::Alone }
+        CandidatePlace { rect, leader, reach, base, reads: Reads::Alone }
     }
 
     /// Returns the place with the role of its label beside another one.
-    pub fn read_as(mut self, reads: Reads) -> Candidate {
+    pub fn read_as(mut self, reads: Reads) -> CandidatePlace {
         self.reads = reads;
         if reads == Reads::Quantity {
             self.reach.max.x = self.reach.max.x.max(self.rect.max.x + FACTOR_MM);
@@ -86,14 +86,14 @@ const ASIDE: [f64; 2] = [0.3, 0.7];
 const ACROSS: f64 = 0.866;
 
 /// Returns the places near the target: 48 around a point, 28 along a segment or an arc.
-pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
+pub(super) fn near(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
     match wanted.target {
         Target::Point { at, clear_mm } => {
             let mut all = Vec::with_capacity(DIRECTIONS * POINT_GAPS.len());
             for (gap, base) in POINT_GAPS {
                 for &u in directions() {
                     let rect = wanted.rect(at + u * reach(u, wanted, clear_mm + gap));
-                    all.push(Candidate::new(rect, None, base + side_cost(u, wanted)));
+                    all.push(CandidatePlace::new(rect, None, base + side_cost(u, wanted)));
                 }
             }
             all
@@ -109,7 +109,7 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
                     for side in [normal, -normal] {
                         let on = from + (to - from) * t;
                         let rect = wanted.rect(on + side * (half + clear_mm + gap));
-                        all.push(Candidate::new(rect, None, base + STATION_COST * (t - 0.5).abs() + side_cost(side, wanted)));
+                        all.push(CandidatePlace::new(rect, None, base + STATION_COST * (t - 0.5).abs() + side_cost(side, wanted)));
                     }
                 }
             }
@@ -128,7 +128,7 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
                         let rect = wanted.rect(centre + u * t_mm);
                         let base = base + off + STATION_COST * (t - 0.5).abs();
                         let wish = if wanted.prefer.is_some() { side_cost(side, wanted) } else { 0.0 };
-                        all.push(Candidate::new(rect, None, base + wish));
+                        all.push(CandidatePlace::new(rect, None, base + wish));
                     }
                 }
             }
@@ -138,17 +138,17 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
 }
 
 /// Returns places farther off, with a leader line.
-pub(super) fn far(wanted: &Wanted) -> Vec<Candidate> {
+pub(super) fn far(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
     led(wanted, &LEADERS, directions())
 }
 
 /// Returns places so far off that the reader must follow the leader line to find its end.
-pub(super) fn farthest(wanted: &Wanted) -> Vec<Candidate> {
+pub(super) fn farthest(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
     led(wanted, &LONG_LEADERS, directions())
 }
 
 /// Returns places with a leader line in intermediate directions, for a label without a clear place.
-pub(super) fn between(wanted: &Wanted) -> Vec<Candidate> {
+pub(super) fn between(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
     static ALL: LazyLock<[Vec2; DIRECTIONS]> =
         LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle((k as f64 + 0.5) * TAU / DIRECTIONS as f64)));
     match wanted.target {
@@ -172,7 +172,7 @@ pub(super) fn between(wanted: &Wanted) -> Vec<Candidate> {
 
 /// Returns places with a leader line to any part of the target, for a label that would cover a
 /// thick line or have a barred leader line.
-pub(super) fn anywhere(wanted: &Wanted) -> Vec<Candidate> {
+pub(super) fn anywhere(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
     static ALL: LazyLock<[Vec2; MANY_DIRECTIONS]> =
         LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle((k as f64 + 0.5) * TAU / MANY_DIRECTIONS as f64)));
     match wanted.target {
@@ -194,7 +194,7 @@ fn across(line: Vec2, directions: &[Vec2]) -> Vec<Vec2> {
     directions.iter().copied().filter(|u| u.dot(line).abs() < ACROSS).collect()
 }
 
-fn led(wanted: &Wanted, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<Candidate> {
+fn led(wanted: &MeasuredRequest, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<CandidatePlace> {
     let (at, clear_mm) = match wanted.target {
         Target::Point { at, clear_mm } => (at, clear_mm),
         Target::Segment { from, to, .. } => (from + (to - from) * 0.5, 0.0),
@@ -207,7 +207,7 @@ fn led(wanted: &Wanted, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<Cand
 }
 
 /// Returns places with leader lines that end `clear_mm` from a point.
-fn led_from(at: Point, clear_mm: f64, wanted: &Wanted, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<Candidate> {
+fn led_from(at: Point, clear_mm: f64, wanted: &MeasuredRequest, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<CandidatePlace> {
     let mut all = Vec::with_capacity(DIRECTIONS * leaders.len());
     for &(length, base) in leaders {
         for &u in directions {
@@ -217,7 +217,7 @@ fn led_from(at: Point, clear_mm: f64, wanted: &Wanted, leaders: &[(f64, f64)], d
             let Some(back) = (near - at).unit() else { continue };
             // A gap at the letters, none at the target.
             let leader = (near - back * 0.5, at + back * clear_mm);
-            all.push(Candidate::new(rect, Some(leader), base + side_cost(u, wanted)));
+            all.push(CandidatePlace::new(rect, Some(leader), base + side_cost(u, wanted)));
         }
     }
     all
@@ -231,7 +231,7 @@ fn directions() -> &'static [Vec2; DIRECTIONS] {
 
 /// Returns the distance along `u` from the origin to the centre of a box at which the box is
 /// `clear_mm` from the origin.
-fn reach(u: Vec2, wanted: &Wanted, clear_mm: f64) -> f64 {
+fn reach(u: Vec2, wanted: &MeasuredRequest, clear_mm: f64) -> f64 {
     let (ux, uy, hw, hh) = (u.x.abs(), u.y.abs(), wanted.half_width_mm, wanted.half_height_mm);
     // A side of the box faces the origin, …
     if ux * (hh + clear_mm) <= uy * hw {
@@ -245,7 +245,7 @@ fn reach(u: Vec2, wanted: &Wanted, clear_mm: f64) -> f64 {
     b + (b * b - hw * hw - hh * hh + clear_mm * clear_mm).max(0.0).sqrt()
 }
 
-fn side_cost(u: Vec2, wanted: &Wanted) -> f64 {
+fn side_cost(u: Vec2, wanted: &MeasuredRequest) -> f64 {
     let (side, cost) = wanted.prefer.map_or((Vec2::from_angle(FRAC_PI_4), DEFAULT_COST), |side| (side, PREFER_COST));
     cost * (1.0 - u.dot(side)) / 2.0
 }

@@ -14,11 +14,11 @@
 use crate::paper::extent::Rect;
 use hodograph_base::budget::spend;
 
-use super::candidate::{self, Candidate};
+use super::candidate::{self, CandidatePlace};
 use super::obstacle::Obstacles;
-use super::raster::{HEAVY, LINE, Raster};
+use super::raster::{HEAVY, InkRaster, LINE};
 use super::search::LEAVE;
-use super::{Found, Habit, LabelRequest, Placement, Wanted, cost};
+use super::{ChosenPlace, Habit, LabelRequest, MeasuredRequest, Placement, cost};
 
 /// Largest number of labels in a drawing that are placed by search; more are placed one after the
 /// other. The busiest textbook figure has about sixty.
@@ -30,7 +30,7 @@ const HEAVIER: f64 = 3.0;
 const PER_MM2: f64 = 2.0;
 
 /// Returns the cost of a place on the raster.
-fn cost_of(raster: &mut Raster, place: &Candidate, paper: Rect) -> f64 {
+fn cost_of(raster: &mut InkRaster, place: &CandidatePlace, paper: Rect) -> f64 {
     let (lines, heavy) = raster.covered(place.rect);
     let area = raster.cell_mm() * raster.cell_mm();
     let covered = |cells: usize| if cells > 0 { cost::TOUCH + PER_MM2 * cells as f64 * area } else { 0.0 };
@@ -45,13 +45,13 @@ pub(super) fn place(
     paper: Rect,
     before: &[Option<Habit>],
 ) -> (Vec<Option<Placement>>, usize) {
-    let mut raster = Raster::of(obstacles, paper);
+    let mut raster = InkRaster::of(obstacles, paper);
     let mut out = vec![None; requests.len()];
     // Optional names take the space that the others leave.
     let (last, first): (Vec<usize>, Vec<usize>) = (0..requests.len()).partition(|i| requests[*i].optional);
     for i in first.into_iter().chain(last) {
         spend();
-        let wanted = Wanted::new(&requests[i]);
+        let wanted = MeasuredRequest::new(&requests[i]);
         let stood = match before.get(i).copied().flatten() {
             Some(Habit::At(index)) => Some(index),
             Some(Habit::LeftOut) | None => None,
@@ -71,11 +71,11 @@ pub(super) fn place(
 
 /// Returns the cheapest place of a label, the first among equals; far places are considered only if
 /// all near ones cover something.
-fn best(raster: &mut Raster, wanted: &Wanted, paper: Rect, stood: Option<usize>, near_only: bool) -> Found {
+fn best(raster: &mut InkRaster, wanted: &MeasuredRequest, paper: Rect, stood: Option<usize>, near_only: bool) -> ChosenPlace {
     let near = candidate::near(wanted);
     let count = near.len();
-    let mut best: Option<(Found, f64)> = None;
-    let mut look = |raster: &mut Raster, index: usize, place: Candidate| {
+    let mut best: Option<(ChosenPlace, f64)> = None;
+    let mut look = |raster: &mut InkRaster, index: usize, place: CandidatePlace| {
         let leave = if stood.is_some_and(|s| s != index) { LEAVE } else { 0.0 };
         if best.is_none_or(|(_, least)| place.base + leave < least) {
             let cost = cost_of(raster, &place, paper);
@@ -110,7 +110,7 @@ mod tests {
         let mut obstacles = Obstacles::default();
         for k in 0..n {
             obstacles.bars.push(super::super::Bar { from: at(k), to: at(k + 1), half_width_mm: 0.2, owner: None, faint: false });
-            obstacles.discs.push(super::super::Disc { centre: at(k), radius_mm: 0.6 });
+            obstacles.discs.push(super::super::InkDisc { centre: at(k), radius_mm: 0.6 });
         }
         let requests =
             (0..n).map(|k| LabelRequest::at_point(Label::math(format!("P_{k}")), 3.6, at(k), 0.8).optional(k % 3 == 0)).collect();

@@ -3,9 +3,9 @@
 use crate::paper::extent::Rect;
 use hodograph_base::geom::{Point, Vec2};
 
-use super::candidate::{Candidate, FACTOR_MM, nearest};
-use super::obstacle::{Bar, Disc, Obstacles};
-use super::{Reads, Target, Wanted};
+use super::candidate::{CandidatePlace, FACTOR_MM, nearest};
+use super::obstacle::{Bar, InkDisc, Obstacles};
+use super::{MeasuredRequest, Reads, Target};
 
 /// Cost of first touching an object: more than the costliest place near the target (6.4), so that
 /// touching is never preferred.
@@ -77,18 +77,18 @@ const PAIR_AIR_MM: f64 = 0.3;
 /// The obstacles around a label's places, collected once, so that each place is compared with few
 /// that it does not touch.
 pub(super) struct Around<'a> {
-    wanted: &'a Wanted,
+    wanted: &'a MeasuredRequest,
     paper: Rect,
-    bars: Vec<Line<'a>>,
+    bars: Vec<NearbyLine<'a>>,
     heads: Vec<&'a Bar>,
-    discs: Vec<&'a Disc>,
+    discs: Vec<&'a InkDisc>,
     rects: Vec<&'a Rect>,
     barred: Vec<&'a Bar>,
     rivals: Vec<Point>,
 }
 
 /// A line near a label's places.
-struct Line<'a> {
+struct NearbyLine<'a> {
     bar: &'a Bar,
     bounds: Rect,
     own: bool,
@@ -97,7 +97,7 @@ struct Line<'a> {
 
 impl<'a> Around<'a> {
     /// Collects all obstacles that can make one of these places costlier.
-    pub(super) fn new(places: &[Candidate], wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
+    pub(super) fn new(places: &[CandidatePlace], wanted: &'a MeasuredRequest, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
         let looks = places.iter().map(|c| c.reach.union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
         let Some(reach) = looks.reduce(Rect::union).map(|r| r.grown(AIR_MM)) else {
             return Around { wanted, paper, bars: vec![], heads: vec![], discs: vec![], rects: vec![], barred: vec![], rivals: vec![] };
@@ -106,9 +106,9 @@ impl<'a> Around<'a> {
         let near = |bar: &&Bar| !far_apart(reach.grown(bar.half_width_mm), bar);
         let line = |bar: &'a Bar| {
             let own = bar.owner.is_some() && bar.owner == wanted.owner;
-            Line { bar, bounds: Rect::new(bar.from, bar.to), own, meets: !own && meets(bar, wanted.target) }
+            NearbyLine { bar, bounds: Rect::new(bar.from, bar.to), own, meets: !own && meets(bar, wanted.target) }
         };
-        let touched = |d: &&Disc| nearest(reach, d.centre).distance(d.centre) <= d.radius_mm;
+        let touched = |d: &&InkDisc| nearest(reach, d.centre).distance(d.centre) <= d.radius_mm;
         Around {
             wanted,
             paper,
@@ -132,8 +132,8 @@ impl<'a> Around<'a> {
             }
             Target::Segment { clear_mm, .. } => {
                 let own = own_distance(rect, self.wanted.target);
-                let rival = |l: &&Line| !l.own && !l.meets && l.bar.half_width_mm >= clear_mm;
-                let near = |l: &Line| touch(rect.grown(own + l.bar.half_width_mm), l.bounds);
+                let rival = |l: &&NearbyLine| !l.own && !l.meets && l.bar.half_width_mm >= clear_mm;
+                let near = |l: &NearbyLine| touch(rect.grown(own + l.bar.half_width_mm), l.bounds);
                 self.bars.iter().filter(rival).any(|l| near(l) && distance(rect, l.bar) - l.bar.half_width_mm < own - TIE_MM)
             }
             Target::Arc { .. } => false,
@@ -141,11 +141,11 @@ impl<'a> Around<'a> {
     }
 
     /// Returns the part of a place's cost that is independent of other labels.
-    pub(super) fn fixed(&self, c: &Candidate) -> f64 {
+    pub(super) fn fixed(&self, c: &CandidatePlace) -> f64 {
         let mut cost = c.base;
         let look = own_distance(c.rect, self.wanted.target) + NEARER_MARGIN_MM;
         let mut nearer: f64 = 0.0;
-        for Line { bar, bounds, own, meets } in &self.bars {
+        for NearbyLine { bar, bounds, own, meets } in &self.bars {
             let grown = c.rect.grown(bar.half_width_mm + AIR_MM);
             // A line farther off than the nearest one so far changes nothing.
             if !touch(grown.grown(look - nearer), *bounds) {
@@ -212,7 +212,7 @@ pub(super) fn is_barred((a, b): (Point, Point), bar: &Bar) -> bool {
 }
 
 /// Returns the marked points except the label's own.
-fn rivals(wanted: &Wanted, obstacles: &Obstacles) -> impl Iterator<Item = Point> {
+fn rivals(wanted: &MeasuredRequest, obstacles: &Obstacles) -> impl Iterator<Item = Point> {
     let own = match wanted.target {
         Target::Point { at, .. } => Some(at),
         Target::Segment { .. } | Target::Arc { .. } => None,
@@ -223,7 +223,7 @@ fn rivals(wanted: &Wanted, obstacles: &Obstacles) -> impl Iterator<Item = Point>
 /// Returns true if a label at this place would make an object illegible, or be made so by it: an
 /// arrowhead, a symbol, another label, or a foreign line as thick as the label's own. A thin line
 /// through the label does neither.
-pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool {
+pub(super) fn hides(rect: Rect, wanted: &MeasuredRequest, obstacles: &Obstacles) -> bool {
     let own_half_mm = match wanted.target {
         Target::Segment { clear_mm, .. } | Target::Arc { clear_mm, .. } => clear_mm,
         Target::Point { .. } => 0.0,
@@ -238,7 +238,7 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
 
 /// Returns true if a label at this place would be read as the name of another line, because one as
 /// thick as its own is nearer. False with a leader line, which makes the target clear.
-pub(super) fn strays(c: Rect, leader: bool, wanted: &Wanted, obstacles: &Obstacles) -> bool {
+pub(super) fn strays(c: Rect, leader: bool, wanted: &MeasuredRequest, obstacles: &Obstacles) -> bool {
     let Target::Segment { clear_mm, .. } = wanted.target else { return false };
     let c = wanted.ink(c);
     let own = own_distance(c, wanted.target);
@@ -258,7 +258,7 @@ pub(super) fn outside(rect: Rect, paper: Rect) -> f64 {
 
 /// Returns the cost of two places beside each other.
 #[inline]
-pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
+pub(super) fn pair(a: &CandidatePlace, b: &CandidatePlace) -> f64 {
     if !close(a.reach, b.reach) {
         return 0.0;
     }
@@ -274,7 +274,7 @@ pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
 }
 
 /// Returns true if a number is on one line with a quantity and close behind it.
-fn is_factor(quantity: &Candidate, number: &Candidate) -> bool {
+fn is_factor(quantity: &CandidatePlace, number: &CandidatePlace) -> bool {
     let (q, n) = (quantity.rect, number.rect);
     let level = q.max.y.min(n.max.y) - q.min.y.max(n.min.y) > LEVEL_PART * n.height_mm();
     let behind = (0.0..FACTOR_MM).contains(&(n.min.x - q.max.x));
@@ -289,7 +289,7 @@ pub(super) fn is_beside(a: Rect, b: Rect) -> bool {
 }
 
 /// Returns the cost of leader lines that cross the labels or each other.
-fn across([a, b]: [&Candidate; 2], [ra, rb]: [Rect; 2]) -> f64 {
+fn across([a, b]: [&CandidatePlace; 2], [ra, rb]: [Rect; 2]) -> f64 {
     let mut cost = 0.0;
     for (leader, rect) in [(a.leader, rb), (b.leader, ra)] {
         if leader.is_some_and(|(p, q)| touch(rect, Rect::new(p, q)) && inside(p, q, rect).is_some()) {

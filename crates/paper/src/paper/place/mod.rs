@@ -17,18 +17,18 @@ mod offer;
 mod raster;
 mod search;
 
-pub use obstacle::{Bar, Disc, Obstacles};
-pub use raster::Raster;
+pub use obstacle::{Bar, InkDisc, Obstacles};
+pub use raster::InkRaster;
 
 use std::f64::consts::PI;
 
 use hodograph_base::geom::{Point, Vec2};
 
 use super::extent::Rect;
-use super::item::{Anchor, Colour, Item, Piece, Shape, Stroke};
+use super::item::{Anchor, Colour, FigureItem, LineStroke, PathPiece, Shape};
 use super::label::Label;
 use super::text;
-use candidate::Candidate;
+use candidate::CandidatePlace;
 use offer::Offer;
 
 /// The object that a label names.
@@ -189,8 +189,8 @@ pub const CROWDED: f64 = cost::TOUCH;
 
 impl Placement {
     /// Returns the label as an item, after the items of its leader line if it has one.
-    pub fn items(&self, request: &LabelRequest, class: &str, leader: Stroke) -> Vec<Item> {
-        let line = self.leader.map(|(from, to)| Item::new("leader", pointer(from, to, leader)));
+    pub fn items(&self, request: &LabelRequest, class: &str, leader: LineStroke) -> Vec<FigureItem> {
+        let line = self.leader.map(|(from, to)| FigureItem::new("leader", pointer(from, to, leader)));
         let label = Shape::Label {
             at: self.at,
             label: request.label.clone(),
@@ -198,7 +198,7 @@ impl Placement {
             anchor: Anchor::Start,
             colour: Colour::BLACK,
         };
-        line.into_iter().chain([Item::new(class, label)]).collect()
+        line.into_iter().chain([FigureItem::new(class, label)]).collect()
     }
 }
 
@@ -209,15 +209,15 @@ const LEADER_GREY: u8 = 140;
 const LEADER_DOT_MM: f64 = 0.45;
 
 /// A leader line: grey, with a dot at the object that it names.
-fn pointer(from: Point, to: Point, stroke: Stroke) -> Shape {
+fn pointer(from: Point, to: Point, stroke: LineStroke) -> Shape {
     let grey = Colour::grey(LEADER_GREY);
     // Both arcs of the dot start at an angle independent of the leader's direction: between the
     // frames of a lesson all numbers of the dot then change alike, which takes no space in the
     // file.
-    let half = |from_rad| Piece::Arc { centre: to, radius_mm: LEADER_DOT_MM, from_rad, to_rad: from_rad + PI };
+    let half = |from_rad| PathPiece::Arc { centre: to, radius_mm: LEADER_DOT_MM, from_rad, to_rad: from_rad + PI };
     Shape::Path {
         start: to + Vec2::new(LEADER_DOT_MM, 0.0),
-        pieces: vec![half(0.0), half(PI), Piece::Move(to), Piece::Line(from)],
+        pieces: vec![half(0.0), half(PI), PathPiece::Move(to), PathPiece::Line(from)],
         closed: false,
         stroke: Some(stroke.coloured(grey)),
         fill: Some(grey),
@@ -242,10 +242,14 @@ pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rec
         let habits: Vec<Option<Habit>> = before.iter().map(|b| b.map(Habit::At)).collect();
         return coarse::place(&none_left, obstacles, bounds, &habits).0.into_iter().flatten().collect();
     }
-    let labels: Vec<Wanted> = requests.iter().map(Wanted::new).collect();
+    let labels: Vec<MeasuredRequest> = requests.iter().map(MeasuredRequest::new).collect();
     let mut offers: Vec<Offer> = labels.iter().map(|w| Offer::new(w, obstacles, bounds)).collect();
     let all: Vec<usize> = (0..labels.len()).collect();
-    search::run(&mut offers, &all, before, Leads::Short).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
+    search::run(&mut offers, &all, before, LeaderReach::Short)
+        .into_iter()
+        .zip(&labels)
+        .map(|(found, wanted)| wanted.placement(found))
+        .collect()
 }
 
 /// Number of free places that is enough for a label: labels placed before it do not take all of
@@ -255,7 +259,7 @@ pub const ROOM: usize = 8;
 /// Counts the places beside its target, up to [`ROOM`], at which a label touches no ink and is not
 /// read as the name of another object, on unbounded paper.
 pub fn free_places(request: &LabelRequest, obstacles: &Obstacles) -> usize {
-    let wanted = Wanted::new(request);
+    let wanted = MeasuredRequest::new(request);
     let places = candidate::near(&wanted);
     let Some(paper) = places.iter().map(|c| c.reach).reduce(Rect::union) else { return ROOM };
     let around = cost::Around::new(&places, &wanted, obstacles, paper);
@@ -285,7 +289,7 @@ pub fn is_coarse(labels: usize) -> bool {
 
 /// The largest distance of a label from its target if no nearer place is clear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Leads {
+pub enum LeaderReach {
     /// Leader lines of at most 12 mm: for a series of figures, in which a distant label keeps its
     /// place for long.
     Short,
@@ -312,7 +316,7 @@ pub enum Habit {
 pub fn place_or_leave(
     requests: &[LabelRequest],
     obstacles: &Obstacles,
-    (bounds, leads): (Rect, Leads),
+    (bounds, leads): (Rect, LeaderReach),
     before: &[Option<Habit>],
 ) -> Vec<Option<Placement>> {
     if is_coarse(requests.len()) {
@@ -321,7 +325,7 @@ pub fn place_or_leave(
     let absent = |i: &usize| requests[*i].optional && before.get(*i) == Some(&Some(Habit::LeftOut));
     let (away, mut kept): (Vec<usize>, Vec<usize>) = (0..requests.len()).partition(absent);
     let mut out = vec![None; requests.len()];
-    let labels: Vec<Wanted> = requests.iter().map(Wanted::new).collect();
+    let labels: Vec<MeasuredRequest> = requests.iter().map(MeasuredRequest::new).collect();
     let mut offers: Vec<Offer> = labels.iter().map(|w| Offer::new(w, obstacles, bounds)).collect();
     loop {
         let stood = |i: &usize| match before[*i] {
@@ -363,10 +367,10 @@ pub fn place_or_leave(
 }
 
 /// A chosen place, its cost, and its index among the label's places.
-type Found = (Candidate, f64, usize);
+type ChosenPlace = (CandidatePlace, f64, usize);
 
 /// A request with its measures.
-struct Wanted {
+struct MeasuredRequest {
     half_width_mm: f64,
     half_height_mm: f64,
     /// Distances from the sides of the box to the ink, by which the eye judges distances.
@@ -378,11 +382,11 @@ struct Wanted {
     reads: Reads,
 }
 
-impl Wanted {
-    fn new(request: &LabelRequest) -> Wanted {
+impl MeasuredRequest {
+    fn new(request: &LabelRequest) -> MeasuredRequest {
         let set = text::set(&request.label);
         let k = request.size_mm;
-        Wanted {
+        MeasuredRequest {
             half_width_mm: set.width_em * k / 2.0,
             half_height_mm: (set.ascent_em + set.descent_em) * k / 2.0,
             bearing_mm: [set.ink_em[0] * k, (set.width_em - set.ink_em[1]) * k],
@@ -394,7 +398,7 @@ impl Wanted {
         }
     }
 
-    fn placement(&self, (candidate, cost, index): Found) -> Placement {
+    fn placement(&self, (candidate, cost, index): ChosenPlace) -> Placement {
         let at = Point::new(candidate.rect.min.x, candidate.rect.min.y + self.descent_mm);
         Placement { at, bounds: candidate.rect, leader: candidate.leader, cost, index }
     }

@@ -2,7 +2,7 @@
 
 use crate::paper::arrow;
 use crate::paper::extent::{Rect, on_circle, turned_corners};
-use crate::paper::item::{Item, Piece, Shape, Stroke};
+use crate::paper::item::{FigureItem, LineStroke, PathPiece, Shape};
 use hodograph_base::geom::Point;
 
 /// A straight piece of ink.
@@ -23,7 +23,7 @@ pub struct Bar {
 
 /// A round piece of ink.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Disc {
+pub struct InkDisc {
     /// Centre.
     pub centre: Point,
     /// Radius.
@@ -40,7 +40,7 @@ pub struct Obstacles {
     /// The two barbs of each arrowhead.
     pub barbs: Vec<[Point; 2]>,
     /// Joints and dots.
-    pub discs: Vec<Disc>,
+    pub discs: Vec<InkDisc>,
     /// Boxes: labels with a fixed place, tables.
     pub rects: Vec<Rect>,
     /// Lines that no leader line may cross: hatching, in which it is lost, and arcs of angles and
@@ -63,7 +63,7 @@ fn overlap(a: &Rect, b: &Rect) -> bool {
 
 impl Obstacles {
     /// Returns the obstacles that these items make.
-    pub fn of(items: &[Item]) -> Obstacles {
+    pub fn of(items: &[FigureItem]) -> Obstacles {
         let mut all = Obstacles::default();
         all.add(items, None);
         all
@@ -78,7 +78,7 @@ impl Obstacles {
     }
 
     /// Adds the obstacles that these items make, all with one owner.
-    pub fn add(&mut self, items: &[Item], owner: Option<u32>) {
+    pub fn add(&mut self, items: &[FigureItem], owner: Option<u32>) {
         for item in items {
             let (bars, heads) = (self.bars.len(), self.heads.len());
             self.add_item(item, owner);
@@ -98,8 +98,9 @@ impl Obstacles {
             overlap(&own, &all) && boxes.iter().zip(&others.bars).any(|(b, o)| overlap(&own, b) && meets(o))
         };
         let met = |bar: &&Bar| any(Rect::new(bar.from, bar.to).grown(bar.half_width_mm), &|o| super::cost::bars_apart(bar, o) < air_mm);
-        let disc =
-            |d: &&Disc| any(Rect::new(d.centre, d.centre).grown(d.radius_mm), &|o| super::cost::to_bar(d.centre, o) < d.radius_mm + air_mm);
+        let disc = |d: &&InkDisc| {
+            any(Rect::new(d.centre, d.centre).grown(d.radius_mm), &|o| super::cost::to_bar(d.centre, o) < d.radius_mm + air_mm)
+        };
         self.bars.iter().filter(met).count() + self.discs.iter().filter(disc).count()
     }
 
@@ -129,8 +130,8 @@ impl Obstacles {
         self.barred.iter().any(|bar| super::cost::to_bar(p, bar) < air_mm)
     }
 
-    fn add_item(&mut self, item: &Item, owner: Option<u32>) {
-        let half = |s: &Option<Stroke>| s.map_or(0.0, |s| s.width_mm / 2.0);
+    fn add_item(&mut self, item: &FigureItem, owner: Option<u32>) {
+        let half = |s: &Option<LineStroke>| s.map_or(0.0, |s| s.width_mm / 2.0);
         match &item.shape {
             Shape::Line { from, to, stroke } => self.bar(*from, *to, stroke.width_mm / 2.0, owner),
             Shape::Polyline { points, closed, stroke, .. } => {
@@ -145,12 +146,12 @@ impl Obstacles {
                 let (mut begin, mut here) = (*start, *start);
                 for piece in pieces {
                     match *piece {
-                        Piece::Move(to) => (begin, here) = (to, to),
-                        Piece::Line(to) => {
+                        PathPiece::Move(to) => (begin, here) = (to, to),
+                        PathPiece::Line(to) => {
                             self.bar(here, to, half(stroke), owner);
                             here = to;
                         }
-                        Piece::Arc { centre, radius_mm, from_rad, to_rad } => {
+                        PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => {
                             self.arc(centre, radius_mm, from_rad, to_rad, half(stroke), owner);
                             here = on_circle(centre, radius_mm, to_rad);
                         }
@@ -161,7 +162,7 @@ impl Obstacles {
                 }
             }
             Shape::Circle { centre, radius_mm, stroke, .. } => {
-                self.discs.push(Disc { centre: *centre, radius_mm: radius_mm + half(stroke) });
+                self.discs.push(InkDisc { centre: *centre, radius_mm: radius_mm + half(stroke) });
             }
             Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke } => {
                 self.arc(*centre, *radius_mm, *from_rad, *to_rad, stroke.width_mm / 2.0, owner);
@@ -236,7 +237,7 @@ mod tests {
                         _ => Point::new(random(size), random(size)),
                     };
                     all.bar(from, to, random(0.5), None);
-                    all.discs.push(Disc { centre: to, radius_mm: random(2.0) });
+                    all.discs.push(InkDisc { centre: to, radius_mm: random(2.0) });
                 }
                 all
             };

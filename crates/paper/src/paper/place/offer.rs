@@ -1,7 +1,7 @@
 //! The candidate places of a label with their individual costs.
 
-use super::Wanted;
-use super::candidate::{self, Candidate};
+use super::MeasuredRequest;
+use super::candidate::{self, CandidatePlace};
 use super::cost::Around;
 use super::obstacle::Obstacles;
 use crate::paper::extent::Rect;
@@ -9,17 +9,17 @@ use hodograph_base::budget::spend;
 
 /// Rings of places, from near to far: without a leader line, with one, with a long one, with one in
 /// an intermediate direction, with one to any part of the target.
-pub(super) const RINGS: [fn(&Wanted) -> Vec<Candidate>; 5] =
+pub(super) const RINGS: [fn(&MeasuredRequest) -> Vec<CandidatePlace>; 5] =
     [candidate::near, candidate::far, candidate::farthest, candidate::between, candidate::anywhere];
 
 /// The places of a label and their individual costs, computed on demand. They are reused when a
 /// label is searched again without some of its neighbours, which does not change these costs.
 pub(super) struct Offer<'a> {
-    wanted: &'a Wanted,
+    wanted: &'a MeasuredRequest,
     obstacles: &'a Obstacles,
     paper: Rect,
     /// The places near the target, followed by those of further rings once a search needs them.
-    pub(super) places: Vec<Candidate>,
+    pub(super) places: Vec<CandidatePlace>,
     /// Number of places up to the end of each ring found so far.
     ends: Vec<usize>,
     costs: Vec<Option<f64>>,
@@ -29,7 +29,7 @@ pub(super) struct Offer<'a> {
 
 impl<'a> Offer<'a> {
     /// Returns the places of a label among the obstacles.
-    pub(super) fn new(wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Offer<'a> {
+    pub(super) fn new(wanted: &'a MeasuredRequest, obstacles: &'a Obstacles, paper: Rect) -> Offer<'a> {
         spend();
         let around = std::array::from_fn(|_| None);
         let mut offer = Offer { wanted, obstacles, paper, places: Vec::new(), ends: Vec::new(), costs: Vec::new(), around };

@@ -23,7 +23,7 @@ const AREA: u8 = 4;
 
 /// The contents of the paper's cells.
 #[derive(Debug)]
-pub struct Raster {
+pub struct InkRaster {
     corner: Point,
     cell_mm: f64,
     columns: usize,
@@ -33,18 +33,18 @@ pub struct Raster {
     touched: usize,
 }
 
-impl Raster {
-    fn new(paper: Rect) -> Raster {
+impl InkRaster {
+    fn new(paper: Rect) -> InkRaster {
         let side = paper.width_mm().max(paper.height_mm());
         let cell_mm = CELL_MM.max(side / ACROSS as f64);
         let count = |mm: f64| (mm / cell_mm).ceil().clamp(1.0, ACROSS as f64 + 1.0) as usize;
         let (columns, rows) = (count(paper.width_mm()), count(paper.height_mm()));
-        Raster { corner: paper.min, cell_mm, columns, rows, cells: vec![0; columns * rows], touched: 0 }
+        InkRaster { corner: paper.min, cell_mm, columns, rows, cells: vec![0; columns * rows], touched: 0 }
     }
 
     /// Returns the raster of a paper with these obstacles.
-    pub fn of(obstacles: &Obstacles, paper: Rect) -> Raster {
-        let mut raster = Raster::new(paper);
+    pub fn of(obstacles: &Obstacles, paper: Rect) -> InkRaster {
+        let mut raster = InkRaster::new(paper);
         raster.add(obstacles);
         raster
     }

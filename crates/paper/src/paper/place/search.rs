@@ -1,17 +1,17 @@
 //! Chooses one place for each label: coordinate descent, then joint moves of labels in conflict.
 //!
 //! Nothing is computed twice. The individual cost of a place is kept in its [`Offer`]; its cost
-//! beside a neighbour is kept until the neighbour moves ([`Beside`]); a pair that could not be
+//! beside a neighbour is kept until the neighbour moves ([`NeighbourCosts`]); a pair that could not be
 //! improved is tried again only after something around it has moved.
 
 use crate::paper::extent::Rect;
 use hodograph_base::budget::spend;
 
-use super::candidate::{self, Candidate};
+use super::candidate::{self, CandidatePlace};
 use super::cost::{self, Around};
 use super::obstacle::Obstacles;
 use super::offer::{Offer, RINGS};
-use super::{CROWDED, Found, Leads, Placement, Wanted};
+use super::{CROWDED, ChosenPlace, LeaderReach, MeasuredRequest, Placement};
 
 /// Largest number of sweeps of the descent. Each lowers the total, so it terminates by itself; on
 /// sheets of 200 labels after at most 6.
@@ -31,7 +31,7 @@ const COVERED: f64 = cost::TOUCH * cost::THICK_FACTOR;
 /// touching anything, more than any nearness. A label thus stays until something obstructs it.
 pub(super) const LEAVE: f64 = 6.0;
 
-struct Choice<'c, 'a> {
+struct LabelChoice<'c, 'a> {
     offer: &'c mut Offer<'a>,
     /// Individual cost of each place; a lower bound until it is known.
     fixed: Vec<f64>,
@@ -48,7 +48,7 @@ struct Choice<'c, 'a> {
     /// The labels with a place that could meet one of this label's places.
     neighbours: Vec<usize>,
     /// Costs of its places beside the current places of the others.
-    beside: Beside,
+    beside: NeighbourCosts,
     /// Time of its last move or extension of places.
     moved: u64,
 }
@@ -56,16 +56,16 @@ struct Choice<'c, 'a> {
 /// Costs of a label's places beside the current places of the others. Most places meet no other
 /// label: only positive costs are stored.
 #[derive(Default)]
-struct Beside {
+struct NeighbourCosts {
     /// For each place the others that make it costlier, in their order, with the cost.
     rows: Vec<Vec<(usize, f64)>>,
     /// The place assumed for each other label; `None` if not yet considered.
     stand: Vec<Option<usize>>,
 }
 
-impl Beside {
+impl NeighbourCosts {
     /// Updates the costs for another label at its `index`th place.
-    fn turn_to(&mut self, places: &[Candidate], j: usize, (index, place): (usize, &Candidate)) {
+    fn turn_to(&mut self, places: &[CandidatePlace], j: usize, (index, place): (usize, &CandidatePlace)) {
         let before = self.stand[j].replace(index);
         if before == Some(index) {
             return;
@@ -88,12 +88,12 @@ impl Beside {
 }
 
 /// The box around some places and their leader lines.
-fn around(places: &[Candidate]) -> Rect {
+fn around(places: &[CandidatePlace]) -> Rect {
     places.iter().map(|c| c.reach).reduce(Rect::union).expect("every label has places")
 }
 
-impl<'c, 'a> Choice<'c, 'a> {
-    fn new(offer: &'c mut Offer<'a>, before: Option<usize>) -> Choice<'c, 'a> {
+impl<'c, 'a> LabelChoice<'c, 'a> {
+    fn new(offer: &'c mut Offer<'a>, before: Option<usize>) -> LabelChoice<'c, 'a> {
         // Includes enough rings to contain the place of the previous figure.
         let mut count = offer.up_to(0);
         for ring in 1..RINGS.len() {
@@ -104,8 +104,8 @@ impl<'c, 'a> Choice<'c, 'a> {
         let before = before.filter(|b| *b < count);
         let reach = around(&offer.places[..count]);
         let (fixed, known) = (vec![f64::INFINITY; count], vec![true; count]);
-        let (neighbours, beside) = (Vec::new(), Beside::default());
-        let mut choice = Choice { offer, fixed, known, picked: 0, before, open: false, reach, neighbours, beside, moved: 0 };
+        let (neighbours, beside) = (Vec::new(), NeighbourCosts::default());
+        let mut choice = LabelChoice { offer, fixed, known, picked: 0, before, open: false, reach, neighbours, beside, moved: 0 };
         if let Some(b) = before {
             choice.picked = b;
             choice.fixed[b] = choice.offer.cost_alone(b);
@@ -124,7 +124,7 @@ impl<'c, 'a> Choice<'c, 'a> {
         self.fixed.len()
     }
 
-    fn places(&self) -> &[Candidate] {
+    fn places(&self) -> &[CandidatePlace] {
         &self.offer.places[..self.fixed.len()]
     }
 
@@ -181,17 +181,17 @@ impl<'c, 'a> Choice<'c, 'a> {
         if self.before.is_some_and(|b| b != k) { LEAVE } else { 0.0 }
     }
 
-    fn place(&self) -> &Candidate {
+    fn place(&self) -> &CandidatePlace {
         &self.offer.places[self.picked]
     }
 }
 
 /// Returns for each of these labels (in their order) its place, the cost, and the index of the
 /// place; `before` contains the indices in the previous figure.
-pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], leads: Leads) -> Vec<Found> {
+pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], leads: LeaderReach) -> Vec<ChosenPlace> {
     let stood = |i: usize| before.get(i).copied().flatten();
     let wanted = offers.iter_mut().enumerate().filter(|(k, _)| of.binary_search(k).is_ok());
-    let mut search = Search::new(wanted.enumerate().map(|(i, (_, offer))| Choice::new(offer, stood(i))).collect());
+    let mut search = PlaceSearch::new(wanted.enumerate().map(|(i, (_, offer))| LabelChoice::new(offer, stood(i))).collect());
     // In a series the previous figure has settled the places: one descent resolves new
     // obstructions.
     let rounds = if before.is_empty() { ROUNDS_MAX } else { 0 };
@@ -207,8 +207,8 @@ pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], 
         search.settle(rounds);
     }
     let rings: &[(usize, f64)] = match leads {
-        Leads::Short => &[(1, POOR)],
-        Leads::Long => &[(1, POOR), (2, CROWDED), (3, STRAYED), (4, COVERED)],
+        LeaderReach::Short => &[(1, POOR)],
+        LeaderReach::Long => &[(1, POOR), (2, CROWDED), (3, STRAYED), (4, COVERED)],
     };
     for &(ring, enough) in rings {
         let is_poor = |i: &usize| search.choices[*i].open && search.total(*i) > enough;
@@ -218,16 +218,16 @@ pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], 
             search.settle(rounds);
         }
     }
-    let found = |(i, c): (usize, &Choice)| (*c.place(), search.total(i) - c.leave(c.picked), c.picked);
+    let found = |(i, c): (usize, &LabelChoice)| (*c.place(), search.total(i) - c.leave(c.picked), c.picked);
     search.choices.iter().enumerate().map(found).collect()
 }
 
 /// Returns the best place near its target for a label beside others that stay in place.
-pub(super) fn beside_placed(wanted: &Wanted, obstacles: &Obstacles, paper: Rect, placed: &[Placement]) -> Option<Found> {
+pub(super) fn beside_placed(wanted: &MeasuredRequest, obstacles: &Obstacles, paper: Rect, placed: &[Placement]) -> Option<ChosenPlace> {
     let places = candidate::near(wanted);
     let around = Around::new(&places, wanted, obstacles, paper);
-    let others: Vec<Candidate> = placed.iter().map(|p| Candidate::new(p.bounds, p.leader, 0.0)).collect();
-    let cost = |c: &Candidate| around.fixed(c) + others.iter().map(|o| cost::pair(c, o)).sum::<f64>();
+    let others: Vec<CandidatePlace> = placed.iter().map(|p| CandidatePlace::new(p.bounds, p.leader, 0.0)).collect();
+    let cost = |c: &CandidatePlace| around.fixed(c) + others.iter().map(|o| cost::pair(c, o)).sum::<f64>();
     let costs: Vec<f64> = places.iter().map(cost).collect();
     let best = argmin(&costs);
     Some((*places.get(best)?, costs[best], best))
@@ -239,8 +239,8 @@ fn argmin(costs: &[f64]) -> usize {
 }
 
 /// All labels that are compared with one another.
-struct Search<'c, 'a> {
-    choices: Vec<Choice<'c, 'a>>,
+struct PlaceSearch<'c, 'a> {
+    choices: Vec<LabelChoice<'c, 'a>>,
     /// Counter of moves.
     clock: u64,
     /// For each pair of labels, the time of the last attempt that found no better pair of places:
@@ -248,13 +248,13 @@ struct Search<'c, 'a> {
     tried: Vec<u64>,
 }
 
-impl<'c, 'a> Search<'c, 'a> {
-    fn new(mut choices: Vec<Choice<'c, 'a>>) -> Search<'c, 'a> {
+impl<'c, 'a> PlaceSearch<'c, 'a> {
+    fn new(mut choices: Vec<LabelChoice<'c, 'a>>) -> PlaceSearch<'c, 'a> {
         let n = choices.len();
         for c in &mut choices {
             c.beside.restart(c.count(), n);
         }
-        Search { choices, clock: 1, tried: vec![0; n * n] }
+        PlaceSearch { choices, clock: 1, tried: vec![0; n * n] }
     }
 
     /// Returns the cost of a label at its current place.
@@ -381,7 +381,7 @@ impl<'c, 'a> Search<'c, 'a> {
         self.look_around(j);
         let choices = &mut self.choices;
         let together = cost::pair(choices[i].place(), choices[j].place());
-        let alone = |me: &Choice, without: usize| me.total(me.picked, Some(without));
+        let alone = |me: &LabelChoice, without: usize| me.total(me.picked, Some(without));
         let now = alone(&choices[i], j) + alone(&choices[j], i) + together;
         // Rounding must not make two equal places alternate for ever.
         let mut best = now - 1e-9;
@@ -423,7 +423,7 @@ impl<'c, 'a> Search<'c, 'a> {
     }
 }
 
-impl Choice<'_, '_> {
+impl LabelChoice<'_, '_> {
     /// Returns the cost of place `k` beside its neighbours, or all of them but one.
     fn total(&self, k: usize, without: Option<usize>) -> f64 {
         let beside: f64 = self.beside.rows[k].iter().filter(|(j, _)| Some(*j) != without).map(|(_, cost)| cost).sum();

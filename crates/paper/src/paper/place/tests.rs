@@ -1,11 +1,11 @@
 use super::*;
-use crate::paper::arrow::Head;
-use crate::paper::item::Item;
+use crate::paper::arrow::ArrowHead;
+use crate::paper::item::FigureItem;
 
 const PAPER: Rect = Rect { min: Point::ORIGIN, max: Point { x: 180.0, y: 120.0 } };
 
-fn arrow(from: Point, to: Point) -> Item {
-    Item::new("vector", Shape::Arrow { from, to, stroke: Stroke::new(0.4), head: Head::VECTOR })
+fn arrow(from: Point, to: Point) -> FigureItem {
+    FigureItem::new("vector", Shape::Arrow { from, to, stroke: LineStroke::new(0.4), head: ArrowHead::VECTOR })
 }
 
 /// Counts pairs of labels that overlap, labels on a bar or disc, and labels off the paper.
@@ -25,7 +25,7 @@ fn clashes(placements: &[Placement], obstacles: &Obstacles) -> (usize, usize, us
 
 /// A polygon with a labelled corner and edge at each step, the pole in the centre, and a ray to
 /// every corner.
-fn rose(centre: Point, n: usize, radius: f64, items: &mut Vec<Item>, obstacles: &mut Obstacles, requests: &mut Vec<LabelRequest>) {
+fn rose(centre: Point, n: usize, radius: f64, items: &mut Vec<FigureItem>, obstacles: &mut Obstacles, requests: &mut Vec<LabelRequest>) {
     let corner = |k: usize| centre + Vec2::from_angle(0.3 + std::f64::consts::TAU * k as f64 / n as f64) * radius;
     for k in 0..n {
         for (from, to, name) in [(centre, corner(k), "v_{B3}"), (corner(k), corner(k + 1), "a_{CB}^t")] {
@@ -73,7 +73,7 @@ fn a_lone_label_stands_where_it_is_asked_to() {
 fn baseline_is_the_ink_box_moved_by_the_descent() {
     let request = LabelRequest::at_point(Label::math("p"), 5.0, Point::new(20.0, 20.0), 0.0);
     let p = place(std::slice::from_ref(&request), &Obstacles::default(), PAPER)[0];
-    let drawn = p.items(&request, "point", Stroke::new(0.2));
+    let drawn = p.items(&request, "point", LineStroke::new(0.2));
     assert_eq!(drawn.len(), 1);
     let ink = drawn[0].bounds().unwrap();
     assert!((ink.min.y - p.bounds.min.y).abs() < 1e-9 && (ink.max.x - p.bounds.max.x).abs() < 1e-9);
@@ -87,7 +87,7 @@ fn stands_nearer_to_its_own_line() {
     let lines = [(Point::new(20.0, 40.0), Point::new(80.0, 40.0)), (Point::new(20.0, 45.0), Point::new(80.0, 45.0))];
     let mut obstacles = Obstacles::default();
     for (k, &(from, to)) in lines.iter().enumerate() {
-        obstacles.add(&[Item::new("", Shape::Line { from, to, stroke: Stroke::new(0.4) })], Some(k as u32));
+        obstacles.add(&[FigureItem::new("", Shape::Line { from, to, stroke: LineStroke::new(0.4) })], Some(k as u32));
     }
     let request = |k: usize, side: f64| {
         LabelRequest::along(Label::math("v_B"), 4.5, lines[k].0, lines[k].1, 0.2).owned(k as u32).towards(Vec2::new(0.0, side))
@@ -109,7 +109,7 @@ fn names_beside_each_other_are_not_read_as_one() {
     for (lines, names) in [(flat, ["v_A", "v_{PB}"]), (slow, ["1", "2"])] {
         let mut obstacles = Obstacles::default();
         for (k, &(from, to)) in lines.iter().enumerate() {
-            obstacles.add(&[Item::new("", Shape::Line { from, to, stroke: Stroke::new(0.4) })], Some(k as u32));
+            obstacles.add(&[FigureItem::new("", Shape::Line { from, to, stroke: LineStroke::new(0.4) })], Some(k as u32));
         }
         let request = |k: usize| LabelRequest::along(Label::math(names[k]), 4.5, lines[k].0, lines[k].1, 0.2).owned(k as u32);
         let both = place(&[request(0), request(1)], &obstacles, PAPER);
@@ -140,8 +140,8 @@ fn beside_an_arc_means_off_the_arc() {
         let angles = [from, from + 1.2];
         let mut obstacles = Obstacles::default();
         let [from_rad, to_rad] = angles;
-        let arc = Shape::Arc { centre, radius_mm: 12.0, from_rad, to_rad, stroke: Stroke::new(0.25) };
-        obstacles.add(&[Item::new("angle", arc)], Some(1));
+        let arc = Shape::Arc { centre, radius_mm: 12.0, from_rad, to_rad, stroke: LineStroke::new(0.25) };
+        obstacles.add(&[FigureItem::new("angle", arc)], Some(1));
         let request = LabelRequest::along_arc(Label::math(r"\varphi_1"), 4.5, centre, 12.0, angles, 0.125).owned(1);
         let p = place(&[request], &obstacles, PAPER)[0];
         let gap = candidate::nearest(p.bounds, centre).distance(centre) - 12.0;

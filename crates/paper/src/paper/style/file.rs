@@ -11,12 +11,12 @@ use crate::paper::item::Colour;
 use crate::paper::label::Label;
 use crate::paper::text;
 use hodograph_base::diag::{Diagnostic, Faults, both};
-use hodograph_base::json::fields::{Fields, What, list, suggest, word, wrong};
-use hodograph_base::json::{self, Kind, Node};
+use hodograph_base::json::fields::{FaultSubject, Fields, list, suggest, word, wrong};
+use hodograph_base::json::{self, Node, NodeKind};
 use hodograph_base::notation::Vectors;
 
 /// A length that a style sets: its key, its field, and its bounds in mm.
-type Length = (&'static str, fn(&mut Style) -> &mut f64, [f64; 2]);
+type StyleLength = (&'static str, fn(&mut Style) -> &mut f64, [f64; 2]);
 
 /// Longest mark in characters: a mark is a letter or a word in the label language and occurs in
 /// many labels.
@@ -24,7 +24,7 @@ const MARK_MAX: usize = 40;
 
 /// Line widths: lines thinner than a hair do not print, and lines thicker than 2 mm hide what they
 /// join.
-const LINES: &[Length] = &[
+const LINES: &[StyleLength] = &[
     ("link", |s| &mut s.link.width_mm, [0.1, 2.0]),
     ("outline", |s| &mut s.outline.width_mm, [0.1, 2.0]),
     ("thin", |s| &mut s.thin.width_mm, [0.1, 2.0]),
@@ -33,7 +33,7 @@ const LINES: &[Length] = &[
 
 /// Arrowheads: a head shorter than a millimetre is invisible, and one longer than a centimetre
 /// covers the vector.
-const HEADS: &[Length] = &[
+const HEADS: &[StyleLength] = &[
     ("vector_length", |s| &mut s.head.length_mm, [1.0, 10.0]),
     ("vector_width", |s| &mut s.head.width_mm, [0.4, 6.0]),
     ("thin_length", |s| &mut s.thin_head.length_mm, [1.0, 10.0]),
@@ -41,7 +41,7 @@ const HEADS: &[Length] = &[
 ];
 
 /// Symbol sizes: half to four times the textbook sizes; beyond these, symbols run into one another.
-const SYMBOLS: &[Length] = &[
+const SYMBOLS: &[StyleLength] = &[
     ("pin_radius", |s| &mut s.pin_radius_mm, [0.5, 4.0]),
     ("dot_radius", |s| &mut s.dot_radius_mm, [0.3, 2.0]),
     ("pivot_height", |s| &mut s.pivot_height_mm, [2.0, 16.0]),
@@ -56,13 +56,13 @@ const SYMBOLS: &[Length] = &[
 
 /// Type sizes: scripts are 70 % of the type; below 3.2 mm they fall below 2.2 mm, the smallest size
 /// that prints well.
-const TEXT: &[Length] = &[
+const TEXT: &[StyleLength] = &[
     ("label", |s| &mut s.label_mm, [3.2, 15.0]),
     ("caption", |s| &mut s.caption_mm, [3.2, 15.0]),
     ("small", |s| &mut s.small_mm, [3.2, 15.0]),
 ];
 
-const SECTIONS: &[(&str, &str, &[Length])] =
+const SECTIONS: &[(&str, &str, &[StyleLength])] =
     &[("lines", "\"lines\"", LINES), ("heads", "\"heads\"", HEADS), ("symbols", "\"symbols\"", SYMBOLS), ("text", "\"text\"", TEXT)];
 const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "fonts", "colours", "notation", "captions"];
 const COLOURS: &[&str] = &["paper", "ink", "plate", "links"];
@@ -74,7 +74,7 @@ const LINKS_MAX: usize = 64;
 
 /// Reads the file that a style names. Fonts are stored beside the style, and this module opens no
 /// files.
-pub type Open<'a> = dyn FnMut(&str) -> Result<Vec<u8>, Diagnostic> + 'a;
+pub type FontOpener<'a> = dyn FnMut(&str) -> Result<Vec<u8>, Diagnostic> + 'a;
 
 /// Reads a style file that names no other files.
 ///
@@ -95,7 +95,7 @@ pub fn read(source: &[u8]) -> Result<Style, Faults> {
 /// # Errors
 /// As [`read`]; also the errors of `open`, and `font` for a file that is not a font and for a
 /// second font of a cut.
-pub fn read_with(source: &[u8], open: &mut Open) -> Result<Style, Faults> {
+pub fn read_with(source: &[u8], open: &mut FontOpener) -> Result<Style, Faults> {
     read_onto(source, Style::default(), open)
 }
 
@@ -108,14 +108,14 @@ pub(super) fn nothing(name: &str) -> Result<Vec<u8>, Diagnostic> {
 }
 
 /// Reads a style file that is based on `usual` if it names no base.
-pub(super) fn read_onto(source: &[u8], usual: Style, open: &mut Open) -> Result<Style, Faults> {
+pub(super) fn read_onto(source: &[u8], usual: Style, open: &mut FontOpener) -> Result<Style, Faults> {
     let mut faults = Faults::default();
     let (_, root) = json::parse(source, &mut faults)?;
     let style = style(&root, usual, open, &mut faults);
     style.filter(|_| !faults.has_errors()).ok_or(faults)
 }
 
-fn style(root: &Node, usual: Style, open: &mut Open, faults: &mut Faults) -> Option<Style> {
+fn style(root: &Node, usual: Style, open: &mut FontOpener, faults: &mut Faults) -> Option<Style> {
     let f = Fields::open(root, both!("a style", "样式文件"), KEYS, faults)?;
     let mut style = match f.get("base") {
         None => usual,
@@ -157,7 +157,7 @@ fn style(root: &Node, usual: Style, open: &mut Open, faults: &mut Faults) -> Opt
 }
 
 fn length(node: &Node, key: &str, [least, most]: [f64; 2], faults: &mut Faults) -> Option<f64> {
-    let Kind::Number(text) = &node.kind else {
+    let NodeKind::Number(text) = &node.kind else {
         return wrong(node, &format!("`{key}`"), both!("a number of millimetres", "毫米数"), faults);
     };
     match text.parse::<f64>() {
@@ -171,7 +171,7 @@ fn length(node: &Node, key: &str, [least, most]: [f64; 2], faults: &mut Faults) 
 }
 
 /// Reads an upright font, a slanted one, or both; a fault is reported at the name of its font.
-fn fonts(node: &Node, open: &mut Open, faults: &mut Faults) -> Fonts {
+fn fonts(node: &Node, open: &mut FontOpener, faults: &mut Faults) -> Fonts {
     let mut fonts = Fonts::default();
     for item in list(node, "\"fonts\"", faults).unwrap_or_default() {
         let Some(name) = word(item, both!("a font", "字体"), faults) else { continue };
@@ -206,7 +206,7 @@ fn colours(node: &Node, style: &mut Style, faults: &mut Faults) {
     style.palette.links = items.iter().filter_map(|n| colour(n, both!("`a colour of a link`", "构件的颜色"), faults)).collect();
 }
 
-fn colour(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<Colour> {
+fn colour(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<Colour> {
     let text = word(node, what, faults)?;
     let digits = text.text.strip_prefix('#').filter(|d| d.len() == 6 && d.bytes().all(|b| b.is_ascii_hexdigit()));
     let value = digits.and_then(|d| u32::from_str_radix(d, 16).ok());

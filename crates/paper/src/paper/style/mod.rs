@@ -3,9 +3,9 @@
 //! Styles are data: the bundled ones are the JSON files in this directory; a user's style is a file
 //! of the same form with the differences from a base (the `file` module reads both).
 
-use super::arrow::Head;
+use super::arrow::ArrowHead;
 use super::font::own::Fonts;
-use super::item::{Colour, Stroke};
+use super::item::{Colour, LineStroke};
 use hodograph_base::notation::{Notation, Vectors};
 
 mod captions;
@@ -13,7 +13,7 @@ mod file;
 mod palette;
 
 pub use captions::{Captioned, Captions};
-pub use file::{Open, read, read_with};
+pub use file::{FontOpener, read, read_with};
 pub use palette::Palette;
 
 /// The style of a figure.
@@ -23,20 +23,20 @@ pub struct Style {
     pub name: String,
     /// Links: the thick line of ISO 128, the darkest on the page, because the mechanism is the
     /// subject.
-    pub link: Stroke,
+    pub link: LineStroke,
     /// Outlines of joints, blocks and supports: thinner than the links and thicker than the
     /// auxiliary lines.
-    pub outline: Stroke,
+    pub outline: LineStroke,
     /// Hatching, dimensions, angles, centre lines: half the outline's width, so that hatched areas
     /// stay grey.
-    pub thin: Stroke,
+    pub thin: LineStroke,
     /// Vectors: their length is read with a ruler to 0.2 mm, so the line may be at most twice as
     /// wide.
-    pub vector: Stroke,
+    pub vector: LineStroke,
     /// Head of a vector.
-    pub head: Head,
+    pub head: ArrowHead,
     /// Head of an angle's or dimension's arrow.
-    pub thin_head: Head,
+    pub thin_head: ArrowHead,
     /// Radius of a revolute joint's circle, to the middle of its line: its white area must be
     /// visible between links of 0.7 mm.
     pub pin_radius_mm: f64,
@@ -161,15 +161,15 @@ impl Style {
     /// Returns a style without measures, the base of `print`: its file sets all of them (a test
     /// checks each).
     fn blank() -> Style {
-        let (none, head) = (Stroke::new(0.0), |notch| Head { length_mm: 0.0, width_mm: 0.0, notch });
+        let (none, head) = (LineStroke::new(0.0), |notch| ArrowHead { length_mm: 0.0, width_mm: 0.0, notch });
         Style {
             name: String::new(),
             link: none.round(),
             outline: none,
             thin: none,
             vector: none,
-            head: head(Head::VECTOR.notch),
-            thin_head: head(Head::THIN.notch),
+            head: head(ArrowHead::VECTOR.notch),
+            thin_head: head(ArrowHead::THIN.notch),
             pin_radius_mm: 0.0,
             dot_radius_mm: 0.0,
             pivot_height_mm: 0.0,

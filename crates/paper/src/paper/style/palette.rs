@@ -3,7 +3,7 @@
 //! Figures are built in black, white and greys. At the end the palette maps black to its ink or to
 //! the colour of the item's link, white to its paper, and a grey to a mixture of the two.
 
-use super::super::item::{Colour, Figure, Item, Shape, Stroke};
+use super::super::item::{Colour, Figure, FigureItem, LineStroke, Shape};
 
 /// Colours of a style.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,10 +47,10 @@ impl Palette {
     }
 
     /// Colours one item.
-    pub fn item(&self, item: &mut Item) {
+    pub fn item(&self, item: &mut FigureItem) {
         let full = self.link(item.link);
         let change = |c: &mut Colour| *c = self.mixed(full, *c);
-        let line = |s: &mut Stroke| s.colour = self.mixed(full, s.colour);
+        let line = |s: &mut LineStroke| s.colour = self.mixed(full, s.colour);
         match &mut item.shape {
             Shape::Line { stroke, .. } | Shape::Arc { stroke, .. } | Shape::Arrow { stroke, .. } | Shape::ArcArrow { stroke, .. } => {
                 line(stroke);

@@ -1,21 +1,21 @@
 //! Links: bars, plates, and the mark of a rigid corner.
 
-use crate::paper::item::{Cap, Colour, Dash, Item, Shape, Stroke};
+use crate::paper::item::{Cap, Colour, Dash, FigureItem, LineStroke, Shape};
 use crate::paper::style::Style;
 use hodograph_base::geom::{Point, Vec2};
 
 /// A link with two joints, or a bent one through several points.
-pub fn link(style: &Style, points: &[Point]) -> Vec<Item> {
+pub fn link(style: &Style, points: &[Point]) -> Vec<FigureItem> {
     let shape = match *points {
         [from, to] => Shape::Line { from, to, stroke: style.link },
         _ => Shape::Polyline { points: points.to_vec(), closed: false, stroke: Some(style.link), fill: None },
     };
-    vec![Item::new("link", shape)]
+    vec![FigureItem::new("link", shape)]
 }
 
 /// Returns the items drawn dashed, for a virtual (redundant) constraint.
-pub fn dashed(items: Vec<Item>) -> Vec<Item> {
-    let dashed = |stroke: Stroke| Stroke { cap: Cap::Butt, ..stroke.dashed(Dash::Dashed) };
+pub fn dashed(items: Vec<FigureItem>) -> Vec<FigureItem> {
+    let dashed = |stroke: LineStroke| LineStroke { cap: Cap::Butt, ..stroke.dashed(Dash::Dashed) };
     let change = |shape| match shape {
         Shape::Line { from, to, stroke } => Shape::Line { from, to, stroke: dashed(stroke) },
         Shape::Polyline { points, closed, stroke, fill } => Shape::Polyline { points, closed, stroke: stroke.map(dashed), fill },
@@ -27,23 +27,23 @@ pub fn dashed(items: Vec<Item>) -> Vec<Item> {
         | Shape::Turned { .. }
         | Shape::Label { .. }) => other,
     };
-    items.into_iter().map(|item| Item { shape: change(item.shape), ..item }).collect()
+    items.into_iter().map(|item| FigureItem { shape: change(item.shape), ..item }).collect()
 }
 
 /// A link with three or more joints: a plate filled with light grey.
-pub fn plate(style: &Style, points: &[Point]) -> Vec<Item> {
+pub fn plate(style: &Style, points: &[Point]) -> Vec<FigureItem> {
     let shape = Shape::Polyline { points: points.to_vec(), closed: true, stroke: Some(style.link), fill: Some(style.plate) };
-    vec![Item::new("link plate", shape)]
+    vec![FigureItem::new("link plate", shape)]
 }
 
 /// The mark of a rigid corner: the angle between two bars of one link, filled. Empty if the bars
 /// have no direction or no angle between them.
-pub fn weld(style: &Style, corner: Point, one: Point, other: Point) -> Vec<Item> {
+pub fn weld(style: &Style, corner: Point, one: Point, other: Point) -> Vec<FigureItem> {
     let (Some(a), Some(b)) = ((one - corner).unit(), (other - corner).unit()) else { return Vec::new() };
     // The mark must extend well beyond the two thick lines to be visible.
     let leg = 3.2 * style.pin_radius_mm;
     let points = vec![corner, corner + a * leg, corner + b * leg];
-    vec![Item::new("link weld", Shape::Polyline { points, closed: true, stroke: None, fill: Some(Colour::BLACK) })]
+    vec![FigureItem::new("link weld", Shape::Polyline { points, closed: true, stroke: None, fill: Some(Colour::BLACK) })]
 }
 
 /// Pitch of a spring's windings at its default length, and their half width.
@@ -53,7 +53,7 @@ const HALF_WIDTH_MM: f64 = 1.8;
 const STRAIGHT: f64 = 0.2;
 
 /// A coil spring between two points: a zigzag line.
-pub fn spring(style: &Style, from: Point, to: Point) -> Vec<Item> {
+pub fn spring(style: &Style, from: Point, to: Point) -> Vec<FigureItem> {
     let along = to - from;
     let Some(across) = along.unit().map(Vec2::perp) else { return Vec::new() };
     let coil = 1.0 - 2.0 * STRAIGHT;
@@ -64,5 +64,5 @@ pub fn spring(style: &Style, from: Point, to: Point) -> Vec<Item> {
     };
     let points = [from, from + along * STRAIGHT].into_iter().chain((0..corners).map(corner)).chain([to + along * -STRAIGHT, to]);
     let shape = Shape::Polyline { points: points.collect(), closed: false, stroke: Some(style.thin), fill: None };
-    vec![Item::new("spring", shape)]
+    vec![FigureItem::new("spring", shape)]
 }

@@ -1,26 +1,26 @@
 //! Marks beside the mechanism: sense of rotation, angles, dimensions, scales.
 
-use crate::paper::item::{Anchor, Colour, Item, Shape};
+use crate::paper::item::{Anchor, Colour, FigureItem, Shape};
 use crate::paper::label::Label;
 use crate::paper::style::Style;
 use hodograph_base::geom::{Point, Vec2};
 
 /// The arrow of a rotation around `centre`, with its head at `to_rad`; counter-clockwise if
 /// `to_rad` > `from_rad`.
-pub fn rotation(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<Item> {
-    vec![Item::new("rotation", Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke: style.vector, head: style.head })]
+pub fn rotation(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<FigureItem> {
+    vec![FigureItem::new("rotation", Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke: style.vector, head: style.head })]
 }
 
 /// An angle at `centre` from a reference line, which is drawn, to an existing line; the head is at
 /// the latter.
-pub fn angle(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<Item> {
+pub fn angle(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<FigureItem> {
     // The reference line extends a third beyond the arc: an angle is legible only if the lines
     // cross.
     let along = Vec2::from_angle(from_rad);
     let (from, to) = (centre + along * style.pin_radius_mm, centre + along * (radius_mm * 4.0 / 3.0));
     vec![
-        Item::new("angle reference", Shape::Line { from, to, stroke: style.thin }),
-        Item::new("angle", Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke: style.thin, head: style.thin_head }),
+        FigureItem::new("angle reference", Shape::Line { from, to, stroke: style.thin }),
+        FigureItem::new("angle", Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke: style.thin, head: style.thin_head }),
     ]
 }
 
@@ -32,7 +32,7 @@ pub fn dimension_line(from: Point, to: Point, offset_mm: f64) -> (Point, Point) 
 
 /// A dimension from `from` to `to`, with its line `offset_mm` to the left of that direction (to the
 /// right if negative).
-pub fn dimension(style: &Style, from: Point, to: Point, offset_mm: f64) -> Vec<Item> {
+pub fn dimension(style: &Style, from: Point, to: Point, offset_mm: f64) -> Vec<FigureItem> {
     let (a, b) = dimension_line(from, to, offset_mm);
     let (Some(out), Some(along)) = ((a - from).unit(), (b - a).unit()) else { return Vec::new() };
     let line = |from: Point, to: Point| Shape::Line { from, to, stroke: style.thin };
@@ -42,19 +42,19 @@ pub fn dimension(style: &Style, from: Point, to: Point, offset_mm: f64) -> Vec<I
     let middle = a + along * (a.distance(b) / 2.0);
     let arrow = |to: Point| Shape::Arrow { from: middle, to, stroke: style.thin, head: style.thin_head };
     vec![
-        Item::new("dimension extension", line(from + gap, a + past)),
-        Item::new("dimension extension", line(to + gap, b + past)),
-        Item::new("dimension", arrow(a)),
-        Item::new("dimension", arrow(b)),
+        FigureItem::new("dimension extension", line(from + gap, a + past)),
+        FigureItem::new("dimension extension", line(to + gap, b + past)),
+        FigureItem::new("dimension", arrow(a)),
+        FigureItem::new("dimension", arrow(b)),
     ]
 }
 
 /// A graphic scale: a line of `length_mm` with a label at each end, which stays valid when the
 /// sheet is enlarged.
-pub fn scale_bar(style: &Style, from: Point, length_mm: f64, zero: Label, end: Label) -> Vec<Item> {
+pub fn scale_bar(style: &Style, from: Point, length_mm: f64, zero: Label, end: Label) -> Vec<FigureItem> {
     let tick = Vec2::new(0.0, 1.1);
     let to = from + Vec2::new(length_mm, 0.0);
-    let line = |from: Point, to: Point| Item::new("scale", Shape::Line { from, to, stroke: style.outline });
+    let line = |from: Point, to: Point| FigureItem::new("scale", Shape::Line { from, to, stroke: style.outline });
     let text = |at: Point, label: Label| {
         let shape = Shape::Label {
             at: at + tick + Vec2::new(0.0, 0.9),
@@ -63,7 +63,7 @@ pub fn scale_bar(style: &Style, from: Point, length_mm: f64, zero: Label, end: L
             anchor: Anchor::Middle,
             colour: Colour::BLACK,
         };
-        Item::new("scale label", shape)
+        FigureItem::new("scale label", shape)
     };
     vec![line(from, to), line(from - tick, from + tick), line(to - tick, to + tick), text(from, zero), text(to, end)]
 }

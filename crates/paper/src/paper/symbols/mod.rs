@@ -15,7 +15,7 @@ mod slide;
 pub use joint::{dot, fixed_pivot, ground_arc, ground_line, pin, wedge};
 pub use link::{dashed, link, plate, spring, weld};
 pub use mark::{angle, dimension, dimension_line, rotation, scale_bar};
-pub use slide::{Guide, block, cylinder, guide, slot, slot_arc};
+pub use slide::{GuideForm, block, cylinder, guide, slot, slot_arc};
 
 #[cfg(test)]
 mod tests;

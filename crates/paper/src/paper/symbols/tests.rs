@@ -2,14 +2,14 @@ use std::sync::LazyLock;
 
 use super::*;
 use crate::paper::extent::{Rect, bounds};
-use crate::paper::item::{Item, Piece, Shape};
+use crate::paper::item::{FigureItem, PathPiece, Shape};
 use crate::paper::place::Obstacles;
 use crate::paper::style::Style;
 use hodograph_base::geom::{Point, Vec2};
 
 static STYLE: LazyLock<Style> = LazyLock::new(Style::default);
 
-fn boxed(items: &[Item]) -> Rect {
+fn boxed(items: &[FigureItem]) -> Rect {
     bounds(items).expect("a symbol has ink")
 }
 
@@ -49,8 +49,8 @@ fn slots_are_joined_without_a_gap() {
         let mut here = *start;
         for piece in pieces {
             match *piece {
-                Piece::Move(p) | Piece::Line(p) => here = p,
-                Piece::Arc { centre, radius_mm, from_rad, to_rad } => {
+                PathPiece::Move(p) | PathPiece::Line(p) => here = p,
+                PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => {
                     assert!(here.distance(centre + Vec2::from_angle(from_rad) * radius_mm) < 1e-9, "{piece:?} begins elsewhere");
                     here = centre + Vec2::from_angle(to_rad) * radius_mm;
                 }

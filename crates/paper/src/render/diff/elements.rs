@@ -17,7 +17,7 @@ const KNOWN: &[&str] = &["svg", "title", "desc", "defs", "g", "path", "line", "r
 const PIXEL_MM: f64 = 25.4 / 96.0;
 
 /// The compared parts of an SVG.
-pub struct Document {
+pub struct SvgDocument {
     /// Size of the document.
     pub size_mm: [f64; 2],
     /// Title.
@@ -25,12 +25,12 @@ pub struct Document {
     /// Description.
     pub desc: String,
     /// Elements with ids, in order.
-    pub elements: Vec<Element>,
+    pub elements: Vec<SvgElement>,
     by_id: HashMap<String, usize>,
 }
 
 /// An element with an id.
-pub struct Element {
+pub struct SvgElement {
     pub id: String,
     /// Names of the vector that it shows; empty for other elements.
     pub name: String,
@@ -51,9 +51,9 @@ pub enum Geometry {
     Lines(String, Vec<f64>),
 }
 
-impl Document {
+impl SvgDocument {
     /// Reads an SVG.
-    pub fn read(text: &str) -> Result<Document, Diagnostic> {
+    pub fn read(text: &str) -> Result<SvgDocument, Diagnostic> {
         let options = ParsingOptions { nodes_limit: NODES, ..ParsingOptions::default() };
         let document = roxmltree::Document::parse_with_options(text, options)
             .map_err(|e| super::refused(both!("the SVG cannot be read: {e}", "不能读取 SVG：{e}")))?;
@@ -66,17 +66,17 @@ impl Document {
         let said = |name: &str| root.children().find(|n| n.tag_name().name() == name).and_then(|n| n.text()).unwrap_or_default().to_owned();
         let elements = named(root)?;
         let by_id = elements.iter().enumerate().rev().map(|(k, e)| (e.id.clone(), k)).collect();
-        Ok(Document { size_mm: [width, height], title: said("title"), desc: said("desc"), elements, by_id })
+        Ok(SvgDocument { size_mm: [width, height], title: said("title"), desc: said("desc"), elements, by_id })
     }
 
     /// Returns the element with an id.
-    pub fn find(&self, id: &str) -> Option<&Element> {
+    pub fn find(&self, id: &str) -> Option<&SvgElement> {
         self.by_id.get(id).map(|k| &self.elements[*k])
     }
 }
 
 /// Returns the outermost elements with ids, in order.
-fn named(root: Node) -> Result<Vec<Element>, Diagnostic> {
+fn named(root: Node) -> Result<Vec<SvgElement>, Diagnostic> {
     let mut out = Vec::new();
     let mut left: Vec<(Node, usize)> = root.children().filter(|n| n.tag_name().name() != "defs").map(|n| (n, 1)).collect();
     left.reverse();
@@ -125,12 +125,12 @@ fn length_mm(text: &str) -> Option<f64> {
     number.parse::<f64>().ok().map(|n| n * factor).filter(|mm| mm.is_finite() && *mm > 0.0)
 }
 
-fn element(node: Node) -> Option<Element> {
+fn element(node: Node) -> Option<SvgElement> {
     let id = node.attribute("id")?.to_owned();
     let number = |key: &str| node.attribute(key).and_then(|v| v.parse::<f64>().ok());
     let name = node.attribute("data-name").unwrap_or_default().to_owned();
     let text = node.attribute("data-text").map(str::to_owned);
-    Some(Element { id, name, mm: number("data-mm"), si: number("data-si"), text, paint: paint(node), geometry: geometry(node) })
+    Some(SvgElement { id, name, mm: number("data-mm"), si: number("data-si"), text, paint: paint(node), geometry: geometry(node) })
 }
 
 fn paint(node: Node) -> String {

@@ -10,7 +10,7 @@ mod elements;
 mod picture;
 mod raster;
 
-use elements::{Document, Element, Geometry};
+use elements::{Geometry, SvgDocument, SvgElement};
 use hodograph_base::diag::{Both, Diagnostic, both};
 pub use picture::picture;
 pub use raster::Raster;
@@ -54,7 +54,7 @@ impl Picture {
             return Ok(Picture::Png(Raster::of_png(&bytes)?));
         }
         let text = String::from_utf8(bytes).map_err(|_| refused(both!("it is neither an SVG nor a PNG", "不是 SVG 或 PNG")))?;
-        Document::read(&text)?;
+        SvgDocument::read(&text)?;
         Ok(Picture::Svg(text))
     }
 }
@@ -208,10 +208,10 @@ pub fn compare(old: &Picture, new: &Picture, options: &Options) -> Result<Differ
 
 /// Returns the pixels of two figures of one kind; SVG files at one resolution and with their
 /// elements.
-fn rasters(old: &Picture, new: &Picture) -> Result<([Raster; 2], Option<[Document; 2]>), Diagnostic> {
+fn rasters(old: &Picture, new: &Picture) -> Result<([Raster; 2], Option<[SvgDocument; 2]>), Diagnostic> {
     match (old, new) {
         (Picture::Svg(a), Picture::Svg(b)) => {
-            let documents = [Document::read(a)?, Document::read(b)?];
+            let documents = [SvgDocument::read(a)?, SvgDocument::read(b)?];
             let dpi = raster::dpi(&documents.each_ref().map(|d| d.size_mm));
             Ok(([Raster::of_svg(a, dpi)?, Raster::of_svg(b, dpi)?], Some(documents)))
         }
@@ -223,7 +223,7 @@ fn rasters(old: &Picture, new: &Picture) -> Result<([Raster; 2], Option<[Documen
     }
 }
 
-fn by_elements(old: &Document, new: &Document, options: &Options) -> Difference {
+fn by_elements(old: &SvgDocument, new: &SvgDocument, options: &Options) -> Difference {
     let mut out = Difference::default();
     for (what, a, b) in [("<title>", &old.title, &new.title), ("<desc>", &old.desc, &new.desc)] {
         if a != b {
@@ -241,10 +241,10 @@ fn by_elements(old: &Document, new: &Document, options: &Options) -> Difference 
 }
 
 /// Compares one element before and after.
-fn element(a: &Element, b: &Element, options: &Options, out: &mut Difference) {
+fn element(a: &SvgElement, b: &SvgElement, options: &Options, out: &mut Difference) {
     let id = || a.id.clone();
     if a.text != b.text {
-        let text = |e: &Element| e.text.clone().unwrap_or_default();
+        let text = |e: &SvgElement| e.text.clone().unwrap_or_default();
         out.texts.push(Text { id: id(), old: text(a), new: text(b) });
     }
     if a.paint != b.paint {

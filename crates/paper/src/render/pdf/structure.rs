@@ -7,30 +7,30 @@
 use krilla::surface::Surface;
 use krilla::tagging::{Identifier, ListNumbering, TableHeaderScope, Tag, TagGroup};
 
-use super::{Paper, Writer};
-use crate::paper::item::Item;
+use super::{PdfPaper, PdfWriter};
+use crate::paper::item::FigureItem;
 
 /// A list whose parts are not all drawn yet.
-pub(super) struct List {
+pub(super) struct OpenList {
     numbered: bool,
     /// The contents of each member, by its number.
     members: Vec<(usize, Vec<Identifier>)>,
 }
 
-impl Writer<'_> {
+impl PdfWriter<'_> {
     /// Draws members of a list. Members that start at 0 again, or change the numbering, start
     /// another list.
-    pub(super) fn list(&mut self, surface: &mut Surface, paper: Paper, items: &[Item], numbered: bool, members: &[usize]) {
+    pub(super) fn list(&mut self, surface: &mut Surface, paper: PdfPaper, items: &[FigureItem], numbered: bool, members: &[usize]) {
         let mut rest = items;
         for run in members.chunk_by(|a, b| a == b) {
             let (these, others) = rest.split_at(run.len().min(rest.len()));
             rest = others;
             let (member, content) = (run[0], self.content(surface, paper, these));
-            let goes_on = |l: &List| l.numbered == numbered && l.members.last().is_some_and(|(last, _)| *last <= member);
+            let goes_on = |l: &OpenList| l.numbered == numbered && l.members.last().is_some_and(|(last, _)| *last <= member);
             if !self.list.as_ref().is_some_and(goes_on) {
                 self.end_list();
             }
-            let list = self.list.get_or_insert(List { numbered, members: Vec::new() });
+            let list = self.list.get_or_insert(OpenList { numbered, members: Vec::new() });
             match list.members.last_mut() {
                 Some((last, contents)) if *last == member => contents.push(content),
                 _ => list.members.push((member, vec![content])),
@@ -39,7 +39,7 @@ impl Writer<'_> {
     }
 
     pub(super) fn end_list(&mut self) {
-        let Some(List { numbered, members }) = self.list.take() else { return };
+        let Some(OpenList { numbered, members }) = self.list.take() else { return };
         let mut list = TagGroup::new(Tag::L(if numbered { ListNumbering::Decimal } else { ListNumbering::None }));
         for (_, contents) in members {
             let mut body = TagGroup::new(Tag::LBody);
@@ -52,7 +52,7 @@ impl Writer<'_> {
     }
 
     /// Draws a table: each row has all columns, and each header cell its scope.
-    pub(super) fn table(&self, surface: &mut Surface, paper: Paper, items: &[Item], cells: &[[usize; 2]]) -> TagGroup {
+    pub(super) fn table(&self, surface: &mut Surface, paper: PdfPaper, items: &[FigureItem], cells: &[[usize; 2]]) -> TagGroup {
         let count = |k: usize| cells.iter().map(|at| at[k] + 1).max().unwrap_or(0);
         let (written, rules) = items.split_at(cells.len().min(items.len()));
         let mut written = written.iter().zip(cells).peekable();

@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use crate::paper::font::{Cut, Face, FaceKey, Segment};
+use crate::paper::font::{Cut, Face, FaceKey, OutlineSegment};
 use crate::paper::text::Typeset;
 use crate::render::escaped;
 use crate::render::number::mm;
@@ -13,14 +13,14 @@ pub(super) type LetterKey = (FaceKey, u32, i32);
 
 /// A glyph of a font at a fraction of the label's size (in 1/1000).
 #[derive(Clone)]
-pub(super) struct Letter {
+pub(super) struct LetterGlyph {
     face: Face,
     glyph: u32,
     size: i32,
 }
 
 /// Returns the visible letters of a label with their positions, in 1/1000 em, y up.
-pub(super) fn letters(set: &Typeset) -> Vec<(Letter, [i32; 2])> {
+pub(super) fn letters(set: &Typeset) -> Vec<(LetterGlyph, [i32; 2])> {
     let mut out = Vec::new();
     for run in &set.runs {
         let mut pen = run.x_em;
@@ -28,7 +28,7 @@ pub(super) fn letters(set: &Typeset) -> Vec<(Letter, [i32; 2])> {
             let at = [pen + glyph.offset_em[0] * run.size_em, run.y_em + glyph.offset_em[1] * run.size_em].map(milli);
             pen += glyph.advance_em * run.size_em;
             if run.face.outline(glyph.id).ink.any() {
-                out.push((Letter { face: run.face.clone(), glyph: glyph.id, size: milli(run.size_em) }, at));
+                out.push((LetterGlyph { face: run.face.clone(), glyph: glyph.id, size: milli(run.size_em) }, at));
             }
         }
     }
@@ -68,7 +68,7 @@ fn family(face: &Face) -> &'static str {
     }
 }
 
-impl Letter {
+impl LetterGlyph {
     /// Returns the lookup key: letters with the same key are equal; those of embedded fonts sort
     /// first.
     pub fn key(&self) -> LetterKey {
@@ -76,7 +76,7 @@ impl Letter {
     }
 
     /// Returns the outline, in 1/1000 em of the label.
-    pub fn contours(&self) -> Vec<Segment<i32>> {
+    pub fn contours(&self) -> Vec<OutlineSegment<i32>> {
         let size = f64::from(self.size) / 1000.0;
         self.face.outline(self.glyph).segments.iter().map(|s| s.map(|p| p.map(|em| milli(em * size)))).collect()
     }
@@ -109,7 +109,7 @@ pub(super) fn scale(size_mm: f64) -> String {
 }
 
 /// Returns the path data of an outline in integers and relative commands, with y turned over.
-pub(super) fn outline_data(outline: Vec<Segment<i32>>) -> String {
+pub(super) fn outline_data(outline: Vec<OutlineSegment<i32>>) -> String {
     let mut d = String::new();
     let mut digits = itoa::Buffer::new();
     let (mut here, mut start) = ([0, 0], [0, 0]);
@@ -132,14 +132,14 @@ pub(super) fn outline_data(outline: Vec<Segment<i32>>) -> String {
             here = points[points.len() - 1];
         };
         match segment {
-            Segment::Move(a) => {
+            OutlineSegment::Move(a) => {
                 write('m', &[a]);
                 start = a;
             }
-            Segment::Line(a) => write('l', &[a]),
-            Segment::Quad(a, b) => write('q', &[a, b]),
-            Segment::Cubic(a, b, c) => write('c', &[a, b, c]),
-            Segment::Close => {
+            OutlineSegment::Line(a) => write('l', &[a]),
+            OutlineSegment::Quad(a, b) => write('q', &[a, b]),
+            OutlineSegment::Cubic(a, b, c) => write('c', &[a, b, c]),
+            OutlineSegment::Close => {
                 d.push('z');
                 here = start;
             }

@@ -1,9 +1,9 @@
 use super::*;
-use crate::paper::arrow::Head;
+use crate::paper::arrow::ArrowHead;
 use crate::paper::item::Anchor;
 use crate::paper::label::Label;
 
-fn figure(items: Vec<Item>) -> Figure {
+fn figure(items: Vec<FigureItem>) -> Figure {
     Figure {
         width_mm: 100.0,
         height_mm: 50.0,
@@ -15,14 +15,14 @@ fn figure(items: Vec<Item>) -> Figure {
     }
 }
 
-fn line(id: &str, from: Point, to: Point) -> Item {
-    Item::new("link", Shape::Line { from, to, stroke: Stroke::new(0.7) }).with_id(id)
+fn line(id: &str, from: Point, to: Point) -> FigureItem {
+    FigureItem::new("link", Shape::Line { from, to, stroke: LineStroke::new(0.7) }).with_id(id)
 }
 
-fn label(source: &str) -> Item {
+fn label(source: &str) -> FigureItem {
     let shape =
         Shape::Label { at: Point::new(10.0, 10.0), label: Label::math(source), size_mm: 4.0, anchor: Anchor::Start, colour: Colour::BLACK };
-    Item::new("label", shape)
+    FigureItem::new("label", shape)
 }
 
 #[test]
@@ -37,8 +37,8 @@ fn y_is_turned_over_here() {
 #[test]
 fn counter_clockwise_stays_counter_clockwise() {
     let arc = |to_rad| {
-        let shape = Shape::Arc { centre: Point::new(50.0, 25.0), radius_mm: 10.0, from_rad: 0.0, to_rad, stroke: Stroke::new(0.2) };
-        write(&figure(vec![Item::new("", shape)])).unwrap().value
+        let shape = Shape::Arc { centre: Point::new(50.0, 25.0), radius_mm: 10.0, from_rad: 0.0, to_rad, stroke: LineStroke::new(0.2) };
+        write(&figure(vec![FigureItem::new("", shape)])).unwrap().value
     };
     // From the right to the top of the paper: y 25 to y 15 in the file, counter-clockwise.
     assert!(arc(std::f64::consts::FRAC_PI_2).contains("M60 25A10 10 0 0 0 50 15"));
@@ -63,9 +63,12 @@ fn letters_are_drawn_once_and_used() {
 
 #[test]
 fn same_figure_same_bytes() {
-    let arrow = Shape::Arrow { from: Point::ORIGIN, to: Point::new(30.0, 20.0), stroke: Stroke::new(0.4), head: Head::VECTOR };
-    let f =
-        figure(vec![Item::new("velocity edge", arrow).with_id("e1"), label(r"\omega_1"), line("", Point::ORIGIN, Point::new(1.0, 1.0))]);
+    let arrow = Shape::Arrow { from: Point::ORIGIN, to: Point::new(30.0, 20.0), stroke: LineStroke::new(0.4), head: ArrowHead::VECTOR };
+    let f = figure(vec![
+        FigureItem::new("velocity edge", arrow).with_id("e1"),
+        label(r"\omega_1"),
+        line("", Point::ORIGIN, Point::new(1.0, 1.0)),
+    ]);
     let first = write(&f).unwrap().value;
     for _ in 0..5 {
         assert_eq!(write(&f).unwrap().value, first);

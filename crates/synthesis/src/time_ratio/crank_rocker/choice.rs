@@ -1,9 +1,9 @@
 //! The choice of A on the circle with the inscribed angle θ by a line, and the nearest feasible
 //! task where there is no crank-rocker.
 
-use super::super::bar::Bar;
+use super::super::bar::GivenBar;
 use super::family::Family;
-use super::{CrankRocker, Limits, Way};
+use super::{CrankRocker, Limits, RockerGivens};
 use crate::board::cross_circles;
 use crate::fourbar::cross_circle;
 use crate::nearest::{number, told};
@@ -49,7 +49,7 @@ impl CrankRocker {
     }
 
     /// The linkages with A where AC₁ and AC₂ are sum and difference of the two bars.
-    pub(super) fn by_bar(&self, swing: f64, bar: Bar) -> Vec<Limits> {
+    pub(super) fn by_bar(&self, swing: f64, bar: GivenBar) -> Vec<Limits> {
         let c = self.swung(swing);
         let Some([crank, coupler]) = bar.both(c[0].distance(c[1]), libm::cos(self.ratio.theta)) else { return Vec::new() };
         let Some(both_sides) = cross_circles(c[0], coupler + crank, c[1], coupler - crank) else { return Vec::new() };
@@ -68,11 +68,11 @@ impl CrankRocker {
     /// All linkages of a task, crank-rockers or not.
     pub(super) fn all(&self) -> Vec<Limits> {
         match self.way {
-            Way::Limit { frame, angle } => self.by_limit(frame, angle),
-            Way::Swing { swing, frame } => self.by_frame(swing, frame),
-            Way::Bar { swing, bar } => self.by_bar(swing, bar),
-            Way::Line { swing, line } => self.by_line(swing, line),
-            Way::Best { .. } | Way::Gamma { .. } => Vec::new(),
+            RockerGivens::Limit { frame, angle } => self.by_limit(frame, angle),
+            RockerGivens::Swing { swing, frame } => self.by_frame(swing, frame),
+            RockerGivens::Bar { swing, bar } => self.by_bar(swing, bar),
+            RockerGivens::Line { swing, line } => self.by_line(swing, line),
+            RockerGivens::Best { .. } | RockerGivens::Gamma { .. } => Vec::new(),
         }
     }
 
@@ -132,8 +132,8 @@ impl CrankRocker {
         shortest && grashof < 0.0 && l.c[0].y * l.c[1].y > 0.0
     }
 
-    fn works(&self, way: Way, k: f64) -> bool {
-        let ratio = super::Ratio { k, theta: PI * (k - 1.0) / (k + 1.0), turned: false };
+    fn works(&self, way: RockerGivens, k: f64) -> bool {
+        let ratio = super::StrokeRatio { k, theta: PI * (k - 1.0) / (k + 1.0), turned: false };
         let other = CrankRocker { ratio, rocker: self.rocker, size: self.size, way };
         k >= 1.0 && other.all().iter().any(|l| other.turns(l))
     }
@@ -142,23 +142,23 @@ impl CrankRocker {
     fn nearest(&self) -> Both {
         let own = self.ratio.k;
         let (way, other) = match self.way {
-            Way::Limit { frame, angle } => {
-                let works = |mm: f64| mm > 0.0 && self.works(Way::Limit { frame: mm * 1e-3, angle }, own);
-                (Way::Limit { frame, angle }, number(frame * 1e3, frame * 1e3, works).map(frame_told))
+            RockerGivens::Limit { frame, angle } => {
+                let works = |mm: f64| mm > 0.0 && self.works(RockerGivens::Limit { frame: mm * 1e-3, angle }, own);
+                (RockerGivens::Limit { frame, angle }, number(frame * 1e3, frame * 1e3, works).map(frame_told))
             }
-            Way::Swing { swing, frame } => {
-                let works = |mm: f64| mm > 0.0 && self.works(Way::Swing { swing, frame: mm * 1e-3 }, own);
+            RockerGivens::Swing { swing, frame } => {
+                let works = |mm: f64| mm > 0.0 && self.works(RockerGivens::Swing { swing, frame: mm * 1e-3 }, own);
                 // The range that works may be narrower than the steps: the best of all linkages is
                 // in it.
                 let best = || self.best(swing, &mut Vec::new()).ok()?.first().map(|l| l.d.x * 1e3);
-                (Way::Swing { swing, frame }, number(frame * 1e3, frame * 1e3, works).or_else(best).map(frame_told))
+                (RockerGivens::Swing { swing, frame }, number(frame * 1e3, frame * 1e3, works).or_else(best).map(frame_told))
             }
-            Way::Bar { swing, bar } => {
-                let works = |mm: f64| mm > 0.0 && self.works(Way::Bar { swing, bar: bar.with(mm) }, own);
+            RockerGivens::Bar { swing, bar } => {
+                let works = |mm: f64| mm > 0.0 && self.works(RockerGivens::Bar { swing, bar: bar.with(mm) }, own);
                 let said = |mm: f64| both!("with \"{}\": \"{} mm\"", "取 \"{}\": \"{} mm\"", bar.key(), told(mm));
-                (Way::Bar { swing, bar }, number(bar.length() * 1e3, bar.length() * 1e3, works).map(said))
+                (RockerGivens::Bar { swing, bar }, number(bar.length() * 1e3, bar.length() * 1e3, works).map(said))
             }
-            Way::Line { swing, line } => {
+            RockerGivens::Line { swing, line } => {
                 let place = |[x, y]: [f64; 2]| Point::new(x * 1e-3, y * 1e-3);
                 let through = [line[0].x * 1e3, line[0].y * 1e3];
                 let shifted = |axis: usize, v: f64| {
@@ -169,7 +169,7 @@ impl CrankRocker {
                 let moved = |axis: usize| {
                     let works = |v: f64| {
                         let from = place(shifted(axis, v));
-                        self.works(Way::Line { swing, line: [from, from + (line[1] - line[0])] }, own)
+                        self.works(RockerGivens::Line { swing, line: [from, from + (line[1] - line[0])] }, own)
                     };
                     number(through[axis], self.rocker * 1e3, works).map(|v| ((v - through[axis]).abs(), shifted(axis, v)))
                 };
@@ -177,9 +177,9 @@ impl CrankRocker {
                 let said = |(_, [x, y]): (f64, [f64; 2])| {
                     both!("with \"through\": [\"{} mm\", \"{} mm\"]", "取 \"through\": [\"{} mm\", \"{} mm\"]", told(x), told(y))
                 };
-                (Way::Line { swing, line }, best.map(said))
+                (RockerGivens::Line { swing, line }, best.map(said))
             }
-            Way::Best { .. } | Way::Gamma { .. } => return Both::default(),
+            RockerGivens::Best { .. } | RockerGivens::Gamma { .. } => return Both::default(),
         };
         let k = number(own, own, |k| self.works(way.clone(), k)).map(|k| both!("with \"K\": {}", "取 \"K\": {}", told(k)));
         match (other, k) {
@@ -196,30 +196,30 @@ impl CrankRocker {
     pub(super) fn none(&self) -> Faults {
         let theta = significant(self.ratio.theta.to_degrees(), 4);
         let message = match self.way {
-            Way::Limit { .. } => both!(
+            RockerGivens::Limit { .. } => both!(
                 "the rays turned by θ = {theta}° miss the circle of the rocker: there is no second limit position",
                 "转过 θ = {theta}° 的射线与摇杆圆弧不相交：没有第二个极限位置"
             ),
-            Way::Swing { frame, .. } => both!(
+            RockerGivens::Swing { frame, .. } => both!(
                 "the circle with the inscribed angle θ = {theta}° has no point at {} from D",
                 "圆周角为 θ = {theta}° 的圆上没有距 D 为 {} 的点",
                 hodograph_base::digits::metres(frame)
             ),
-            Way::Bar { bar: Bar::Crank(crank), .. } => both!(
+            RockerGivens::Bar { bar: GivenBar::Crank(crank), .. } => both!(
                 "no coupler closes both limit positions with a crank of {} under θ = {theta}°",
                 "曲柄长 {}、θ = {theta}° 时，没有连杆使两极限位置均成立",
                 hodograph_base::digits::metres(crank)
             ),
-            Way::Bar { bar: Bar::Coupler(coupler), .. } => both!(
+            RockerGivens::Bar { bar: GivenBar::Coupler(coupler), .. } => both!(
                 "no crank closes both limit positions with a coupler of {} under θ = {theta}°",
                 "连杆长 {}、θ = {theta}° 时，没有曲柄使两极限位置均成立",
                 hodograph_base::digits::metres(coupler)
             ),
-            Way::Line { .. } => both!(
+            RockerGivens::Line { .. } => both!(
                 "the line does not cross the circle with the inscribed angle θ = {theta}° where A has a crank",
                 "直线与圆周角为 θ = {theta}° 的圆没有使曲柄存在的交点"
             ),
-            Way::Best { .. } | Way::Gamma { .. } => Both::default(),
+            RockerGivens::Best { .. } | RockerGivens::Gamma { .. } => Both::default(),
         };
         Diagnostic::error("no-real-solution", message).help(self.nearest()).into()
     }
@@ -239,7 +239,7 @@ fn frame_told(mm: f64) -> Both {
 }
 
 /// Reads a place and a direction as two places of a line.
-pub(super) fn line(form: &crate::form::Form) -> Option<[Point; 2]> {
+pub(super) fn line(form: &crate::form::TaskForm) -> Option<[Point; 2]> {
     let inner = form.inner("line", &["through", "angle"])?;
     inner.need("through", "[\"0 mm\", \"0 mm\"]")?;
     let through = inner.point("through");

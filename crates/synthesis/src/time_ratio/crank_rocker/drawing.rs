@@ -1,9 +1,9 @@
 //! Drawings of the crank-rocker: the second limit on a turned ray, or A on the circle with the
 //! inscribed angle; then the halving.
 
-use super::super::bar::Bar;
-use super::{CrankRocker, Way};
-use crate::board::{Board, Line, Weight};
+use super::super::bar::GivenBar;
+use super::{CrankRocker, RockerGivens};
+use crate::board::{PaperLine, SynthesisBoard, Weight};
 use crate::candidate::Draft;
 use crate::told::of;
 use hodograph_base::diag::both;
@@ -15,30 +15,32 @@ use std::f64::consts::{FRAC_PI_2, PI};
 #[derive(Clone, Copy)]
 enum Fixed {
     Frame(f64),
-    Bar(Bar),
+    Bar(GivenBar),
     Line([Point; 2]),
     Beta(f64),
 }
 
 impl CrankRocker {
-    pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    pub(super) fn drawn(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         match self.way {
-            Way::Limit { frame, angle } => {
-                let ray = |sense: f64, k: usize| move |board: &mut Board| self.by_ray(board, [frame, angle], sense, k);
+            RockerGivens::Limit { frame, angle } => {
+                let ray = |sense: f64, k: usize| move |board: &mut SynthesisBoard| self.by_ray(board, [frame, angle], sense, k);
                 let (a, b, c, d) = (ray(1.0, 0), ray(1.0, 1), ray(-1.0, 0), ray(-1.0, 1));
                 board.meant(draft, &[&a, &b, &c, &d])
             }
-            Way::Swing { swing, frame } => self.on_arc(draft, board, swing, Fixed::Frame(frame)),
-            Way::Bar { swing, bar } => self.on_arc(draft, board, swing, Fixed::Bar(bar)),
-            Way::Line { swing, line } => self.on_arc(draft, board, swing, Fixed::Line(line)),
-            Way::Best { swing, .. } | Way::Gamma { swing, .. } => self.on_arc(draft, board, swing, Fixed::Beta(of(draft, "beta"))),
+            RockerGivens::Swing { swing, frame } => self.on_arc(draft, board, swing, Fixed::Frame(frame)),
+            RockerGivens::Bar { swing, bar } => self.on_arc(draft, board, swing, Fixed::Bar(bar)),
+            RockerGivens::Line { swing, line } => self.on_arc(draft, board, swing, Fixed::Line(line)),
+            RockerGivens::Best { swing, .. } | RockerGivens::Gamma { swing, .. } => {
+                self.on_arc(draft, board, swing, Fixed::Beta(of(draft, "beta")))
+            }
         }
     }
 
     /// Draws C₂ at the intersection of the ray AC₁, turned by θ, with the rocker's circle.
-    fn by_ray(&self, board: &mut Board, [frame, angle]: [f64; 2], sense: f64, k: usize) -> Option<()> {
+    fn by_ray(&self, board: &mut SynthesisBoard, [frame, angle]: [f64; 2], sense: f64, k: usize) -> Option<()> {
         let (a, d, radius) = (Point::ORIGIN, Point::new(board.mm(frame), 0.0), board.mm(self.rocker));
-        let c1 = Line::ray(d, PI - angle).place(radius);
+        let c1 = PaperLine::ray(d, PI - angle).place(radius);
         board.step(both!(
             "Lay off the frame AD and the rocker DC1 under the given angle; draw the circle about D through C1",
             "作机架 AD，按给定角度作摇杆 DC1，并以 D 为圆心过 C1 作圆"
@@ -50,7 +52,7 @@ impl CrankRocker {
             .mark("A", a)
             .mark("D", d)
             .mark("C_1", c1);
-        let ray = Line::ray(a, (c1 - a).angle() + sense * self.ratio.theta);
+        let ray = PaperLine::ray(a, (c1 - a).angle() + sense * self.ratio.theta);
         let c2 = board.cut(&ray, d, radius)?[k];
         if (c2 - a).dot(ray.along) <= 0.0 {
             return None;
@@ -66,22 +68,22 @@ impl CrankRocker {
 
     /// Draws A on the circle over C₁C₂ with the inscribed angle θ: at the frame's length from D, on
     /// a line, by a bar, or under the chosen angle β.
-    fn on_arc(&self, draft: &Draft, board: &mut Board, swing: f64, fixed: Fixed) -> Option<()> {
+    fn on_arc(&self, draft: &Draft, board: &mut SynthesisBoard, swing: f64, fixed: Fixed) -> Option<()> {
         // Where another length determines the size, the rocker follows from the shape.
         let (d, radius) = (Point::ORIGIN, board.mm(of(draft, "CD")));
-        let [c1, c2] = [1.0, -1.0].map(|s| Line::ray(d, FRAC_PI_2 + s * swing / 2.0).place(radius));
+        let [c1, c2] = [1.0, -1.0].map(|s| PaperLine::ray(d, FRAC_PI_2 + s * swing / 2.0).place(radius));
         board.step(both!("Lay off the rocker in its limits DC1 and DC2 under the swing ψ", "按摆角 ψ 作摇杆的两极限位置 DC1、DC2"));
         board.line(d, c1, Weight::Given).line(d, c2, Weight::Given).mark("D", d).mark("C_1", c1).mark("C_2", c2);
-        let way = |beyond: bool, k: usize| move |board: &mut Board| self.arc(board, [d, c1, c2], fixed, beyond, k);
+        let way = |beyond: bool, k: usize| move |board: &mut SynthesisBoard| self.arc(board, [d, c1, c2], fixed, beyond, k);
         let (p, q, r, s) = (way(true, 0), way(true, 1), way(false, 0), way(false, 1));
         board.meant(draft, &[&p, &q, &r, &s])
     }
 
-    fn arc(&self, board: &mut Board, [d, c1, c2]: [Point; 3], fixed: Fixed, beyond: bool, k: usize) -> Option<()> {
+    fn arc(&self, board: &mut SynthesisBoard, [d, c1, c2]: [Point; 3], fixed: Fixed, beyond: bool, k: usize) -> Option<()> {
         let theta = self.ratio.theta;
         let named = significant(theta.to_degrees(), 4);
         if theta == 0.0 {
-            let line = Line::through(c1, c2)?;
+            let line = PaperLine::through(c1, c2)?;
             let a = match fixed {
                 Fixed::Frame(frame) => {
                     let a = board.cut(&line, d, board.mm(frame))?[k];
@@ -128,11 +130,15 @@ impl CrankRocker {
             }
             Fixed::Beta(beta) => {
                 let side = if beyond { -1.0 } else { 1.0 };
-                let ray = Line::ray(c2, (c1 - c2).angle() + side * beta);
+                let ray = PaperLine::ray(c2, (c1 - c2).angle() + side * beta);
                 let text = significant(beta.to_degrees(), 5);
                 let why = match self.way {
-                    Way::Gamma { .. } => both!("the wanted transmission angle", "给定的传动角"),
-                    Way::Limit { .. } | Way::Swing { .. } | Way::Bar { .. } | Way::Line { .. } | Way::Best { .. } => {
+                    RockerGivens::Gamma { .. } => both!("the wanted transmission angle", "给定的传动角"),
+                    RockerGivens::Limit { .. }
+                    | RockerGivens::Swing { .. }
+                    | RockerGivens::Bar { .. }
+                    | RockerGivens::Line { .. }
+                    | RockerGivens::Best { .. } => {
                         both!("the best transmission angle", "传动角最好")
                     }
                 };
@@ -156,6 +162,6 @@ impl CrankRocker {
 }
 
 /// The line through two places of the file, on the paper.
-fn through(board: &Board, [p, q]: [Point; 2]) -> Option<Line> {
-    Some(Line { at: board.at(p), along: (q - p).unit()? })
+fn through(board: &SynthesisBoard, [p, q]: [Point; 2]) -> Option<PaperLine> {
+    Some(PaperLine { at: board.at(p), along: (q - p).unit()? })
 }

@@ -1,7 +1,7 @@
 //! The crank-rocker as a problem, and the formulas of its proof.
 
-use super::super::bar::Bar;
-use super::{CrankRocker, Size, Way};
+use super::super::bar::GivenBar;
+use super::{CrankRocker, RockerGivens, SizeBasis};
 use crate::candidate::Draft;
 use crate::told::{angle, angle_of_limits, half_difference, length, number, of, place};
 use crate::{Proof, Statement};
@@ -13,13 +13,13 @@ impl CrankRocker {
         let mut given = vec![
             both!("time ratio $K = {}$", "行程速度变化系数 $K = {}$", number(self.ratio.k)),
             match self.size {
-                Size::Rocker => both!("rocker $l_{{CD}} = {}$", "摇杆 $l_{{CD}} = {}$", length(self.rocker)),
-                Size::Frame(frame) => both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)),
-                Size::Crank(crank) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank)),
+                SizeBasis::Rocker => both!("rocker $l_{{CD}} = {}$", "摇杆 $l_{{CD}} = {}$", length(self.rocker)),
+                SizeBasis::Frame(frame) => both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)),
+                SizeBasis::Crank(crank) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank)),
             },
         ];
         match self.way {
-            Way::Limit { frame, angle: limit } => {
+            RockerGivens::Limit { frame, angle: limit } => {
                 given.push(both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)));
                 given.push(both!(
                     "angle of the rocker with the frame in one limit position $\\angle ADC_1 = {}$",
@@ -27,15 +27,15 @@ impl CrankRocker {
                     angle(limit)
                 ));
             }
-            Way::Swing { swing, frame } => {
+            RockerGivens::Swing { swing, frame } => {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)));
             }
-            Way::Bar { swing, bar } => {
+            RockerGivens::Bar { swing, bar } => {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(bar.told());
             }
-            Way::Line { swing, line: [through, end] } => {
+            RockerGivens::Line { swing, line: [through, end] } => {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(both!(
                     "$A$ on the line through ${}$ under ${}$ ($D$ the origin, the swing even about the upward axis)",
@@ -44,7 +44,7 @@ impl CrankRocker {
                     angle((end - through).angle())
                 ));
             }
-            Way::Gamma { swing, gamma } => {
+            RockerGivens::Gamma { swing, gamma } => {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(both!(
                     "least transmission angle $\\gamma_{{\\text{{min}}}} = {}$",
@@ -52,7 +52,7 @@ impl CrankRocker {
                     angle(gamma)
                 ));
             }
-            Way::Best { swing, .. } => {
+            RockerGivens::Best { swing, .. } => {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(both!(
                     "the least transmission angle $\\gamma_{{\\text{{min}}}}$ is to be as great as possible",
@@ -60,22 +60,23 @@ impl CrankRocker {
                 ));
             }
         }
-        let crank_given = matches!(self.way, Way::Bar { bar: Bar::Crank(_), .. }) || matches!(self.size, Size::Crank(_));
-        let mut wanted = vec![if let Way::Bar { bar: Bar::Coupler(_), .. } = self.way {
+        let crank_given = matches!(self.way, RockerGivens::Bar { bar: GivenBar::Crank(_), .. }) || matches!(self.size, SizeBasis::Crank(_));
+        let mut wanted = vec![if let RockerGivens::Bar { bar: GivenBar::Coupler(_), .. } = self.way {
             both!("the length of the crank $l_{{AB}}$", "曲柄 $l_{{AB}}$ 的长度")
         } else if crank_given {
             both!("the length of the coupler $l_{{BC}}$", "连杆 $l_{{BC}}$ 的长度")
         } else {
             both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度")
         }];
-        if self.size != Size::Rocker {
+        if self.size != SizeBasis::Rocker {
             wanted.push(both!("the rocker $l_{{CD}}$", "摇杆 $l_{{CD}}$ 的长度"));
         }
-        let framed = matches!(self.way, Way::Limit { .. } | Way::Swing { .. }) || matches!(self.size, Size::Frame(_));
+        let framed =
+            matches!(self.way, RockerGivens::Limit { .. } | RockerGivens::Swing { .. }) || matches!(self.size, SizeBasis::Frame(_));
         if !framed {
             wanted.push(both!("the frame $l_{{AD}}$", "机架 $l_{{AD}}$ 的长度"));
         }
-        if !matches!(self.way, Way::Gamma { .. }) {
+        if !matches!(self.way, RockerGivens::Gamma { .. }) {
             wanted.push(both!("the least transmission angle $\\gamma_{{\\text{{min}}}}$", "最小传动角 $\\gamma_{{\\text{{min}}}}$"));
         }
         let task = both!(
@@ -93,7 +94,7 @@ impl CrankRocker {
         let ac = [c1, c2].map(|c| c.to_vec2().norm());
         out.push(self.second_limit(draft, ac));
         out.push(half_difference(ac, of(draft, "AB"), of(draft, "BC")));
-        if let Way::Gamma { gamma, .. } = self.way {
+        if let RockerGivens::Gamma { gamma, .. } = self.way {
             out.push(Proof::new(
                 both!(
                     "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; along $\\beta$ its least value is the wanted one where",
@@ -102,7 +103,7 @@ impl CrankRocker {
                 [format!("\\gamma_{{\\text{{min}}}} = {} ,\\quad \\beta = {}", angle(gamma), angle(of(draft, "beta")))],
             ));
         }
-        if matches!(self.way, Way::Best { .. }) {
+        if matches!(self.way, RockerGivens::Best { .. }) {
             out.push(Proof::new(
                 both!(
                     "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; along $\\beta$ its least value is greatest where",
@@ -117,7 +118,7 @@ impl CrankRocker {
     /// The proof of C₂ or A.
     fn second_limit(&self, draft: &Draft, [ac1, ac2]: [f64; 2]) -> Proof {
         match self.way {
-            Way::Limit { .. } => Proof::new(
+            RockerGivens::Limit { .. } => Proof::new(
                 both!(
                     "$C_2$ lies on the ray $AC_1$ turned by $\\theta$ and on the circle of the rocker: with $\\delta = \\angle C_2AD$ the law of cosines is a quadratic equation for $l_{{AC_2}}$,",
                     "$C_2$ 在 $AC_1$ 转过 $\\theta$ 的射线与摇杆圆弧上：记 $\\delta = \\angle C_2AD$，由余弦定理得 $l_{{AC_2}}$ 的二次方程"
@@ -127,7 +128,7 @@ impl CrankRocker {
                     format!("l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}", length(ac1), length(ac2)),
                 ],
             ),
-            Way::Bar { bar, .. } => {
+            RockerGivens::Bar { bar, .. } => {
                 let [other, formula] = bar.formula();
                 let chord = 2.0 * of(draft, "CD") * libm::sin(of(draft, "psi") / 2.0);
                 Proof::new(
@@ -142,7 +143,7 @@ impl CrankRocker {
                     ],
                 )
             }
-            Way::Swing { .. } | Way::Line { .. } | Way::Best { .. } | Way::Gamma { .. } => {
+            RockerGivens::Swing { .. } | RockerGivens::Line { .. } | RockerGivens::Best { .. } | RockerGivens::Gamma { .. } => {
                 let chord = 2.0 * of(draft, "CD") * libm::sin(of(draft, "psi") / 2.0);
                 Proof::new(
                     both!(

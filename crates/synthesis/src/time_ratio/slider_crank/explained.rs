@@ -1,6 +1,6 @@
 //! The slider-crank as a problem, and the formulas of its proof.
 
-use super::{SliderCrank, Third};
+use super::{SliderCrank, ThirdGiven};
 use crate::candidate::Draft;
 use crate::told::{angle, angle_of_limits, length, number, of};
 use crate::{Proof, Statement};
@@ -9,18 +9,20 @@ use hodograph_base::diag::both;
 impl SliderCrank {
     pub(super) fn stated(&self) -> Statement {
         let third = match self.third {
-            Third::Offset(e) => both!("offset $e = {}$", "偏距 $e = {}$", length(e)),
-            Third::Crank(a) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(a)),
-            Third::Rod(b) => both!("rod $l_{{BC}} = {}$", "连杆 $l_{{BC}} = {}$", length(b)),
-            Third::Best => both!("the greatest pressure angle is to be as small as possible", "最大压力角应尽可能小"),
+            ThirdGiven::Offset(e) => both!("offset $e = {}$", "偏距 $e = {}$", length(e)),
+            ThirdGiven::Crank(a) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(a)),
+            ThirdGiven::Rod(b) => both!("rod $l_{{BC}} = {}$", "连杆 $l_{{BC}} = {}$", length(b)),
+            ThirdGiven::Best => both!("the greatest pressure angle is to be as small as possible", "最大压力角应尽可能小"),
         };
         let wanted = match self.third {
-            Third::Offset(_) => both!("the lengths of crank $l_{{AB}}$ and rod $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度"),
-            Third::Crank(_) => both!("the rod $l_{{BC}}$ and the offset $e$", "连杆 $l_{{BC}}$ 与偏距 $e$"),
-            Third::Best => {
+            ThirdGiven::Offset(_) => {
+                both!("the lengths of crank $l_{{AB}}$ and rod $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度")
+            }
+            ThirdGiven::Crank(_) => both!("the rod $l_{{BC}}$ and the offset $e$", "连杆 $l_{{BC}}$ 与偏距 $e$"),
+            ThirdGiven::Best => {
                 both!("the crank $l_{{AB}}$, the rod $l_{{BC}}$ and the offset $e$", "曲柄 $l_{{AB}}$、连杆 $l_{{BC}}$ 与偏距 $e$")
             }
-            Third::Rod(_) => both!("the crank $l_{{AB}}$ and the offset $e$", "曲柄 $l_{{AB}}$ 与偏距 $e$"),
+            ThirdGiven::Rod(_) => both!("the crank $l_{{AB}}$ and the offset $e$", "曲柄 $l_{{AB}}$ 与偏距 $e$"),
         };
         Statement {
             task: both!(

@@ -1,41 +1,41 @@
 //! Drawings of the slotted lever, the shaper and Whitworth's linkage.
 
-use super::{Kind, Slotted};
-use crate::board::{Board, Line, Weight};
+use super::{Slotted, SlottedKind};
+use crate::board::{PaperLine, SynthesisBoard, Weight};
 use hodograph_base::diag::both;
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Slotted {
-    pub(super) fn drawn(&self, board: &mut Board) -> Option<()> {
+    pub(super) fn drawn(&self, board: &mut SynthesisBoard) -> Option<()> {
         match self.kind {
-            Kind::Lever { .. } => self.swinging(board).map(|_| ()),
-            Kind::Shaper { stroke, .. } => {
+            SlottedKind::Lever { .. } => self.swinging(board).map(|_| ()),
+            SlottedKind::Shaper { stroke, .. } => {
                 let (c, b) = self.swinging(board)?;
                 ram(board, c, b, stroke)
             }
-            Kind::Whitworth { stroke, .. } => self.turning(board, stroke),
+            SlottedKind::Whitworth { stroke, .. } => self.turning(board, stroke),
         }
     }
 
     /// Draws A above C; the lever in its limit is tangent to the crank's circle. Returns C and the
     /// right B.
-    fn swinging(&self, board: &mut Board) -> Option<(Point, Point)> {
+    fn swinging(&self, board: &mut SynthesisBoard) -> Option<(Point, Point)> {
         let half = self.ratio.theta / 2.0;
         let named = significant(half.to_degrees(), 4);
         let (a, lever) = (Point::ORIGIN, FRAC_PI_2 - half);
         if self.by_crank {
             let radius = board.mm(self.crank);
-            let b = Line::ray(a, -half).place(radius);
-            let c = Line::ray(b, lever).cross(&Line::ray(a, -FRAC_PI_2))?;
+            let b = PaperLine::ray(a, -half).place(radius);
+            let c = PaperLine::ray(b, lever).cross(&PaperLine::ray(a, -FRAC_PI_2))?;
             board.step(both!("Draw the crank circle about A; lay off θ/2 = {named}° below the horizontal: B1; the tangent there meets the vertical through A at C", "以 A 为圆心作曲柄圆；由水平线向下量 θ/2 = {named}° 得 B1；过 B1 的切线与过 A 的铅垂线交于 C"));
             board.circle(a, radius, Weight::Given).line(a, b, Weight::Given).line(c, b, Weight::Thin).line(a, c, Weight::Thin);
             board.mark("A", a).mark("B_1", b).mark("C", c).read("AC", a, c);
             return Some((c, b));
         }
         let c = Point::new(0.0, -board.mm(self.frame));
-        let ray = Line::ray(c, lever);
+        let ray = PaperLine::ray(c, lever);
         let b = ray.cross(&ray.square(a))?;
         board.step(both!(
             "Lay off the frame AC; under θ/2 = {named}° from it draw the lever's limit; the perpendicular from A meets it at B1",
@@ -49,15 +49,15 @@ impl Slotted {
 
     /// Draws Whitworth's linkage: while the lever's dead-centre line turns by 180° the crank turns
     /// by 360°/(K + 1).
-    fn turning(&self, board: &mut Board, stroke: f64) -> Option<()> {
+    fn turning(&self, board: &mut SynthesisBoard, stroke: f64) -> Option<()> {
         let half = PI / (self.ratio.k + 1.0);
         let a = Point::ORIGIN;
         let named = significant(half.to_degrees(), 4);
-        let down = |side: f64| Line::ray(a, -FRAC_PI_2 + side * half);
+        let down = |side: f64| PaperLine::ray(a, -FRAC_PI_2 + side * half);
         let (b, c) = if self.by_crank {
             let radius = board.mm(self.crank);
             let b = [1.0, -1.0].map(|s| down(s).place(radius));
-            let c = Line::through(b[0], b[1])?.cross(&Line::ray(a, -FRAC_PI_2))?;
+            let c = PaperLine::through(b[0], b[1])?.cross(&PaperLine::ray(a, -FRAC_PI_2))?;
             board.step(both!(
                 "Draw the crank circle about A; B1 and B2 lie under 180°/(K + 1) = {named}° from the downward line; their chord meets it at C",
                 "以 A 为圆心作曲柄圆；由向下的铅垂线两侧各量 180°/(K + 1) = {named}° 得 B1、B2；弦 B1B2 与铅垂线交于 C"
@@ -66,7 +66,7 @@ impl Slotted {
             (b, c)
         } else {
             let c = Point::new(0.0, -board.mm(self.frame));
-            let level = Line::ray(c, 0.0);
+            let level = PaperLine::ray(c, 0.0);
             let b = [down(1.0).cross(&level)?, down(-1.0).cross(&level)?];
             board.step(both!(
                 "Lay off the frame AC; rays from A under 180°/(K + 1) = {named}° to both sides meet the level line through C at B1, B2",
@@ -88,10 +88,10 @@ impl Slotted {
 
 /// Draws the shaper's lever by the stroke, and the ram's guide in the middle of the rise of D's
 /// arc.
-fn ram(board: &mut Board, c: Point, b: Point, stroke: f64) -> Option<()> {
+fn ram(board: &mut SynthesisBoard, c: Point, b: Point, stroke: f64) -> Option<()> {
     let half = board.mm(stroke) / 2.0;
-    let lever = Line::through(c, b)?;
-    let d1 = lever.cross(&Line::ray(Point::new(c.x + half, c.y), FRAC_PI_2))?;
+    let lever = PaperLine::through(c, b)?;
+    let d1 = lever.cross(&PaperLine::ray(Point::new(c.x + half, c.y), FRAC_PI_2))?;
     let d2 = Point::new(2.0 * c.x - d1.x, d1.y);
     board.step(both!(
         "At H/2 beside the vertical through C draw a parallel: it meets the lever at D1; D2 is its mirror image",
@@ -103,7 +103,7 @@ fn ram(board: &mut Board, c: Point, b: Point, stroke: f64) -> Option<()> {
         Weight::Thin,
     );
     board.mark("D_1", d1).mark("D_2", d2).read("CD", c, d1);
-    let top = Line::ray(c, FRAC_PI_2).place(c.distance(d1));
+    let top = PaperLine::ray(c, FRAC_PI_2).place(c.distance(d1));
     let foot = Point::new(c.x, d1.y);
     board.step(both!(
         "D's arc about C; halve its rise over the chord D1D2: through the middle, y over C, runs the ram's guide",

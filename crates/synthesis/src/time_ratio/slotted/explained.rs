@@ -1,7 +1,7 @@
 //! The slotted lever, the shaper and Whitworth's linkage as problems, and the formulas of their
 //! proofs.
 
-use super::{Kind, Slotted};
+use super::{Slotted, SlottedKind};
 use crate::candidate::Draft;
 use crate::told::{angle, angle_of_limits, length, number, of};
 use crate::{Proof, Statement};
@@ -21,14 +21,14 @@ impl Slotted {
             false => both!("the crank $l_{{AB}}$", "曲柄 $l_{{AB}}$"),
         }];
         let task = match self.kind {
-            Kind::Lever { lever } => {
+            SlottedKind::Lever { lever } => {
                 given.extend(lever.map(|l| both!("lever $l_{{CD}} = {}$", "导杆 $l_{{CD}} = {}$", length(l))));
                 both!(
                     "Design a slotted lever: the crank $AB$ turns fully, its pin $B$ slides on the lever, which swings about $C$.",
                     "设计摆动导杆机构：曲柄 $AB$ 整周转动，滑块 $B$ 沿导杆滑动，导杆绕 $C$ 摆动。"
                 )
             }
-            Kind::Shaper { stroke: h, link: l } => {
+            SlottedKind::Shaper { stroke: h, link: l } => {
                 given.extend([stroke(h), link(l)]);
                 wanted.push(both!(
                     "the lever $l_{{CD}}$ and the height $y$ of the ram's guide over $C$ with the least pressure angle",
@@ -39,7 +39,7 @@ impl Slotted {
                     "设计牛头刨床机构：曲柄 $AB$ 驱动导杆 $CD$，经连杆 $DE$ 带动滑枕 $E$。"
                 )
             }
-            Kind::Whitworth { stroke: h, link: l } => {
+            SlottedKind::Whitworth { stroke: h, link: l } => {
                 given.extend([stroke(h), link(l)]);
                 wanted.push(both!("the arm $l_{{CD}}$ of the lever", "导杆上的臂长 $l_{{CD}}$"));
                 both!(
@@ -54,7 +54,7 @@ impl Slotted {
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
         let (ab, ac) = (length(self.crank), length(self.frame));
         let mut out = Vec::new();
-        if let Kind::Lever { .. } | Kind::Shaper { .. } = self.kind {
+        if let SlottedKind::Lever { .. } | SlottedKind::Shaper { .. } = self.kind {
             out.push(angle_of_limits(self.ratio.k, self.ratio.theta));
             out.push(Proof::new(
                 both!(
@@ -65,8 +65,8 @@ impl Slotted {
             ));
         }
         match self.kind {
-            Kind::Lever { .. } => {}
-            Kind::Shaper { .. } => out.push(Proof::new(
+            SlottedKind::Lever { .. } => {}
+            SlottedKind::Shaper { .. } => out.push(Proof::new(
                 both!(
                     "The chord of $D$ is the stroke; a guide in the middle of the rise of its arc makes the greatest pressure angle least:",
                     "$D$ 的弦长等于行程；导路取在 $D$ 点圆弧高的中点时最大压力角最小："
@@ -80,7 +80,7 @@ impl Slotted {
                     ),
                 ],
             )),
-            Kind::Whitworth { .. } => out.push(Proof::new(
+            SlottedKind::Whitworth { .. } => out.push(Proof::new(
                 both!(
                     "While the lever turns by $180\\degree$ from one dead line to the other, the crank turns by $360\\degree/(K + 1)$ on the quick stroke:",
                     "导杆转过 $180\\degree$ 时，快行程的曲柄转角为 $360\\degree/(K + 1)$："
