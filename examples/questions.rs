@@ -2,7 +2,7 @@
 //!
 //! `cargo run --example questions`
 
-use hodograph::answer::Value;
+use hodograph::answer::AnswerValue;
 use hodograph::diag::Faults;
 use hodograph::problem::{Answer, Look, Options, read, solve, templates};
 use hodograph::scene::edit;
@@ -34,9 +34,9 @@ fn answers(crank: &str) -> Result<Vec<Answer>, Faults> {
 }
 
 /// A number, or the magnitude of a vector.
-fn size(value: Value) -> f64 {
+fn size(value: AnswerValue) -> f64 {
     match value {
-        Value::Scalar(number) => number,
-        Value::Vector(_) | Value::Point(_) => value.magnitude(),
+        AnswerValue::Scalar(number) => number,
+        AnswerValue::Vector(_) | AnswerValue::Point(_) => value.magnitude(),
     }
 }
